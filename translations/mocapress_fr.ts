@@ -212,8 +212,8 @@
         <translation>Proje&amp;ts récents</translation>
     </message>
     <message>
-        <source>Save as .mcpr, .bvh, .glb, .amc with its .asf, or .csv</source>
-        <translation>Enregistrer en .mcpr, .bvh, .glb, .amc avec son .asf, ou .csv</translation>
+        <source>Save as .mcpr, .bvh, .fbx, .glb, .amc with its .asf, or .csv</source>
+        <translation>Enregistrer en .mcpr, .bvh, .fbx, .glb, .amc avec son .asf, ou .csv</translation>
     </message>
     <message>
         <source>E&amp;xport Motion…</source>
@@ -320,6 +320,14 @@
     <message>
         <source>The decompressed channels as a table.</source>
         <translation>Les canaux décompressés en tableau.</translation>
+    </message>
+    <message>
+        <source>FBX</source>
+        <translation>FBX</translation>
+    </message>
+    <message>
+        <source>The decompressed motion on its skeleton, for Maya, MotionBuilder and engines.</source>
+        <translation>Le mouvement décompressé sur son squelette, pour Maya, MotionBuilder et les moteurs.</translation>
     </message>
     <message>
         <source>glTF (.glb)</source>
@@ -999,6 +1007,10 @@
     <message>
         <source>Acclaim motion with its skeleton (*.amc)</source>
         <translation>Mouvement Acclaim avec son squelette (*.amc)</translation>
+    </message>
+    <message>
+        <source>FBX on its skeleton (*.fbx)</source>
+        <translation>FBX avec son squelette (*.fbx)</translation>
     </message>
     <message>
         <source>glTF on its skeleton (*.glb)</source>

@@ -212,8 +212,8 @@
         <translation>最近のプロジェクト(&amp;T)</translation>
     </message>
     <message>
-        <source>Save as .mcpr, .bvh, .glb, .amc with its .asf, or .csv</source>
-        <translation>.mcpr、.bvh、.glb、.amc（.asf 付き）または .csv として保存します</translation>
+        <source>Save as .mcpr, .bvh, .fbx, .glb, .amc with its .asf, or .csv</source>
+        <translation>.mcpr、.bvh、.fbx、.glb、.amc（.asf 付き）または .csv として保存します</translation>
     </message>
     <message>
         <source>E&amp;xport Motion…</source>
@@ -320,6 +320,14 @@
     <message>
         <source>The decompressed channels as a table.</source>
         <translation>展開したチャンネルの表。</translation>
+    </message>
+    <message>
+        <source>FBX</source>
+        <translation>FBX</translation>
+    </message>
+    <message>
+        <source>The decompressed motion on its skeleton, for Maya, MotionBuilder and engines.</source>
+        <translation>展開したモーションとスケルトン。Maya、MotionBuilder、エンジン向け。</translation>
     </message>
     <message>
         <source>glTF (.glb)</source>
@@ -990,6 +998,10 @@
     <message>
         <source>Acclaim motion with its skeleton (*.amc)</source>
         <translation>Acclaim モーションとスケルトン (*.amc)</translation>
+    </message>
+    <message>
+        <source>FBX on its skeleton (*.fbx)</source>
+        <translation>FBX とスケルトン (*.fbx)</translation>
     </message>
     <message>
         <source>glTF on its skeleton (*.glb)</source>

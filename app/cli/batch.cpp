@@ -273,7 +273,7 @@ void add_batch(CLI::App& app) {
   call->preset.add_options(*command);
   command->add_option("--format", call->formats, "Output formats, comma-separated [mcpr]")
       ->delimiter(',')
-      ->check(CLI::IsMember({"mcpr", "bvh", "amc", "csv", "glb"}));
+      ->check(CLI::IsMember({"mcpr", "bvh", "amc", "csv", "glb", "fbx"}));
   CLI::Option* const bank =
       command
           ->add_option("--bank", call->bank,

@@ -67,11 +67,11 @@ struct Decompress {
       throw CLI::ValidationError("--onto", "writes a file, not standard output");
     if (!writes_stream() && !is_written(fs::path(output).extension().string()))
       throw CLI::ValidationError(output +
-                                 ": its extension is none of .bvh, .glb, .gltf, .amc, .csv");
+                                 ": its extension is none of .bvh, .fbx, .glb, .gltf, .amc, .csv");
   }
 
   static bool is_written(const std::string& extension) {
-    constexpr std::array kWritten = {".bvh", ".glb", ".gltf", ".amc", ".csv"};
+    constexpr std::array kWritten = {".bvh", ".fbx", ".glb", ".gltf", ".amc", ".csv"};
     return std::ranges::any_of(
         kWritten, [&](const char* known) { return equals_ignoring_case(extension, known); });
   }
@@ -118,11 +118,12 @@ void add_decompress(CLI::App& app) {
   command->add_option("input", call->input, "A .mcpr file")->required()->type_name("IN.mcpr");
   command
       ->add_option("-o,--output", call->output,
-                   "A .bvh, .glb, .gltf, .amc or .csv file, by its extension; - is standard output")
+                   "A .bvh, .fbx, .glb, .gltf, .amc or .csv file, by its extension; - is standard "
+                   "output")
       ->required()
       ->type_name("OUT");
   command->add_option("--format", call->output_format, "Format of standard output")
-      ->check(CLI::IsMember({"bvh", "glb", "gltf", "csv"}));
+      ->check(CLI::IsMember({"bvh", "fbx", "glb", "gltf", "csv"}));
   command->add_flag("--no-clobber", call->no_clobber, "Replace no file that is there");
   command->add_option("--skeleton-out", call->skeleton_output, "The .asf that goes with an .amc")
       ->type_name("S.asf");

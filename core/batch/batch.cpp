@@ -17,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 5> kFormatNames = {"mcpr", "bvh", "amc", "csv", "glb"};
+constexpr std::array<std::string_view, 6> kFormatNames = {"mcpr", "bvh", "amc",
+                                                          "csv",  "glb", "fbx"};
 
 /// "walks", for "../walks", "walks/", and "." in walks.
 std::string name_of_folder(const fs::path& folder) {

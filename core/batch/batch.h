@@ -16,12 +16,13 @@
 namespace mocapress {
 
 /// What is made of a clip. All but the first are the motion as it comes out of the .mcpr.
-enum class OutputFormat { Mcpr, Bvh, Amc, Csv, Glb };
+enum class OutputFormat { Mcpr, Bvh, Amc, Csv, Glb, Fbx };
 
-inline constexpr std::array<OutputFormat, 5> kOutputFormats = {
-    OutputFormat::Mcpr, OutputFormat::Bvh, OutputFormat::Amc, OutputFormat::Csv, OutputFormat::Glb};
+inline constexpr std::array<OutputFormat, 6> kOutputFormats = {
+    OutputFormat::Mcpr, OutputFormat::Bvh, OutputFormat::Amc,
+    OutputFormat::Csv,  OutputFormat::Glb, OutputFormat::Fbx};
 
-/// "mcpr", "bvh", "amc" (with its .asf beside it), "csv", "glb": the extension too.
+/// "mcpr", "bvh", "amc" (with its .asf beside it), "csv", "glb", "fbx": the extension too.
 std::string_view name(OutputFormat format);
 
 /// Unset when it is none of them.

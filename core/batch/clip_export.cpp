@@ -18,6 +18,8 @@
 #include "core/formats/asf.h"
 #include "core/formats/bvh.h"
 #include "core/formats/csv.h"
+#include "core/formats/fbx/fbx_reader.h"
+#include "core/formats/fbx/fbx_writer.h"
 #include "core/formats/gltf_reader.h"
 #include "core/formats/gltf_writer.h"
 #include "core/mocapress/encode_options.h"
@@ -126,10 +128,10 @@ class Export {
     for (const OutputFormat format : batch_.formats)
       for (const std::string& name : file_names(item_.output, format)) {
         const fs::path place = folder_ / name;
-          if (!is_there(place)) continue;
-          const std::optional<FileIdentity> there = identity_of(place);
-          if (there && rights_.sources && rights_.sources->contains(*there))
-            throw Error(place.string() + " is a file that clips of this batch are made from");
+        if (!is_there(place)) continue;
+        const std::optional<FileIdentity> there = identity_of(place);
+        if (there && rights_.sources && rights_.sources->contains(*there))
+          throw Error(place.string() + " is a file that clips of this batch are made from");
         if (!rights_.resumed && !may_replace(name)) refuse(place);
       }
   }
@@ -251,6 +253,16 @@ class Export {
         as_written.up = as.up;
         compare(motion, read_gltf(item_.output + ".glb", glb, as_written).motion,
                 without_namespace(gltf_names(motion.skeleton)), item_.output + ".glb");
+        return;
+      }
+      case OutputFormat::Fbx: {
+        const std::string fbx = fbx_bytes(motion, source, writing, tracks);
+        stage_file(".fbx", bytes_of(fbx), files);
+        const SourceFormat as = fbx_format(source, writing);
+        as_written.cm_per_unit = as.cm_per_unit;
+        as_written.up = as.up;
+        compare(motion, read_fbx(item_.output + ".fbx", fbx, as_written).motion,
+                without_namespace(fbx_names(motion.skeleton)), item_.output + ".fbx");
         return;
       }
       case OutputFormat::Amc: {

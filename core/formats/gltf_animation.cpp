@@ -31,32 +31,6 @@ std::vector<float> turnings_of(const NodeTrack& track) {
 
 }  // namespace
 
-JointScales::JointScales(const ScalarTracks& tracks, const Skeleton& skeleton)
-    : of_joint_(static_cast<std::size_t>(skeleton.joint_count())) {
-  for (const ScalarTrack& track : tracks) {
-    const int joint = is_scale(track.kind) ? skeleton.find(track.node) : -1;
-    if (joint < 0) continue;
-    const auto axis =
-        static_cast<std::size_t>(track.kind) - static_cast<std::size_t>(TrackKind::ScaleX);
-    of_joint_[static_cast<std::size_t>(joint)][axis] = &track;
-    any_ = true;
-  }
-}
-
-bool JointScales::has(std::size_t joint) const {
-  const auto& of = of_joint_[joint];
-  return std::any_of(of.begin(), of.end(), [](const auto* track) { return track != nullptr; });
-}
-
-Vector3d JointScales::at(std::size_t joint, int frame) const {
-  Vector3d scale = Vector3d::Ones();
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (const ScalarTrack* const track = of_joint_[joint][axis])
-      scale(static_cast<Eigen::Index>(axis)) =
-          static_cast<double>(track->values[static_cast<std::size_t>(frame)]);
-  return scale;
-}
-
 AnimationWriter::AnimationWriter(BufferWriter& buffer, Json& animation, double first_s, int frames,
                                  double sample_rate_hz)
     : buffer_(buffer), animation_(animation), first_s_(first_s) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // A motion put into a glTF file that is there already, in place of an animation.
-#include <Eigen/LU>
 #include <algorithm>
 #include <map>
 #include <string>
@@ -14,103 +13,11 @@
 #include "core/formats/gltf_reader.h"
 #include "core/formats/gltf_target.h"
 #include "core/formats/gltf_writer.h"
-#include "core/formats/text_writer.h"
-#include "core/motion/forward_kinematics.h"
 
 namespace mocapress {
 namespace {
 
 namespace fs = std::filesystem;
-using Eigen::Quaterniond;
-using Eigen::Vector3d;
-
-/// A source file's nodes as they are to move.
-class SourceTracks {
- public:
-  SourceTracks(const GltfFile& file, const GltfTake& take, const ReadOptions& options)
-      : file_(file), take_(take.take), joint_of_node_(take_.nodes.size(), -1) {
-    for (const std::size_t number : take.number_of_node) tracks_.push_back({.node = number});
-    for (std::size_t n = 0; n < tracks_.size(); ++n) tracks_[n].rest = take_.nodes[n].rest;
-    above_all_ = file_placement(options.cm_per_unit.value_or(take_.cm_per_unit),
-                                options.up.value_or(take_.up));
-  }
-
-  /// The tracks of the nodes that are joints of `motion`, one for each.
-  std::vector<NodeTrack> follow(const Motion& motion, const ReadOptions& options,
-                                const JointScales& scales) {
-    find_nodes(motion.skeleton, options);
-    Pose pose;
-    for (int t = 0; t < motion.clip.frames(); ++t) {
-      compute_pose(motion.skeleton, motion.clip.channels.row(t), pose);
-      place(pose, scales, t);
-    }
-    std::vector<NodeTrack> tracks;
-    for (std::size_t n = 0; n < tracks_.size(); ++n) {
-      if (joint_of_node_[n] < 0) continue;
-      // Where a changing scale is not known, joints are in their places all the same.
-      if (const Vector3d scale = still(n).scale;
-          tracks_[n].scales.empty() && !scale.isApprox(tracks_[n].rest.scale, 1e-6))
-        tracks_[n].scale = scale;
-      tracks.push_back(std::move(tracks_[n]));
-    }
-    return tracks;
-  }
-
- private:
-  void find_nodes(const Skeleton& skeleton, const ReadOptions& options) {
-    const std::vector<std::size_t> nodes = nodes_of_joints(file_.name(), take_);
-    const Skeleton own =
-        motion_of(file_.name(), take_, options, SourceFormat::Kind::Gltf).motion.skeleton;
-    std::unordered_map<std::string, std::size_t> node_of_name;
-    for (int j = 0; j < own.joint_count(); ++j)
-      node_of_name.emplace(own.joint(j).name, nodes[static_cast<std::size_t>(j)]);
-    const std::vector<std::string> names = without_namespace(gltf_names(skeleton));
-    for (std::size_t j = 0; j < names.size(); ++j) {
-      const auto found = node_of_name.find(names[j]);
-      if (found == node_of_name.end())
-        file_.fail("has no joint " + names[j] + ", which the motion has");
-      joint_of_node_[found->second] = static_cast<int>(j);
-    }
-  }
-
-  /// How a node that does not follow the motion stands, as the reader took it.
-  const LocalTransform& still(std::size_t node) const {
-    const AnimatedNode& of = take_.nodes[node];
-    return of.frames.empty() ? of.rest : of.frames.front();
-  }
-
-  /// A node that follows has what is left between its place in the world and that of its parent.
-  void place(const Pose& pose, const JointScales& scales, int frame) {
-    placements_.resize(tracks_.size());
-    for (std::size_t n = 0; n < tracks_.size(); ++n) {
-      const int above = take_.nodes[n].parent;
-      const NodePlacement& parent =
-          above < 0 ? above_all_ : placements_[static_cast<std::size_t>(above)];
-      LocalTransform local = still(n);
-      if (joint_of_node_[n] >= 0) {
-        const auto j = static_cast<std::size_t>(joint_of_node_[n]);
-        local.translation = parent.world_from_node.inverse() * (pose.origin[j] - parent.origin);
-        local.rotation = parent.rotation.conjugate() * Quaterniond(pose.world_from_joint[j]);
-        if (!local.translation.allFinite())
-          file_.fail("scales " + take_.nodes[n].name + " to nothing: it cannot follow a motion");
-        tracks_[n].translation.push_back(local.translation);
-        tracks_[n].rotation.push_back(local.rotation);
-        if (scales.has(j)) {
-          local.scale = scales.at(j, frame);
-          tracks_[n].scales.push_back(local.scale);
-        }
-      }
-      placements_[n] = below(parent, local);
-    }
-  }
-
-  const GltfFile& file_;
-  const NodeTake& take_;
-  std::vector<int> joint_of_node_;  // -1: it does not follow
-  std::vector<NodeTrack> tracks_;   // of every node
-  std::vector<NodePlacement> placements_;
-  NodePlacement above_all_;
-};
 
 /// The weights of nodes of which tracks have all. Of tracks of one name, each is taken once.
 std::vector<WeightsTrack> weights_of(const GltfTake& take, const ScalarTracks& tracks) {
@@ -255,9 +162,10 @@ std::string gltf_bytes_onto(const fs::path& onto, const Motion& motion, GltfCont
   const ReadOptions reading{
       .cm_per_unit = format.cm_per_unit, .up = format.up, .take = options.take};
   const GltfTake take = read_gltf_take(file, reading);
-  const std::vector<NodeTrack> tracks =
-      SourceTracks(file, take, reading)
-          .follow(motion, reading, JointScales(scalars, motion.skeleton));
+  std::vector<NodeTrack> tracks = tracks_following(file.name(), take.take, motion,
+                                                   without_namespace(gltf_names(motion.skeleton)),
+                                                   reading, JointScales(scalars, motion.skeleton));
+  for (NodeTrack& track : tracks) track.node = take.number_of_node[track.node];
   const std::vector<WeightsTrack> weights = weights_of(take, scalars);
 
   Json json = file.json();

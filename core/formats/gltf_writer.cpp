@@ -1,106 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "core/formats/gltf_writer.h"
 
-#include <Eigen/LU>
-#include <algorithm>
 #include <unordered_set>
 
 #include "core/base/error.h"
 #include "core/formats/gltf_animation.h"
 #include "core/formats/gltf_reader.h"
+#include "core/formats/node_tracks.h"
 #include "core/formats/text_writer.h"
-#include "core/motion/forward_kinematics.h"
 
 namespace mocapress {
 namespace {
-
-using Eigen::Quaterniond;
-using Eigen::Vector3d;
-
-/// How each joint is placed against the one above it.
-LocalTransform local_of(const Skeleton& skeleton, const Pose& pose, int joint, double cm_per_unit) {
-  const auto j = static_cast<std::size_t>(joint);
-  const int parent = skeleton.joint(joint).parent;
-  LocalTransform local;
-  if (parent < 0) {
-    local.translation = pose.origin[j] / cm_per_unit;
-    local.rotation = Quaterniond(pose.world_from_joint[j]).normalized();
-    return local;
-  }
-  const auto p = static_cast<std::size_t>(parent);
-  const Eigen::Matrix3d parent_from_world = pose.world_from_joint[p].transpose();
-  local.translation = parent_from_world * (pose.origin[j] - pose.origin[p]) / cm_per_unit;
-  local.rotation = Quaterniond(parent_from_world * pose.world_from_joint[j]).normalized();
-  return local;
-}
-
-/// How the joints of a pose are placed one below the other, where some are scaled.
-std::vector<LocalTransform> scaled_locals(const Skeleton& skeleton, const Pose& pose,
-                                          const JointScales& scales, int frame,
-                                          double cm_per_unit) {
-  std::vector<LocalTransform> locals(static_cast<std::size_t>(skeleton.joint_count()));
-  std::vector<NodePlacement> placements(locals.size());
-  const NodePlacement world = file_placement(cm_per_unit, UpAxis::Y);
-  for (std::size_t j = 0; j < locals.size(); ++j) {
-    const int above = skeleton.joint(static_cast<int>(j)).parent;
-    const NodePlacement& parent = above < 0 ? world : placements[static_cast<std::size_t>(above)];
-    LocalTransform& local = locals[j];
-    local.translation = parent.world_from_node.inverse() * (pose.origin[j] - parent.origin);
-    local.rotation =
-        (parent.rotation.conjugate() * Quaterniond(pose.world_from_joint[j])).normalized();
-    local.scale = scales.at(j, frame);
-    if (!local.translation.allFinite())
-      throw WriteError("a joint is scaled to nothing: what hangs from it has no place in a glTF");
-    placements[j] = below(parent, local);
-  }
-  return locals;
-}
-
-/// The tracks of all joints; the nodes are numbered as they are.
-std::vector<NodeTrack> tracks_of(const Motion& motion, const Pose& rest, double cm_per_unit,
-                                 const JointScales& scales) {
-  const Skeleton& skeleton = motion.skeleton;
-  std::vector<NodeTrack> tracks(static_cast<std::size_t>(skeleton.joint_count()));
-  for (int j = 0; j < skeleton.joint_count(); ++j) {
-    NodeTrack& track = tracks[static_cast<std::size_t>(j)];
-    track.node = static_cast<std::size_t>(j);
-    track.rest = local_of(skeleton, rest, j, cm_per_unit);
-  }
-  if (scales.any()) {
-    const std::vector<LocalTransform> rests = scaled_locals(skeleton, rest, scales, 0, cm_per_unit);
-    for (std::size_t j = 0; j < tracks.size(); ++j) tracks[j].rest = rests[j];
-  }
-  Pose pose;
-  for (int t = 0; t < motion.clip.frames(); ++t) {
-    compute_pose(skeleton, motion.clip.channels.row(t), pose);
-    if (scales.any()) {
-      const std::vector<LocalTransform> locals =
-          scaled_locals(skeleton, pose, scales, t, cm_per_unit);
-      for (std::size_t j = 0; j < tracks.size(); ++j) {
-        tracks[j].translation.push_back(locals[j].translation);
-        tracks[j].rotation.push_back(locals[j].rotation);
-        if (scales.has(j)) tracks[j].scales.push_back(locals[j].scale);
-      }
-      continue;
-    }
-    for (int j = 0; j < skeleton.joint_count(); ++j) {
-      const LocalTransform local = local_of(skeleton, pose, j, cm_per_unit);
-      tracks[static_cast<std::size_t>(j)].translation.push_back(local.translation);
-      tracks[static_cast<std::size_t>(j)].rotation.push_back(local.rotation);
-    }
-  }
-  return tracks;
-}
-
-/// The pose in which bones stand when nothing moves them.
-Pose resting_pose(const Motion& motion, const SourceFormat& source) {
-  const bool has_none =
-      source.kind == SourceFormat::Kind::Fbx || source.kind == SourceFormat::Kind::Gltf;
-  if (!has_none || motion.clip.frames() == 0) return rest_pose(motion.skeleton);
-  Pose first;
-  compute_pose(motion.skeleton, motion.clip.channels.row(0), first);
-  return first;
-}
 
 /// joint_from_world at rest, column after column.
 std::vector<float> inverse_bind_matrices(const Pose& rest, double cm_per_unit) {
@@ -120,20 +30,7 @@ std::vector<float> inverse_bind_matrices(const Pose& rest, double cm_per_unit) {
 Json nodes_of(const Skeleton& skeleton, const std::vector<NodeTrack>& tracks, double cm_per_unit) {
   const std::vector<std::string> names = gltf_names(skeleton);
   Json nodes = Json::array();
-  // What the scales of a joint and of those above it do to where its bone ends.
-  std::vector<NodePlacement> placements;
-  const auto in_joint = [&](int j, const Vector3d& end_site) -> Vector3d {
-    if (std::all_of(tracks.begin(), tracks.end(), [](const auto& t) { return t.scales.empty(); }))
-      return end_site / cm_per_unit;
-    const NodePlacement& placement = placements[static_cast<std::size_t>(j)];
-    return placement.world_from_node.inverse() * (placement.rotation * end_site);
-  };
-  for (std::size_t j = 0; j < tracks.size(); ++j) {
-    const int above = skeleton.joint(static_cast<int>(j)).parent;
-    placements.push_back(below(above < 0 ? file_placement(cm_per_unit, UpAxis::Y)
-                                         : placements[static_cast<std::size_t>(above)],
-                               tracks[j].rest));
-  }
+  const std::vector<NodePlacement> placements = rest_placements(skeleton, tracks, cm_per_unit);
   for (const NodeTrack& track : tracks) {
     nodes.push_back({{"name", names[track.node]}});
     set_transform(nodes.back(), track.rest);
@@ -144,7 +41,8 @@ Json nodes_of(const Skeleton& skeleton, const std::vector<NodeTrack>& tracks, do
     if (!joint.end_site) continue;
     nodes[static_cast<std::size_t>(j)]["children"].push_back(nodes.size());
     nodes.push_back({{"name", names[static_cast<std::size_t>(j)] + "_end"},
-                     {"translation", json_of(in_joint(j, *joint.end_site))}});
+                     {"translation", json_of(end_in_node(placements[static_cast<std::size_t>(j)],
+                                                         *joint.end_site))}});
   }
   return nodes;
 }

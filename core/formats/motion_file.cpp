@@ -17,6 +17,7 @@
 #include "core/formats/clip_files.h"
 #include "core/formats/csv.h"
 #include "core/formats/fbx/fbx_reader.h"
+#include "core/formats/fbx/fbx_writer.h"
 #include "core/formats/gltf_reader.h"
 #include "core/formats/gltf_writer.h"
 #include "core/formats/text_cursor.h"
@@ -240,11 +241,12 @@ std::string motion_bytes(const path& file, const Motion& motion, const SourceFor
                          const WriteOptions& options, const ScalarTracks& tracks) {
   if (const auto container = gltf_container(file))
     return gltf_bytes(motion, *container, source, options, tracks);
+  if (has_extension(file, ".fbx")) return fbx_bytes(motion, source, options, tracks);
   const Motion exported = exported_motion(motion, source, options);
   if (has_extension(file, ".bvh")) return bvh_text(exported, bvh_style(source, options));
   if (has_extension(file, ".csv")) return csv_text(exported, tracks);
   throw Error(file.string() +
-              ": cannot be written: its extension is none of .bvh, .glb, .gltf, .amc, .csv");
+              ": cannot be written: its extension is none of .bvh, .fbx, .glb, .gltf, .amc, .csv");
 }
 
 namespace {

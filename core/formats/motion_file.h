@@ -99,18 +99,19 @@ void put_character(const std::filesystem::path& character, MotionFile& clip);
 /// `file` reaches much further, or no bone has a length.
 Warnings surface_warnings(const std::filesystem::path& file, const Skeleton& skeleton);
 
-/// The bytes of a .bvh, .glb, .gltf or .csv, by the extension of `file`, as write_motion() writes
-/// them. Throws Error on another extension.
+/// The bytes of a .bvh, .fbx, .glb, .gltf or .csv, by the extension of `file`, as write_motion()
+/// writes them. Throws Error on another extension.
 std::string motion_bytes(const std::filesystem::path& file, const Motion& motion,
                          const SourceFormat& source = {}, const WriteOptions& options = {},
                          const ScalarTracks& tracks = {});
 
-/// Writes .bvh, .glb, .gltf, .csv, or .amc with the skeleton at `skeleton_path` (by default beside
-/// the .amc, same name, extension .asf), by the extension of `path`: in the axes and, of its
+/// Writes .bvh, .fbx, .glb, .gltf, .csv, or .amc with the skeleton at `skeleton_path` (by default
+/// beside the .amc, same name, extension .asf), by the extension of `path`: in the axes and, of its
 /// source's kind, the unit and root convention that `source` had, unless `options` ask for others.
-/// A glTF has Y up and is in metres, but where its source was a glTF in another unit. Of `tracks` a
-/// .csv has all, a glTF the scales. What had no place is said. Throws WriteError, also where a file
-/// is there and `existing` is Refuse; Error on an unknown extension.
+/// A glTF has Y up and is in metres, an FBX in centimetres, but where its source was such a file in
+/// another unit. Of `tracks` a .csv and an .fbx have all, a glTF the scales. What had no place is
+/// said. Throws WriteError, also where a file is there and `existing` is Refuse; Error on an unknown
+/// extension.
 Warnings write_motion(const std::filesystem::path& path, const Motion& motion,
                       const std::optional<std::filesystem::path>& skeleton_path = {},
                       const SourceFormat& source = {}, const WriteOptions& options = {},

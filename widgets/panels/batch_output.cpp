@@ -41,7 +41,9 @@ BatchOutput::BatchOutput(QWidget* parent)
       {OutputFormat::Amc, tr("ASF/AMC"), tr("The decompressed motion and its skeleton.")},
       {OutputFormat::Csv, tr("CSV"), tr("The decompressed channels as a table.")},
       {OutputFormat::Glb, tr("glTF (.glb)"),
-       tr("The decompressed motion on its skeleton, for Blender and engines.")}};
+       tr("The decompressed motion on its skeleton, for Blender and engines.")},
+      {OutputFormat::Fbx, tr("FBX"),
+       tr("The decompressed motion on its skeleton, for Maya, MotionBuilder and engines.")}};
   auto* grid = new QGridLayout;
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setVerticalSpacing(3);

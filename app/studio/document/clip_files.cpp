@@ -71,12 +71,13 @@ QString fileName(const QString& path) {
 
 /// What an open clip can be written as; the first is the one it can be opened from again.
 const QStringList kExtensions = {QStringLiteral("mcpr"), QStringLiteral("bvh"),
-                                 QStringLiteral("glb"), QStringLiteral("amc"),
-                                 QStringLiteral("csv")};
+                                 QStringLiteral("fbx"),  QStringLiteral("glb"),
+                                 QStringLiteral("amc"),  QStringLiteral("csv")};
 
 QString filterOf(const QString& extension) {
   if (extension == QLatin1String("mcpr")) return ClipFiles::tr("Compressed clips (*.mcpr)");
   if (extension == QLatin1String("bvh")) return ClipFiles::tr("Biovision motion (*.bvh)");
+  if (extension == QLatin1String("fbx")) return ClipFiles::tr("FBX on its skeleton (*.fbx)");
   if (extension == QLatin1String("glb")) return ClipFiles::tr("glTF on its skeleton (*.glb)");
   if (extension == QLatin1String("amc"))
     return ClipFiles::tr("Acclaim motion with its skeleton (*.amc)");

@@ -74,7 +74,8 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
   actions.save = make(window, Texts::tr("&Save"), QKeySequence::Save, QStringLiteral("save"));
   actions.save->setToolTip(Texts::tr("Save the compressed clip as .mcpr"));
   actions.save_as = make(window, Texts::tr("Save &As…"), QKeySequence::SaveAs);
-  actions.save_as->setToolTip(Texts::tr("Save as .mcpr, .bvh, .glb, .amc with its .asf, or .csv"));
+  actions.save_as->setToolTip(
+      Texts::tr("Save as .mcpr, .bvh, .fbx, .glb, .amc with its .asf, or .csv"));
   actions.export_motion =
       make(window, Texts::tr("E&xport Motion…"), Qt::CTRL | Qt::SHIFT | Qt::Key_E);
   actions.export_motion->setToolTip(

@@ -28,7 +28,6 @@ constexpr std::size_t kEndianAt = 22;
 constexpr std::size_t kVersionAt = 23;
 constexpr std::size_t kHeadBytes = 27;
 constexpr int kOldestVersion = 6000;
-constexpr int kWideVersion = 7500;
 constexpr std::size_t kDeepestRecord = 64;  // files of the usual programs have eight
 constexpr std::size_t kMostRecords = 4'000'000;
 constexpr std::size_t kArrayHead = 13;
@@ -124,7 +123,7 @@ char FbxValue::letter() const {
 class FbxRecords::BinaryScan {
  public:
   explicit BinaryScan(FbxRecords& into)
-      : into_(into), bytes_(into.bytes_), field_(into.version_ >= kWideVersion ? 8 : 4) {}
+      : into_(into), bytes_(into.bytes_), field_(into.version_ >= kFbxWideVersion ? 8 : 4) {}
 
   void scan() {
     std::size_t at = kHeadBytes;

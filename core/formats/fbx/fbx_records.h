@@ -12,6 +12,9 @@
 
 namespace mocapress {
 
+/// From this version on, records state their ends and counts in 64 bits.
+inline constexpr int kFbxWideVersion = 7500;
+
 struct FbxValue {
   enum class Kind { Integer, Real, Text, Array };
   Kind kind = Kind::Integer;

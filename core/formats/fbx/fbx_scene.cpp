@@ -27,29 +27,6 @@ constexpr double kMostFbxPlacements = 1e8;  // of nodes, over all frames
 constexpr double kNearFrame = 0.1;          // frames; a key so near was meant to be on it
 constexpr double kMostFbxSeconds = 1e7;
 
-// By the number of a time mode; 0: none of its own.
-constexpr double kRates[] = {30,
-                             120,
-                             100,
-                             60,
-                             50,
-                             48,
-                             30,
-                             30,
-                             30000.0 / 1001,
-                             30000.0 / 1001,
-                             25,
-                             24,
-                             1000,
-                             24000.0 / 1001,
-                             0,
-                             96,
-                             72,
-                             60000.0 / 1001,
-                             120000.0 / 1001};
-constexpr std::size_t kDefaultMode = 0;
-constexpr std::size_t kCustomMode = 14;
-
 bool is_joint_kind(std::string_view kind) {
   return kind == "LimbNode" || kind == "Limb" || kind == "Root";
 }
@@ -285,12 +262,13 @@ std::optional<double> FbxTakeReader::stated_rate() const {
     const double number = parse_number(rate).value_or(0);
     return number >= 1 && number <= 1000 ? std::optional(number) : std::nullopt;
   }
-  const double mode = settings.number("TimeMode", kDefaultMode);
+  const double mode = settings.number("TimeMode", kFbxDefaultMode);
   const double custom = settings.number("CustomFrameRate", -1);
-  const bool is_custom = mode == kCustomMode;
+  const bool is_custom = mode == kFbxCustomMode;
   if (is_custom) return custom >= 1e-3 && custom <= 1e6 ? std::optional(custom) : std::nullopt;
-  if (!(mode > kDefaultMode && mode < static_cast<double>(std::size(kRates)))) return std::nullopt;
-  return kRates[static_cast<std::size_t>(mode)];
+  if (!(mode > kFbxDefaultMode && mode < static_cast<double>(std::size(kFbxRates))))
+    return std::nullopt;
+  return kFbxRates[static_cast<std::size_t>(mode)];
 }
 
 /// Of curves that move nodes, or of the others, with so many keys.

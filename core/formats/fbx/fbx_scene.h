@@ -17,6 +17,29 @@
 
 namespace mocapress {
 
+// Frames a second by the number of a time mode; 0: none of its own.
+inline constexpr double kFbxRates[] = {30,
+                                       120,
+                                       100,
+                                       60,
+                                       50,
+                                       48,
+                                       30,
+                                       30,
+                                       30000.0 / 1001,
+                                       30000.0 / 1001,
+                                       25,
+                                       24,
+                                       1000,
+                                       24000.0 / 1001,
+                                       0,
+                                       96,
+                                       72,
+                                       60000.0 / 1001,
+                                       120000.0 / 1001};
+inline constexpr std::size_t kFbxDefaultMode = 0;
+inline constexpr std::size_t kFbxCustomMode = 14;  // the rate is stated as CustomFrameRate
+
 /// An FBX file taken apart.
 struct FbxFile {
   FbxFile(const std::string& file, std::string_view bytes)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/formats/fbx/fbx_transform.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -44,10 +45,12 @@ Quaterniond fbx_rotation(const Vector3d& degrees, int order) {
   return rotation;
 }
 
-Vector3d fbx_angles(const Quaterniond& rotation, int order) {
+Vector3d fbx_angles(const Quaterniond& rotation, int order, const Vector3d& near) {
   const int* const axes = fbx_axes(order);
-  const Vector3d turned = three_angles({axes[2], axes[1], axes[0]},
-                                       rotation.normalized().toRotationMatrix(), Vector3d::Zero());
+  const std::array<int, 3> leftmost_first = {axes[2], axes[1], axes[0]};
+  Vector3d turned;
+  for (int i = 0; i < 3; ++i) turned(i) = kRadians * near(axes[2 - i]);
+  turned = three_angles(leftmost_first, rotation.normalized().toRotationMatrix(), turned);
   Vector3d degrees;
   for (int i = 0; i < 3; ++i) degrees(axes[2 - i]) = turned(i) / kRadians;
   return degrees;

@@ -14,8 +14,9 @@ namespace mocapress {
 /// The turn that three angles (degrees) make, in one of FBX's orders: 0 is XYZ, about X first.
 Eigen::Quaterniond fbx_rotation(const Eigen::Vector3d& degrees, int order = 0);
 
-/// The angles in that order that make a turn, degrees.
-Eigen::Vector3d fbx_angles(const Eigen::Quaterniond& rotation, int order);
+/// The angles in that order that make a turn, degrees: those nearest to `near`.
+Eigen::Vector3d fbx_angles(const Eigen::Quaterniond& rotation, int order,
+                           const Eigen::Vector3d& near = Eigen::Vector3d::Zero());
 
 /// The axes of an order, the first one to turn about in front.
 const int* fbx_axes(int order);

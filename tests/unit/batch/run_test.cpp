@@ -45,7 +45,7 @@ TEST_F(BatchRun, MakesTheFilesOfEveryClipAndMeasuresWhatItWrote) {
   ASSERT_EQ(rows().size(), 3u);
   for (const BatchRow& row : rows()) {
     ASSERT_TRUE(row.done()) << row.error;
-    ASSERT_EQ(row.files.size(), 6u);
+    ASSERT_EQ(row.files.size(), 7u);
     const Motion original = read_motion(row.input).motion;
     const OpenedMcpr opened = open_mcpr(out() / (row.output + ".mcpr"));
     const Distortion found = measure(original.skeleton, original.clip, opened.decoded);
@@ -54,7 +54,7 @@ TEST_F(BatchRun, MakesTheFilesOfEveryClipAndMeasuresWhatItWrote) {
     EXPECT_NEAR(row.measured->max_error_cm, found.max.cm, 1e-9);
     ASSERT_TRUE(row.worst);
     EXPECT_EQ(row.worst->frame, found.max.frame);
-    for (const char* extension : {".bvh", ".amc", ".glb"})
+    for (const char* extension : {".bvh", ".amc", ".glb", ".fbx"})
       EXPECT_EQ(read_motion(out() / (row.output + extension)).motion.clip.frames(),
                 original.clip.frames());
   }

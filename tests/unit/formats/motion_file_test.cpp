@@ -153,7 +153,7 @@ TEST_F(MotionFiles, RefuseWhatIsNoMotion) {
   EXPECT_EQ(error_of("a.asf"), "a.asf: is a skeleton without motion: open one of its .amc files");
   EXPECT_EQ(error_of("a.txt"), "a.txt: is none of .bvh, .amc, .fbx, .gltf, .glb, .vrm, .vrma");
   EXPECT_EQ(error_of("none.bvh"), "none.bvh: No such file or directory");
-  EXPECT_THROW(write_motion(folder_ / "a.fbx", test::smooth_motion(2)), Error);
+  EXPECT_THROW(write_motion(folder_ / "a.txt", test::smooth_motion(2)), Error);
 }
 
 TEST_F(MotionFiles, ComeBackAsTheyWereWritten) {

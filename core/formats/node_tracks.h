@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// The way back from a motion to nodes, which the writers of FBX and glTF share.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/formats/node_motion.h"
+#include "core/motion/forward_kinematics.h"
+#include "core/motion/scalar_track.h"
+
+namespace mocapress {
+
+/// A node's movement against its parent, in the file's unit.
+struct NodeTrack {
+  std::size_t node = 0;  // its index
+  LocalTransform rest;
+  std::vector<Eigen::Vector3d> translation;
+  std::vector<Eigen::Quaterniond> rotation;
+  std::optional<Eigen::Vector3d> scale;  // where it is another than at rest
+  std::vector<Eigen::Vector3d> scales;   // where it changes
+};
+
+/// The scales that tracks have of joints.
+class JointScales {
+ public:
+  JointScales(const ScalarTracks& tracks, const Skeleton& skeleton);
+
+  bool any() const { return any_; }
+  bool has(std::size_t joint) const;
+  /// Along axes without a track it is 1.
+  Eigen::Vector3d at(std::size_t joint, int frame) const;
+
+ private:
+  std::vector<std::array<const ScalarTrack*, 3>> of_joint_;
+  bool any_ = false;
+};
+
+/// The pose in which bones stand when nothing moves them: all channels at zero or, of a source that
+/// has no such pose (FBX, glTF), the first frame.
+Pose resting_pose(const Motion& motion, const SourceFormat& source);
+
+/// The tracks of all joints; the nodes are numbered as they are. Throws WriteError where a scale of
+/// nothing leaves what hangs from a joint no place.
+std::vector<NodeTrack> tracks_of(const Motion& motion, const Pose& rest, double cm_per_unit,
+                                 const JointScales& scales);
+
+/// Where these nodes rest, in cm.
+std::vector<NodePlacement> rest_placements(const Skeleton& skeleton,
+                                           const std::vector<NodeTrack>& tracks,
+                                           double cm_per_unit);
+
+/// Where a bone of a joint ends, seen from its node: scales move it.
+Eigen::Vector3d end_in_node(const NodePlacement& node, const Eigen::Vector3d& end_site);
+
+/// The tracks of the nodes of a take that are the joints of `motion`, one for each, so that they
+/// move as these do in the world. `names` are those of the joints as a reader gives them;
+/// `options` are what the take was read with. Throws InputError, which names `file`, where a joint
+/// is not there.
+std::vector<NodeTrack> tracks_following(const std::string& file, const NodeTake& take,
+                                        const Motion& motion, const std::vector<std::string>& names,
+                                        const ReadOptions& options, const JointScales& scales);
+
+}  // namespace mocapress
