@@ -128,8 +128,9 @@ void add_decompress(CLI::App& app) {
   command->add_option("--skeleton-out", call->skeleton_output, "The .asf that goes with an .amc")
       ->type_name("S.asf");
   command
-      ->add_option("--onto", call->onto,
-                   "The .glb or .gltf it came from: written with this motion, its meshes kept")
+      ->add_option(
+          "--onto", call->onto,
+          "The .fbx, .glb or .gltf it came from: written with this motion, its meshes kept")
       ->type_name("SOURCE");
   command
       ->add_option("--take", call->target.options.take,

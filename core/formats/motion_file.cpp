@@ -16,6 +16,7 @@
 #include "core/formats/bvh.h"
 #include "core/formats/clip_files.h"
 #include "core/formats/csv.h"
+#include "core/formats/fbx/fbx_onto.h"
 #include "core/formats/fbx/fbx_reader.h"
 #include "core/formats/fbx/fbx_writer.h"
 #include "core/formats/gltf_reader.h"
@@ -287,12 +288,17 @@ void write_motion_onto(const path& file, const Motion& motion, const path& onto,
                        const SourceFormat& source, const WriteOptions& options,
                        const ScalarTracks& tracks, StagedFile::Existing existing) {
   const auto container = gltf_container(file);
-  if (!container || !is_gltf(onto))
-    throw Error(file.string() + ": only a .glb or .gltf can be written onto another");
+  const bool is_fbx = has_extension(file, ".fbx") && has_extension(onto, ".fbx");
+  if (!is_fbx && !(container && is_gltf(onto)))
+    throw Error(file.string() +
+                ": only an .fbx can be written onto an .fbx, and a .glb or .gltf "
+                "onto a glTF");
   require_finite(file, motion, tracks);
-  write_staged(
-      file, gltf_bytes_onto(onto, motion, *container, file.parent_path(), source, options, tracks),
-      existing);
+  write_staged(file,
+               is_fbx ? fbx_bytes_onto(onto, motion, source, options, tracks)
+                      : gltf_bytes_onto(onto, motion, *container, file.parent_path(), source,
+                                        options, tracks),
+               existing);
 }
 
 }  // namespace mocapress

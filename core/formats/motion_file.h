@@ -118,9 +118,9 @@ Warnings write_motion(const std::filesystem::path& path, const Motion& motion,
                       const ScalarTracks& tracks = {},
                       StagedFile::Existing existing = StagedFile::Existing::Replace);
 
-/// Writes the .glb or .gltf `onto` once more, to `path`, with this motion in place of the animation
-/// that it was read from: gltf_bytes_onto(). Throws InputError, WriteError; Error on an extension
-/// that is neither.
+/// Writes the .fbx, .glb or .gltf `onto` once more, to `path`, with this motion in place of the
+/// animation that it was read from: fbx_bytes_onto(), gltf_bytes_onto(). Throws InputError,
+/// WriteError; Error on an extension that does not fit.
 void write_motion_onto(const std::filesystem::path& path, const Motion& motion,
                        const std::filesystem::path& onto, const SourceFormat& source = {},
                        const WriteOptions& options = {}, const ScalarTracks& tracks = {},

@@ -412,7 +412,7 @@ TEST_F(Cli, DecompressPutsAMotionOntoTheGltfItCameFrom) {
   EXPECT_EQ(read_motion(output, {}, {.take = "walk"}).motion.clip.frames(), 11);
   EXPECT_EQ(onto(output, "3").exit_code, 3);
   EXPECT_THAT(onto(file("back.bvh"), "walk").err,
-              testing::HasSubstr("only a .glb or .gltf can be written onto another"));
+              testing::HasSubstr("only an .fbx can be written onto an .fbx"));
 }
 
 TEST_F(Cli, MeasuresOnTheSkinOfAClipWithAMesh) {

@@ -10,18 +10,17 @@ namespace {
 
 constexpr double kPercent = 0.01;
 
-/// "d|Y" is along the second axis; what has one number is along the first.
-std::size_t axis_of(std::string_view property) {
-  if (property.ends_with("|Y") || property == "Y") return 1;
-  if (property.ends_with("|Z") || property == "Z") return 2;
-  return 0;
-}
-
 bool is_of_node(const FbxMovement& movement) {
   return movement.property.starts_with("Lcl ");
 }
 
 }  // namespace
+
+std::size_t fbx_axis(std::string_view property) {
+  if (property.ends_with("|Y") || property == "Y") return 1;
+  if (property.ends_with("|Z") || property == "Z") return 2;
+  return 0;
+}
 
 Eigen::Vector3d FbxMovement::at(double ticks) const {
   Eigen::Vector3d value = still;
@@ -112,7 +111,7 @@ FbxMovement FbxAnimation::movement_of(std::size_t curve_node, std::size_t layer)
   for (const FbxLink& link : objects_.children(curve_node)) {
     if (!objects_.is(link.object, "AnimationCurve")) continue;
     FbxCurve curve(records_, *objects_[link.object].record, ticks_per_second_);
-    if (!curve.keys().empty()) movement.curves[axis_of(link.property)] = std::move(curve);
+    if (!curve.keys().empty()) movement.curves[fbx_axis(link.property)] = std::move(curve);
   }
   return movement;
 }
@@ -167,7 +166,7 @@ bool FbxAnimation::movements_of_record(const FbxTakeInfo& take, const Take& rece
       any = movement.curves[0].has_value();
     }
     for_each_channel(channel, [&](const FbxRecord& axis, const std::string& name) {
-      const std::size_t a = axis_of(name);
+      const std::size_t a = fbx_axis(name);
       movement.still(static_cast<Eigen::Index>(a)) = default_of(axis);
       movement.curves[a] = curve_of(axis);
       any = true;  // without a key it has its default in this take

@@ -10,6 +10,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -53,6 +54,10 @@ struct FbxTakeInfo {
   std::size_t object = 0;             // of version 7
   const FbxRecord* record = nullptr;  // of version 6
 };
+
+/// The axis that a curve moves: 1 for "d|Y" or "Y", 2 for "d|Z" or "Z", else 0, as for a property
+/// of one number.
+std::size_t fbx_axis(std::string_view property);
 
 class FbxAnimation {
  public:

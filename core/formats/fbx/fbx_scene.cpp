@@ -433,6 +433,7 @@ bool FbxTakeReader::add_track(const FbxMovement& movement, std::size_t axis, Sca
     track.values.push_back(value);
   }
   tracks.push_back(std::move(track));
+  result_.track_places.push_back({movement.curve_node, axis, scale});
   return true;
 }
 

@@ -57,6 +57,12 @@ struct FbxTake {
   std::vector<FbxTransform> transforms;     // of take.nodes at rest
   std::size_t index = 0;                    // among the takes of the file
   double first_s = 0;                       // the time of the first frame
+  struct TrackPlace {                       // of each of take.tracks
+    std::size_t curve_node = 0;
+    std::size_t axis = 0;
+    double scale = 1;  // the track's value is this times the curve's
+  };
+  std::vector<TrackPlace> track_places;
   Takes takes;
   Warnings warnings;
 };

@@ -91,10 +91,22 @@ LocalTransform FbxTransform::local() const {
                    fbx_rotation(post_rotation).conjugate();
   local.scale = scaling;
   local.inherit = inherit;
-  const Vector3d within =
-      scaling_offset + scaling_pivot - rotation_pivot - scaling.cwiseProduct(scaling_pivot);
-  local.translation = translation + rotation_offset + rotation_pivot + local.rotation * within;
+  local.translation =
+      translation + rotation_offset + rotation_pivot + local.rotation * within_pivots();
   return local;
+}
+
+void FbxTransform::set_local(const LocalTransform& local) {
+  const Quaterniond turn = local.rotation.normalized();
+  scaling = local.scale;
+  rotation = fbx_angles(fbx_rotation(pre_rotation).conjugate() * turn * fbx_rotation(post_rotation),
+                        order, rotation);
+  translation = local.translation - rotation_offset - rotation_pivot - turn * within_pivots();
+}
+
+/// From the pivot of rotations to the origin, in the axes of the turned node.
+Vector3d FbxTransform::within_pivots() const {
+  return scaling_offset + scaling_pivot - rotation_pivot - scaling.cwiseProduct(scaling_pivot);
 }
 
 Eigen::Affine3d fbx_geometric_transform(const FbxProperties& node) {

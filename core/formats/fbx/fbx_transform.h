@@ -46,6 +46,11 @@ struct FbxTransform {
   Eigen::Vector3d* part(std::string_view property);
 
   LocalTransform local() const;
+  /// Moves, turns and scales it so that local() is this, by the angles nearest to those it has.
+  void set_local(const LocalTransform& local);
+
+ private:
+  Eigen::Vector3d within_pivots() const;
 };
 
 /// What only the geometry of a node has, not its children.

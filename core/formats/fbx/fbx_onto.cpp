@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: MIT
+// A motion put into an FBX file that is there already, in place of a take.
+#include "core/formats/fbx/fbx_onto.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <unordered_set>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/formats/fbx/fbx_animation.h"
+#include "core/formats/fbx/fbx_curve_output.h"
+#include "core/formats/fbx/fbx_output.h"
+#include "core/formats/fbx/fbx_scene.h"
+#include "core/formats/fbx/fbx_writer.h"
+#include "core/formats/node_tracks.h"
+
+namespace mocapress {
+namespace {
+
+using Eigen::Vector3d;
+using Curves = std::array<std::vector<float>, 3>;
+
+// A curve that differs by less stays as it is: files hold floats.
+constexpr double kSameNumber = 1e-5;  // of one and the number
+constexpr double kSameAngle = 1e-4;   // degrees
+
+constexpr const char* kPlace = "Lcl Translation";
+constexpr const char* kTurn = "Lcl Rotation";
+constexpr const char* kScale = "Lcl Scaling";
+
+/// The number that the file's connections know an object by.
+std::int64_t id_of(const FbxRecords& records, const FbxObject& object) {
+  const auto id = object.record != nullptr ? records.value(*object.record, 0) : std::nullopt;
+  return id ? id->whole() : 0;
+}
+
+/// A take of a file whose curves are replaced.
+class EditedTake {
+ public:
+  EditedTake(FbxFile& file, const FbxTake& read, const Clip& clip, double rate_hz)
+      : file_(file),
+        read_(read),
+        ticks_per_second_(file.ticks_per_second()),
+        first_(read.first_s * ticks_per_second_),
+        objects_(list("Objects")),
+        connections_(list("Connections")),
+        out_(ticks_of(clip, rate_hz), edits_.added[objects_], edits_.added[connections_],
+             free_id()) {
+    FbxAnimation animation(file.records, file.objects, ticks_per_second_);
+    take_ = animation.takes()[read.index];
+    movements_ = animation.movements(read.index);
+    if (take_.layers.empty() || take_.layers.front().is_silent)
+      file.records.fail("its take " + take_.name +
+                        " has no first layer that is heard: a motion cannot be written there");
+  }
+
+  void move(const NodeTrack& track);
+  void move(const ScalarTracks& tracks);
+  std::string bytes();
+
+ private:
+  const FbxRecord* list(const char* name) const {
+    const FbxRecord* const found = file_.records.find(file_.records.top(), name);
+    if (found == nullptr) file_.records.fail(std::string("has no ") + name);
+    return found;
+  }
+  std::vector<std::int64_t> ticks_of(const Clip& clip, double rate_hz);
+  std::int64_t free_id() const;
+  std::int64_t id(std::size_t object) const { return id_of(file_.records, file_.objects[object]); }
+  double ticks_at(std::size_t frame) const { return static_cast<double>(ticks_[frame]); }
+  const FbxMovement* movement_of(std::size_t object, std::string_view property);
+  bool is_alone(std::size_t curve_node) const;
+  void disconnect(std::size_t curve_node, std::size_t object, std::string_view property);
+  void set(std::size_t object, std::string_view property, const FbxMovement* movement,
+           const Vector3d& rest, const Curves& curves, double same);
+  void set_axis(std::size_t curve_node, std::size_t axis, const std::vector<float>& values,
+                bool steps);
+  void set_keys(const FbxRecord& curve, const std::vector<float>& values, bool steps);
+  void lengthen();
+
+  FbxFile& file_;
+  const FbxTake& read_;
+  double ticks_per_second_;
+  double first_;
+  FbxEdits edits_;
+  const FbxRecord* objects_;
+  const FbxRecord* connections_;
+  std::vector<std::int64_t> ticks_;
+  FbxCurveOutput out_;
+  FbxTakeInfo take_;
+  std::vector<FbxMovement> movements_;
+};
+
+std::vector<std::int64_t> EditedTake::ticks_of(const Clip& clip, double rate_hz) {
+  for (int t = 0; t < clip.frames(); ++t)
+    ticks_.push_back(std::llround(first_ + t * ticks_per_second_ / rate_hz));
+  return ticks_;
+}
+
+/// The first number above those of all objects.
+std::int64_t EditedTake::free_id() const {
+  std::int64_t largest = 0;
+  constexpr std::int64_t kMost = std::int64_t{1} << 62;
+  for (const FbxObject& object : file_.objects.all())
+    largest = std::max(largest, id_of(file_.records, object));
+  if (largest > kMost) file_.records.fail("numbers its objects too high to add any");
+  return largest + 1;
+}
+
+/// The first layer's movement of a property; from other layers the property is disconnected.
+const FbxMovement* EditedTake::movement_of(std::size_t object, std::string_view property) {
+  const FbxMovement* first = nullptr;
+  for (const FbxMovement& movement : movements_) {
+    if (movement.object != object || movement.property != property) continue;
+    if (first == nullptr && movement.layer == 0)
+      first = &movement;
+    else
+      disconnect(movement.curve_node, object, property);
+  }
+  if (first == nullptr || is_alone(first->curve_node)) return first;
+  disconnect(first->curve_node, object, property);
+  return nullptr;
+}
+
+/// Whether a curve node belongs to one layer and one property, and its curves to it alone.
+bool EditedTake::is_alone(std::size_t curve_node) const {
+  const auto& of = file_.objects.parents(curve_node);
+  const auto& curves = file_.objects.children(curve_node);
+  return of.size() == 2 && std::all_of(curves.begin(), curves.end(), [&](const FbxLink& link) {
+           return file_.objects.parents(link.object).size() == 1;
+         });
+}
+
+void EditedTake::disconnect(std::size_t curve_node, std::size_t object, std::string_view property) {
+  FbxRecords& records = file_.records;
+  const auto& parents = file_.objects.parents(curve_node);
+  if (std::count_if(parents.begin(), parents.end(), [&](const FbxLink& link) {
+        return file_.objects.is(link.object, "AnimationLayer");
+      }) > 1)
+    records.fail("has curves that several takes share: a motion cannot be written onto one");
+  for (const FbxRecord* c = records.first_child(*connections_); c != nullptr;
+       c = records.next(*c)) {
+    const std::vector<FbxValue> values = records.values(*c);
+    if (values.size() > 3 && values[1].whole() == id(curve_node) &&
+        values[2].whole() == id(object) && values[3].text == property)
+      edits_.dropped.insert(c);
+  }
+}
+
+void EditedTake::set_keys(const FbxRecord& curve, const std::vector<float>& values, bool steps) {
+  for (FbxOutRecord& keys : out_.keys(values, steps)) {
+    if (const FbxRecord* const old = file_.records.find(curve, keys.name))
+      edits_.replaced[old] = std::move(keys);
+    else
+      edits_.added[&curve].push_back(std::move(keys));
+  }
+}
+
+void EditedTake::set_axis(std::size_t curve_node, std::size_t axis,
+                          const std::vector<float>& values, bool steps) {
+  bool is_there = false;
+  for (const FbxLink& link : file_.objects.children(curve_node)) {
+    if (!file_.objects.is(link.object, "AnimationCurve") || fbx_axis(link.property) != axis)
+      continue;
+    set_keys(*file_.objects[link.object].record, values, steps);
+    is_there = true;
+  }
+  if (!is_there) out_.add_curve(id(curve_node), kFbxCurveAxes[axis], values, steps);
+}
+
+/// `rest` is what the property is without a curve; `same`: a smaller difference is none.
+void EditedTake::set(std::size_t object, std::string_view property, const FbxMovement* movement,
+                     const Vector3d& rest, const Curves& curves, double same) {
+  const auto stays = [&](std::size_t axis) {
+    const auto a = static_cast<Eigen::Index>(axis);
+    for (std::size_t t = 0; t < ticks_.size(); ++t) {
+      double was = rest(a);
+      if (movement != nullptr && movement->curves[axis])
+        was = movement->curves[axis]->at(ticks_at(t));
+      else if (movement != nullptr && std::isfinite(movement->still(a)))
+        was = movement->still(a);
+      const double scale = property == kTurn ? 1 : 1 + std::abs(was);
+      if (std::abs(static_cast<double>(curves[axis][t]) - was) > same * scale) return false;
+    }
+    return true;
+  };
+  if (movement == nullptr) {
+    if (!stays(0) || !stays(1) || !stays(2))
+      out_.add(id(take_.layers.front().object), id(object), property, curves);
+    return;
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (!stays(axis)) set_axis(movement->curve_node, axis, curves[axis], false);
+}
+
+void EditedTake::move(const NodeTrack& track) {
+  const std::size_t object = read_.object_of_node[track.node];
+  FbxTransform transform = read_.transforms[track.node];
+  // Its pivots rest: places and angles make up for what they did.
+  for (const FbxMovement& movement : movements_)
+    if (movement.object == object && movement.property != kPlace && movement.property != kTurn &&
+        movement.property != kScale && transform.part(movement.property) != nullptr)
+      disconnect(movement.curve_node, object, movement.property);
+  const FbxMovement* const place = movement_of(object, kPlace);
+  const FbxMovement* const turn = movement_of(object, kTurn);
+  const FbxMovement* const scale = movement_of(object, kScale);
+  const FbxTransform rest = transform;
+  if (turn != nullptr) {
+    const Vector3d first = turn->at(first_);
+    for (Eigen::Index a = 0; a < 3; ++a)
+      if (std::isfinite(first(a))) transform.rotation(a) = first(a);
+  }
+  Curves places;
+  Curves turns;
+  Curves scales;
+  LocalTransform local = track.rest;
+  if (track.scale) local.scale = *track.scale;
+  const auto append = [](const Vector3d& value, Curves& curves) {
+    for (std::size_t a = 0; a < 3; ++a)
+      curves[a].push_back(static_cast<float>(value(static_cast<Eigen::Index>(a))));
+  };
+  for (std::size_t t = 0; t < ticks_.size(); ++t) {
+    local.translation = track.translation[t];
+    local.rotation = track.rotation[t];
+    if (!track.scales.empty()) local.scale = track.scales[t];
+    transform.set_local(local);
+    append(transform.translation, places);
+    append(transform.rotation, turns);
+    append(transform.scaling, scales);
+  }
+  set(object, kPlace, place, rest.translation, places, kSameNumber);
+  set(object, kTurn, turn, rest.rotation, turns, kSameAngle);
+  set(object, kScale, scale, rest.scaling, scales, kSameNumber);
+}
+
+/// Tracks of the same name are taken in their order, each once.
+void EditedTake::move(const ScalarTracks& tracks) {
+  std::unordered_set<const ScalarTrack*> taken;
+  for (std::size_t w = 0; w < read_.track_places.size(); ++w) {
+    const ScalarTrack& wanted = read_.take.tracks[w];
+    const FbxTake::TrackPlace& place = read_.track_places[w];
+    const auto found = std::find_if(tracks.begin(), tracks.end(), [&](const ScalarTrack& track) {
+      return track.kind == wanted.kind && track.node == wanted.node && track.name == wanted.name &&
+             !taken.contains(&track);
+    });
+    if (found == tracks.end() || found->values == wanted.values) continue;
+    taken.insert(&*found);
+    if (!is_alone(place.curve_node))
+      file_.records.fail("has a curve of " + label(*found) + " that others share");
+    std::vector<float> values;
+    for (const float value : found->values)
+      values.push_back(static_cast<float>(static_cast<double>(value) / place.scale));
+    set_axis(place.curve_node, place.axis, values, found->steps);
+  }
+}
+
+/// Moves the end that a take states, where the motion is longer.
+void EditedTake::lengthen() {
+  FbxRecords& records = file_.records;
+  const FbxRecord* const all = records.find(*file_.objects[take_.object].record, "Properties70");
+  if (all == nullptr || ticks_.empty() || !take_.span) return;
+  for (const FbxRecord* p = records.first_child(*all); p != nullptr; p = records.next(*p)) {
+    const std::vector<FbxValue> values = records.values(*p);
+    if (values.size() != 5 || (values[0].text != "LocalStop" && values[0].text != "ReferenceStop"))
+      continue;
+    if (values[4].kind != FbxValue::Kind::Integer || values[4].whole() >= ticks_.back()) continue;
+    FbxOutRecord later{.name = "P"};
+    for (std::size_t v = 0; v < 4; ++v) later.value(values[v].text);
+    later.value(ticks_.back());
+    edits_.replaced[p] = std::move(later);
+  }
+}
+
+std::string EditedTake::bytes() {
+  lengthen();
+  return fbx_edited_bytes(file_.records, edits_);
+}
+
+}  // namespace
+
+std::string fbx_bytes_onto(const std::filesystem::path& onto, const Motion& motion,
+                           const SourceFormat& source, const WriteOptions& options,
+                           const ScalarTracks& tracks) {
+  const std::string bytes = read_text(onto);
+  FbxFile file(onto.string(), bytes);
+  if (!file.records.is_binary() || file.records.is_big_endian() || file.records.version() < 7000)
+    file.records.fail(
+        "is ASCII, big-endian or older than 7.0: a motion is put only onto other binary FBX files");
+  ReadOptions reading{.cm_per_unit = options.cm_per_unit, .up = options.up, .take = options.take};
+  if (source.kind == SourceFormat::Kind::Fbx) {
+    reading.cm_per_unit = options.cm_per_unit.value_or(source.cm_per_unit);
+    reading.up = options.up.value_or(source.up);
+  }
+  const FbxTake read = read_fbx_take(file, reading);
+  EditedTake take(file, read, motion.clip,
+                  options.sample_rate_hz.value_or(motion.clip.sample_rate_hz));
+  for (const NodeTrack& track : tracks_following(file.records.file(), read.take, motion,
+                                                 without_namespace(fbx_names(motion.skeleton)),
+                                                 reading, JointScales(tracks, motion.skeleton)))
+    take.move(track);
+  take.move(tracks);
+  return take.bytes();
+}
+
+}  // namespace mocapress

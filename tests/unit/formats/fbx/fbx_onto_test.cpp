@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include "core/formats/fbx/fbx_onto.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <map>
+
+#include "core/base/file.h"
+#include "core/formats/fbx/fbx_curve_output.h"
+#include "core/formats/fbx/fbx_objects.h"
+#include "core/formats/fbx/fbx_reader.h"
+#include "core/formats/fbx/fbx_writer.h"
+#include "core/motion/landmarks.h"
+#include "tests/support/corpus.h"
+#include "tests/support/test_motion.h"
+
+namespace mocapress::fbx_onto_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// How far (cm) a joint is from its namesake at the worst frame.
+double largest_move(const Motion& motion, const Motion& again) {
+  EXPECT_EQ(again.clip.frames(), motion.clip.frames());
+  if (again.clip.frames() != motion.clip.frames()) return 1e9;
+  const Eigen::MatrixXd wanted = landmark_tracks(motion.skeleton, motion.clip);
+  const Eigen::MatrixXd found = landmark_tracks(again.skeleton, again.clip);
+  double largest = 0;
+  for (int j = 0; j < motion.skeleton.joint_count(); ++j) {
+    const int same = again.skeleton.find(motion.skeleton.joint(j).name);
+    EXPECT_GE(same, 0) << motion.skeleton.joint(j).name;
+    if (same >= 0)
+      largest = std::max(largest, (found.middleCols<3>(3 * same) - wanted.middleCols<3>(3 * j))
+                                      .rowwise()
+                                      .norm()
+                                      .maxCoeff());
+  }
+  return largest;
+}
+
+/// All records but those in curves, as they are written; what a record holds is in brackets.
+void append_but_curves(const FbxRecords& records, const FbxRecord& in, std::string& text) {
+  for (const FbxRecord* record = records.first_child(in); record != nullptr;
+       record = records.next(*record)) {
+    text += std::string(record->name) + '=' + std::string(record->values) + '{';
+    if (record->name != "AnimationCurve") append_but_curves(records, *record, text);
+    text += '}';
+  }
+}
+
+std::string all_but_curves(const std::string& bytes) {
+  const FbxRecords records("f.fbx", bytes);
+  std::string text;
+  append_but_curves(records, records.top(), text);
+  return text;
+}
+
+/// The same clip, every joint turned a little more from frame to frame.
+Motion turned(Motion motion) {
+  for (int c = 0; c < motion.skeleton.channel_count(); ++c)
+    if (is_rotation(motion.skeleton.channel_kind(c)))
+      for (int t = 0; t < motion.clip.frames(); ++t)
+        motion.clip.channels(t, c) += 0.01 * t / motion.clip.frames();
+  return motion;
+}
+
+class FbxOnto : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) / "fbx_onto_test";
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  fs::path written(const std::string& bytes) const {
+    fs::path file = folder_ / "character.fbx";
+    write_text(file, bytes);
+    return file;
+  }
+
+  /// What is read of `motion` written onto the file.
+  MotionFile again(const fs::path& onto, const Motion& motion, const WriteOptions& options = {},
+                   const ScalarTracks& tracks = {}) const {
+    return read_fbx("again.fbx", fbx_bytes_onto(onto, motion, {}, options, tracks),
+                    {.take = options.take});
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(FbxOnto, ItselfChangesNoByteOutsideTheCurves) {
+  const fs::path character = fs::path(MOCAPRESS_SOURCE_DIR) / "resources/samples/character.fbx";
+  const MotionFile file = read_motion(character);
+  const std::string bytes = fbx_bytes_onto(character, file.motion, file.source, {}, file.tracks);
+  EXPECT_EQ(all_but_curves(bytes), all_but_curves(read_text(character)));
+  EXPECT_LT(largest_move(file.motion, read_fbx("again.fbx", bytes).motion), 1e-4);
+}
+
+TEST_F(FbxOnto, ReplacesTheMotionAndKeepsTheMesh) {
+  const fs::path character = fs::path(MOCAPRESS_SOURCE_DIR) / "resources/samples/character.fbx";
+  const Motion motion = turned(read_motion(character).motion);
+  const MotionFile found = again(character, motion);
+  EXPECT_LT(largest_move(motion, found.motion), 1e-4);
+  EXPECT_NE(found.skin, nullptr);
+}
+
+TEST_F(FbxOnto, AWholeTransformPutsJointsInTheirPlaces) {
+  const Motion motion = test::smooth_motion(20);
+  const std::string plain = fbx_bytes(motion);
+  const FbxRecords records("f", plain);
+  const FbxRecord* const list = records.find(records.top(), "Objects");
+  FbxEdits edits;
+  for (const FbxRecord* record = records.first_child(*list); record != nullptr;
+       record = records.next(*record)) {
+    if (record->name != "Model") continue;
+    FbxOutRecord more;
+    for (const char* part : {"PreRotation", "PostRotation", "RotationPivot", "RotationOffset",
+                             "ScalingPivot", "ScalingOffset"})
+      more.property(part, "Vector3D", "Vector", "").value(4.0).value(-3.0).value(2.0);
+    edits.added[records.find(*record, "Properties70")] = std::move(more.records);
+  }
+  const fs::path file = written(fbx_edited_bytes(records, edits));
+  EXPECT_GT(largest_move(motion, read_motion(file).motion), 1);
+  EXPECT_LT(largest_move(motion, again(file, motion).motion), 1e-4);
+}
+
+TEST_F(FbxOnto, ALongerMotionLengthensTheTake) {
+  const fs::path file = written(fbx_bytes(test::smooth_motion(20)));
+  const Motion longer = test::smooth_motion(50);
+  EXPECT_LT(largest_move(longer, again(file, longer).motion), 1e-4);
+}
+
+TEST_F(FbxOnto, OtherLayersOfTheTakeMoveItsJointsNoMoreAndOtherTakesStay) {
+  const Motion motion = test::smooth_motion(20);
+  const std::string plain = fbx_bytes(motion);
+  FbxRecords records("f", plain);
+  const FbxObjects objects(records);
+  FbxEdits edits;
+  FbxCurveOutput out({0, 46186158000}, edits.added[records.find(records.top(), "Objects")],
+                     edits.added[records.find(records.top(), "Connections")], 1'000'000);
+  std::int64_t stack = 0;
+  std::int64_t root = 0;
+  for (const FbxObject& object : objects.all()) {
+    if (object.record == nullptr) continue;
+    const std::int64_t id = records.value(*object.record, 0)->whole();
+    if (object.type == "AnimationStack") stack = id;
+    if (object.name == motion.skeleton.joint(0).name && object.type == "Model") root = id;
+  }
+  const auto add_layer = [&](std::int64_t of, const char* name) {
+    const std::int64_t layer = out.new_id();
+    out.object("AnimationLayer", layer, fbx_full_name(name, "AnimLayer"), "").is_list = true;
+    out.connect(layer, of);
+    out.add(layer, root, "Lcl Rotation", {{{0, 90}, {0, 45}, {0, 10}}});
+  };
+  add_layer(stack, "more");
+  const std::int64_t other = out.new_id();
+  out.object("AnimationStack", other, fbx_full_name("other", "AnimStack"), "").is_list = true;
+  add_layer(other, "base");
+  const fs::path file = written(fbx_edited_bytes(records, edits));
+  const Motion wanted = turned(motion);
+  EXPECT_GT(largest_move(motion, read_motion(file).motion), 1);
+  EXPECT_LT(largest_move(wanted, again(file, wanted, {.take = "Take 001"}).motion), 1e-4);
+  const Motion kept = read_motion(file, {}, {.take = "other"}).motion;
+  const std::string bytes = fbx_bytes_onto(file, wanted, {}, {.take = "Take 001"});
+  EXPECT_EQ(read_fbx("f", bytes, {.take = "other"}).motion.clip.channels, kept.clip.channels);
+}
+
+TEST_F(FbxOnto, TracksTakeTheNewValues) {
+  const Motion motion = test::smooth_motion(3);
+  ScalarTracks tracks = {
+      {.kind = TrackKind::Property, .node = "event", .name = "step", .values = {0, 1, 2}},
+      {.kind = TrackKind::MorphWeight, .node = "Face", .name = "smile", .values = {0, 1, 0.5}},
+      {.kind = TrackKind::ScaleY,
+       .node = motion.skeleton.joint(1).name,
+       .name = {},
+       .values = {1, 2, 3}}};
+  const fs::path file = written(fbx_bytes(motion, {}, {}, tracks));
+  for (ScalarTrack& track : tracks) std::reverse(track.values.begin(), track.values.end());
+  const MotionFile found = again(file, motion, {}, tracks);
+  EXPECT_LT(largest_move(motion, found.motion), 1e-4);
+  for (const ScalarTrack& track : tracks)
+    EXPECT_NE(std::find(found.tracks.begin(), found.tracks.end(), track), found.tracks.end())
+        << label(track);
+}
+
+TEST_F(FbxOnto, AnAsciiFileIsRefusedInOneSentence) {
+  const fs::path file =
+      written("; FBX 7.4.0 project file\nFBXHeaderExtension: {\n FBXVersion: 7400\n}\n");
+  try {
+    fbx_bytes_onto(file, test::smooth_motion(3));
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(),
+              file.string() +
+                  ": is ASCII, big-endian or older than 7.0: a motion is put only onto "
+                  "other binary FBX files");
+  }
+}
+
+TEST_F(FbxOnto, StrangersTakeBackTheirOwnMotionAndAnother) {
+  const auto corpus = test::corpus();
+  if (!corpus) GTEST_SKIP() << "the corpus of real motions is not here";
+  int written_onto = 0;
+  for (const char* part : {"fbx", "fbx_judged", "strangers"})
+    for (const auto& entry : fs::directory_iterator(*corpus / part)) {
+      if (entry.path().extension() != ".fbx") continue;
+      SCOPED_TRACE(entry.path().filename().string());
+      const auto put_on = [&](const Motion& motion, const MotionFile& file) {
+        return fbx_bytes_onto(entry.path(), motion, file.source, {}, file.tracks);
+      };
+      std::optional<MotionFile> file;
+      try {
+        file = read_motion(entry.path());
+      } catch (const InputError&) {
+        continue;  // the reader's tests judge that
+      }
+      const std::string source = read_text(entry.path());
+      const FbxRecords records("f.fbx", source);
+      if (!records.is_binary() || records.is_big_endian() || records.version() < 7000) {
+        EXPECT_THROW(put_on(file->motion, *file), InputError);
+        continue;
+      }
+      const std::string bytes = put_on(file->motion, *file);
+      const double size = std::max(
+          1.0, landmark_tracks(file->motion.skeleton, file->motion.clip).cwiseAbs().maxCoeff());
+      const MotionFile same = read_fbx("same.fbx", bytes);
+      EXPECT_LT(largest_move(file->motion, same.motion), 1e-5 * size);
+      const Motion wanted = turned(file->motion);
+      EXPECT_LT(largest_move(wanted, read_fbx("f.fbx", put_on(wanted, *file)).motion), 1e-5 * size);
+      ++written_onto;
+    }
+  std::cout << written_onto << " files written onto\n";
+  EXPECT_GE(written_onto, 22);
+}
+
+}  // namespace
+}  // namespace mocapress::fbx_onto_test
