@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/fnv1a.h"
@@ -89,12 +90,13 @@ void compare(const Motion& meant, const Motion& found, const std::vector<std::st
 class Export {
  public:
   Export(const Batch& batch, std::size_t index, const fs::path& folder, const ExportRights& rights,
-         const Observer<ClipProgress>& observer)
+         SharedCharacter& character, const Observer<ClipProgress>& observer)
       : batch_(batch),
         item_(batch.items[index]),
         preset_(batch.presets[item_.preset]),
         folder_(folder),
         rights_(rights),
+        character_(character),
         observer_(observer),
         row_(failed_row(batch, index, "")) {}
 
@@ -149,10 +151,18 @@ class Export {
     return own != files.end() && hash_of(folder_ / name) == own->hash;
   }
 
-  void work() {
+  MotionFile read() const {
     std::optional<fs::path> skeleton;
     if (!item_.skeleton.empty()) skeleton = item_.skeleton;
-    const LoadedClip clip(read_motion(item_.input, skeleton, batch_.reading_of(item_)));
+    ReadOptions reading = batch_.reading_of(item_);
+    const std::optional<std::string> character = std::exchange(reading.character, std::nullopt);
+    MotionFile clip = read_motion(item_.input, skeleton, reading);
+    if (character) put_character(*character_.read(*character), *character, clip);
+    return clip;
+  }
+
+  void work() {
+    const LoadedClip clip(read());
     for (const Warning& warning : clip.warnings()) row_.warnings.push_back(warning.text());
     row_.joints = clip.motion().skeleton.joint_count();
     report(ClipProgress::Stage::Encoding, 0.1);
@@ -316,6 +326,7 @@ class Export {
   const Settings& preset_;
   const fs::path& folder_;
   const ExportRights& rights_;
+  SharedCharacter& character_;
   const Observer<ClipProgress>& observer_;
   BatchRow row_;
 };
@@ -386,9 +397,9 @@ BatchRow failed_row(const Batch& batch, std::size_t index, const std::string& wh
 }
 
 std::optional<BatchRow> export_clip(const Batch& batch, std::size_t index, const fs::path& folder,
-                                    const ExportRights& rights,
+                                    const ExportRights& rights, SharedCharacter& character,
                                     const Observer<ClipProgress>& observer) {
-  return Export(batch, index, folder, rights, observer).run();
+  return Export(batch, index, folder, rights, character, observer).run();
 }
 
 }  // namespace mocapress

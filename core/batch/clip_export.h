@@ -8,6 +8,7 @@
 #include "core/base/file_identity.h"
 #include "core/base/progress.h"
 #include "core/batch/row.h"
+#include "core/batch/shared_character.h"
 
 namespace mocapress {
 
@@ -40,11 +41,13 @@ BatchRow failed_row(const Batch& batch, std::size_t index, const std::string& wh
 bool still_done(const BatchRow& row, const Batch& batch, const BatchItem& item,
                 const std::filesystem::path& folder);
 
-/// Reads a clip, compresses it, writes its files beside their places, reads them back and measures
-/// what was read against what was promised; only then are they put in place. What goes wrong is in
-/// the row, and then nothing was put in place. Unset when the observer ended it.
+/// Reads a clip, puts it on the batch's character where it has one, compresses it, writes its files
+/// beside their places, reads them back and measures what was read against what was promised; only
+/// then are they put in place. What goes wrong is in the row, and then nothing was put in place.
+/// Unset when the observer ended it.
 std::optional<BatchRow> export_clip(const Batch& batch, std::size_t index,
                                     const std::filesystem::path& folder, const ExportRights& rights,
+                                    SharedCharacter& character,
                                     const Observer<ClipProgress>& observer = {});
 
 }  // namespace mocapress

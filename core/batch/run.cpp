@@ -165,11 +165,13 @@ class Run {
                               .earlier = earlier ? &*earlier : nullptr,
                               .sources = &sources_};
     ClipTime time(options_.clip_seconds);
-    auto row = export_clip(batch_, clip.index, folder_, rights, [&](const ClipProgress& progress) {
-      if (time.is_over()) return false;
-      if (!time.without([&] { return control_.may_continue(); })) return false;
-      return tell(clip, progress);
-    });
+    auto row = export_clip(batch_, clip.index, folder_, rights, character_,
+                           [&](const ClipProgress& progress) {
+                             if (time.is_over()) return false;
+                             if (!time.without([&] { return control_.may_continue(); }))
+                               return false;
+                             return tell(clip, progress);
+                           });
     if (!row && time.is_over() && !control_.cancelled())
       row = failed_row(batch_, clip.index,
                        "took longer than " + shortest_text(*options_.clip_seconds) + " s");
@@ -242,6 +244,7 @@ class Run {
   const Observer<BatchProgress>& observer_;
   std::vector<Waiting> queue_;
   std::set<FileIdentity> sources_;
+  SharedCharacter character_;
   std::atomic<std::size_t> next_ = 0;
   std::mutex mutex_;  // of what follows, the journal, and the calls out
   BatchCounts counts_;

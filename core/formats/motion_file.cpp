@@ -202,7 +202,10 @@ Character read_character(const path& file) {
 }
 
 void put_character(const path& file, MotionFile& clip) {
-  const Character character = read_character(file);
+  put_character(read_character(file), file, clip);
+}
+
+void put_character(const Character& character, const path& file, MotionFile& clip) {
   Skeleton& skeleton = clip.motion.skeleton;
   try {
     clip.skin =

@@ -94,6 +94,8 @@ Character read_character(const std::filesystem::path& path);
 /// Puts a character on the clip in place of its own, if it has one: what it looks like, and what
 /// Weighting::Skin measures. Throws InputError that names the joint that the clip lacks.
 void put_character(const std::filesystem::path& character, MotionFile& clip);
+/// The same with a character that was read from `file` before.
+void put_character(const Character& character, const std::filesystem::path& file, MotionFile& clip);
 
 /// What to say where errors are measured elsewhere than on a body around bones: where the mesh of
 /// `file` reaches much further, or no bone has a length.
