@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Files of Maya, 3ds Max, MotionBuilder and Blender, held against the mesh that these programs
-// wrote beside them, corner by corner. Prints the table of what was judged.
+// wrote beside them, corner by corner. Prints the tables of JUDGED.md.
 //
 // The frame of an .obj counts from time 0, but of Maya's game sausage, whose clips are cut from one
 // time line, from the beginning of its take.
@@ -142,7 +142,8 @@ TEST_F(FbxJudged, SkinsAsTheProgramDidThatWroteTheFile) {
     const std::string base = parts[1].str() + parts[4].str();
     const std::string bytes = read_text(path);
     int frames = 0;
-    double worst = 0;
+    double worst = 0;  // of the height
+    double worst_cm = 0;
     for (const fs::path& picture_path : pictures_) {
       const std::string of = picture_path.stem().string();
       std::smatch which;
@@ -163,13 +164,16 @@ TEST_F(FbxJudged, SkinsAsTheProgramDidThatWroteTheFile) {
       }
       const std::vector<Vector3d> corners = corners_of(read.take, frame, picture.moves_with_node);
       ASSERT_EQ(corners.size(), picture.corners.size()) << of;
-      for (std::size_t c = 0; c < corners.size(); ++c)
-        worst = std::max(worst, (corners[c] - picture.corners[c]).norm() / picture.height);
+      for (std::size_t c = 0; c < corners.size(); ++c) {
+        const double off = (corners[c] - picture.corners[c]).norm();
+        worst = std::max(worst, off / picture.height);
+        worst_cm = std::max(worst_cm, off * read.take.cm_per_unit);
+      }
       ++frames;
     }
     if (frames == 0) continue;
     ++judged;
-    std::cout << name << ": " << frames << " frames, " << worst << " of its height\n";
+    std::cout << "| " << name << " | " << frames << " | " << worst_cm << " | " << worst << " |\n";
     EXPECT_LT(worst, 1e-3) << name;
   }
   EXPECT_GE(judged, 24);
@@ -183,7 +187,7 @@ TEST_F(FbxJudged, OpensTheOthersOrRefusesThemInOneSentence) {
     } catch (const InputError& error) {
       verdict = error.what();
     }
-    std::cout << path.filename().string() << ": " << verdict << '\n';
+    std::cout << "| " << path.stem().string() << " | " << verdict << " |\n";
     EXPECT_EQ(verdict.find('\n'), verdict.npos);
     EXPECT_LE(verdict.size(), 200u);
   }
