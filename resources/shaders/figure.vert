@@ -6,18 +6,18 @@ in vec3 vertexPosition;  // on the unit ball; y along the capsule
 in float along;          // 0: on the start's ball, 1: on the end's
 in vec4 start;           // xyz in the world, radius (cm)
 in vec4 end;
-in float highlight;
 in float alert;
 in vec4 startTint;       // rgb, and how much of it
 in vec4 endTint;
 
 uniform mat4 viewMatrix;
+uniform mat4 projectionMatrix;
 uniform mat4 viewProjectionMatrix;
 uniform vec3 colour;
-uniform vec3 highlightColour;
 uniform vec3 alertColour;
 uniform float thickness;
 uniform float flatness;  // 1: round, less: pressed flat onto the ground
+uniform float behind;    // cm further from the eye it counts as it is
 uniform vec3 offset;     // cm
 uniform vec3 pane;       // sideways shift, left and right end, in normalised device coordinates
 
@@ -44,8 +44,10 @@ void main() {
   positionInView = vec3(viewMatrix * position);
   normalInView = mat3(viewMatrix) * normalize(outwards + taper * axis);
   vec4 tint = mix(startTint, endTint, along);
-  surface = mix(mix(mix(colour, alertColour, alert), tint.rgb, tint.a), highlightColour, highlight);
+  surface = mix(mix(colour, alertColour, alert), tint.rgb, tint.a);
   gl_Position = viewProjectionMatrix * position;
+  vec4 deeper = projectionMatrix * vec4(positionInView + behind * normalize(positionInView), 1.0);
+  gl_Position.z = deeper.z / deeper.w * gl_Position.w;
   gl_Position.x += pane.x * gl_Position.w;
   sideways = gl_Position.xw;
 }

@@ -13,9 +13,10 @@ in vec3 place;           // in a picture: rightwards, downwards, which; -1: in n
 layout(std140) uniform Bones { vec4 rows[4 * 256]; };
 
 uniform mat4 viewMatrix;
+uniform mat4 projectionMatrix;
 uniform mat4 viewProjectionMatrix;
 uniform vec4 colour;   // rgb, and how much of it; the rest is the skin's own
-uniform float swell;   // cm outwards
+uniform float behind;  // cm further from the eye it counts as it is
 uniform vec3 offset;   // cm
 uniform vec3 pane;     // sideways shift, left and right end, in normalised device coordinates
 
@@ -45,8 +46,7 @@ void main() {
   vec4 bind = vec4(vertexPosition, 1.0);
   vec3 turned = vec3(dot(x.xyz, vertexNormal), dot(y.xyz, vertexNormal), dot(z.xyz, vertexNormal));
   vec3 outwards = dot(turned, turned) > 0.0 ? normalize(turned) : vec3(0.0, 1.0, 0.0);
-  vec4 position =
-      vec4(vec3(dot(x, bind), dot(y, bind), dot(z, bind)) + swell * outwards + offset, 1.0);
+  vec4 position = vec4(vec3(dot(x, bind), dot(y, bind), dot(z, bind)) + offset, 1.0);
 
   positionInView = vec3(viewMatrix * position);
   normalInView = mat3(viewMatrix) * outwards;
@@ -54,6 +54,8 @@ void main() {
   pictured = (1.0 - cover.a) * (1.0 - colour.a) * vertexColour;
   inPicture = place;
   gl_Position = viewProjectionMatrix * position;
+  vec4 deeper = projectionMatrix * vec4(positionInView + behind * normalize(positionInView), 1.0);
+  gl_Position.z = deeper.z / deeper.w * gl_Position.w;
   gl_Position.x += pane.x * gl_Position.w;
   sideways = gl_Position.xw;
 }

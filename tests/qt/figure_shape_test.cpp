@@ -21,9 +21,8 @@ Joint joint(int parent, const Eigen::Vector3d& offset,
   return joint;
 }
 
-std::vector<Capsule> posed(const FigureShape& shape, const Eigen::MatrixXd& tracks, int frame,
-                           int selected_joint) {
-  return shape.posed(tracks, frame, {selected_joint, {}, {}});
+std::vector<Capsule> posed(const FigureShape& shape, const Eigen::MatrixXd& tracks, int frame) {
+  return shape.posed(tracks, frame, {});
 }
 
 /// A human of 180 cm with arms down, without hands' and head's ends; `floor`: a game's, whose root
@@ -78,7 +77,7 @@ TEST(FigureShape, OfAHumanIsABody) {
     const Skeleton skeleton = human(floor);
     const Eigen::MatrixXd tracks =
         landmark_tracks(skeleton, {.channels = Eigen::MatrixXd::Zero(1, skeleton.channel_count())});
-    const std::vector<Capsule> body = posed(FigureShape(skeleton), tracks, 0, -1);
+    const std::vector<Capsule> body = posed(FigureShape(skeleton), tracks, 0);
     // A skull above the joint of the head, as high as a human is.
     EXPECT_LT(outside(body, {0, 168, 2}), 0);
     EXPECT_GT(outside(body, {0, 184, 2}), 0);
@@ -101,7 +100,7 @@ TEST(FigureShape, IsTheSameOnBothSides) {
   const Skeleton skeleton = human(false);
   const Eigen::MatrixXd tracks =
       landmark_tracks(skeleton, {.channels = Eigen::MatrixXd::Zero(1, skeleton.channel_count())});
-  const std::vector<Capsule> body = posed(FigureShape(skeleton), tracks, 0, -1);
+  const std::vector<Capsule> body = posed(FigureShape(skeleton), tracks, 0);
   for (float y = 0; y < 180; y += 7)
     for (float x = 0; x < 40; x += 5)
       EXPECT_NEAR(outside(body, {x, y, 3}), outside(body, {-x, y, 3}), 1e-3) << x << ' ' << y;
@@ -124,15 +123,15 @@ TEST(FigureShape, HasTheProportionsOfTheClipNotOfItsChannelsAtZero) {
   for (const char* name : {"RightShoulder", "LeftArm"})
     channels(0, turned.first_channel(turned.find(name))) = std::numbers::pi / 2;
   const Eigen::MatrixXd tracks = landmark_tracks(turned, {.channels = channels});
-  const std::vector<Capsule> expected = posed(FigureShape(standing), tracks, 0, -1);
-  const std::vector<Capsule> body = posed(FigureShape(turned, tracks), tracks, 0, -1);
+  const std::vector<Capsule> expected = posed(FigureShape(standing), tracks, 0);
+  const std::vector<Capsule> body = posed(FigureShape(turned, tracks), tracks, 0);
   ASSERT_EQ(body.size(), expected.size());
   for (std::size_t i = 0; i < body.size(); ++i) {
     EXPECT_NEAR(body[i].start_radius, expected[i].start_radius, 1e-3) << i;
     EXPECT_LT(body[i].start.distanceToPoint(expected[i].start), 1e-3) << i;
     EXPECT_LT(body[i].end.distanceToPoint(expected[i].end), 1e-3) << i;
   }
-  EXPECT_GT(outside(posed(FigureShape(turned), tracks, 0, -1), {6, 135, 7}), 0);
+  EXPECT_GT(outside(posed(FigureShape(turned), tracks, 0), {6, 135, 7}), 0);
 }
 
 TEST(FigureShape, OfWhatIsNoHumanIsACapsuleAlongEverySegmentAndABallOnEveryJoint) {
@@ -141,7 +140,7 @@ TEST(FigureShape, OfWhatIsNoHumanIsACapsuleAlongEverySegmentAndABallOnEveryJoint
   const FigureShape shape(motion.skeleton);
   const std::vector<Segment> segments = motion.skeleton.segments();
   const auto joints = static_cast<std::size_t>(motion.skeleton.joint_count());
-  const std::vector<Capsule> capsules = posed(shape, tracks, 3, -1);
+  const std::vector<Capsule> capsules = posed(shape, tracks, 3);
 
   ASSERT_EQ(capsules.size(), joints + segments.size());
   for (std::size_t j = 0; j < joints; ++j) {
@@ -157,12 +156,18 @@ TEST(FigureShape, OfWhatIsNoHumanIsACapsuleAlongEverySegmentAndABallOnEveryJoint
   }
 }
 
-TEST(FigureShape, HighlightsTheSelectedJointAlone) {
-  const Motion motion = test::smooth_motion(1);
-  const Eigen::MatrixXd tracks = landmark_tracks(motion.skeleton, motion.clip);
-  const std::vector<Capsule> capsules = posed(FigureShape(motion.skeleton), tracks, 0, 2);
-  for (std::size_t c = 0; c < capsules.size(); ++c)
-    EXPECT_EQ(capsules[c].highlight, c == 2 ? 1 : 0) << c;
+TEST(FigureShape, ARingAroundAJointIsWiderThanTheBodyThere) {
+  const Skeleton skeleton = human(false);
+  const Eigen::MatrixXd tracks =
+      landmark_tracks(skeleton, {.channels = Eigen::MatrixXd::Zero(1, skeleton.channel_count())});
+  const FigureShape shape(skeleton);
+  const std::vector<Capsule> body = posed(shape, tracks, 0);
+  for (const char* name : {"LeftLeg", "RightForeArm"}) {
+    const int joint = skeleton.find(name);
+    const float radius = shape.ringRadius(joint);
+    EXPECT_GT(outside(body, landmarkAt(tracks, 0, joint) + QVector3D(0, 0, radius)), 0) << name;
+    EXPECT_LT(radius, 12) << name;
+  }
 }
 
 TEST(FigureShape, DrawsNoBoneWithoutLength) {
@@ -180,7 +185,7 @@ TEST(FigureShape, KeepsItsProportionsAtAnySize) {
     const Eigen::MatrixXd tracks = landmark_tracks(skeleton, {.channels = Eigen::MatrixXd(1, 0)});
     const FigureShape shape(skeleton);
     EXPECT_NEAR(shape.size() / size, 1, 1e-5);
-    EXPECT_NEAR(posed(shape, tracks, 0, -1)[1].start_radius / size, 0.034, 1e-5);
+    EXPECT_NEAR(posed(shape, tracks, 0)[1].start_radius / size, 0.034, 1e-5);
   }
 }
 

@@ -321,11 +321,14 @@ TEST_F(StudioWithoutAScreen, ClipsWithoutANameAreAskedAboutBeforeAProjectThatIsD
 
 TEST_F(StudioWithoutAScreen, OneErrorScaleHoldsForAllAndIsRemembered) {
   settleAfter([&] { window_.files().open(clip("walk.bvh")); });
-  ASSERT_TRUE(scale(5)->isChecked());
+  ASSERT_TRUE(scale(0)->isChecked()) << "it fits what is shown until another is chosen";
+  const ErrorScale automatic = errorScaleFor(document_.decoded()->distortion->p99);
+  EXPECT_EQ(distanceScale(window_), automatic);
   const auto pictures = [&] {
     return std::pair(window_.inspection().timeline->errors()->grab().toImage(),
                      distanceScale(window_).top);
   };
+  scale(5)->trigger();
   const auto [before, top] = pictures();
   EXPECT_DOUBLE_EQ(top, 5);
   scale(0.1)->trigger();
@@ -333,7 +336,7 @@ TEST_F(StudioWithoutAScreen, OneErrorScaleHoldsForAllAndIsRemembered) {
   EXPECT_DOUBLE_EQ(finer, 0.1);
   EXPECT_NE(after, before);
   scale(0)->trigger();
-  EXPECT_EQ(distanceScale(window_), errorScaleFor(document_.decoded()->distortion->p99));
+  EXPECT_EQ(distanceScale(window_), automatic);
   scale(0.5)->trigger();
   MainWindow next;
   EXPECT_DOUBLE_EQ(distanceScale(next).top, 0.5);
@@ -349,6 +352,7 @@ TEST_F(StudioWithoutAScreen, HeatMapAndGraphTellDegreesByOneSwitchThatIsRemember
   const QString axis = graph->yAxis->label();
   QAction* in_degrees = window_.actions().in_degrees;
   in_degrees->trigger();
+  window_.actions().angle_scales->actions().at(2)->trigger();
   const QImage by_five_degrees = picture();
   EXPECT_NE(by_five_degrees, in_cm);
   EXPECT_NE(graph->yAxis->label(), axis);

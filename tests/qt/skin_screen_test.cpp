@@ -176,15 +176,21 @@ TEST_F(SkinScreen, IsColouredByTheErrorsOfItsJoints) {
   EXPECT_FALSE(isBlue(front(coloured, compressed_at_, 105)));
 }
 
-TEST_F(SkinScreen, ShowsWhereTheSelectedJointCarriesIt) {
+TEST_F(SkinScreen, HasARingAroundTheSelectedJointAndKeepsItsColours) {
   const QImage plain = picture();
   viewport_.setSelectedJoint(1);
   const QImage selected = picture();
-  const auto changed = [&](float y) {
-    return difference(front(plain, compressed_at_, y), front(selected, compressed_at_, y));
-  };
-  EXPECT_GT(changed(105), 40);
-  EXPECT_LT(changed(12), 40);
+  const QPoint head =
+      viewport_.camera().project({static_cast<float>(compressed_at_), 110, 0})->toPoint();
+  EXPECT_EQ(plain.pixel(head), selected.pixel(head));
+  int white = 0;
+  for (int y = -30; y <= 30; ++y)
+    for (int x = -30; x <= 30; ++x) {
+      const QPoint place = head + QPoint(x, y);
+      white += plain.pixel(place) != selected.pixel(place) && qGray(selected.pixel(place)) > 245;
+    }
+  EXPECT_GT(white, 10);
+  EXPECT_EQ(front(plain, compressed_at_, 12), front(selected, compressed_at_, 12));
 }
 
 TEST_F(SkinScreen, StandsBesideTheOther) {

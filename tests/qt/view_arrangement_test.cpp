@@ -80,6 +80,8 @@ TEST(ViewArrangement, PinnedFiguresAreInTheOverlayButNotInAWipeNorBlinking) {
     return arrange(options, true, false, 1).pinned.front().shown;
   };
   EXPECT_TRUE(shown({.mode = ViewMode::Overlay}));
+  EXPECT_TRUE(arrange({}, true, false, 1).pinned.front().ghost);
+  EXPECT_FALSE(arrange({.mode = ViewMode::SideBySide}, true, false, 1).pinned.front().ghost);
   EXPECT_FALSE(shown({.mode = ViewMode::Wipe}));
   EXPECT_FALSE(shown({.mode = ViewMode::Overlay, .blinking = true}));
 }

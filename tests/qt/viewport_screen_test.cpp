@@ -12,6 +12,7 @@
 #include <QTest>
 #include <QWheelEvent>
 #include <QWindow>
+#include <algorithm>
 #include <cstdio>
 
 #include "core/motion/landmarks.h"
@@ -164,16 +165,60 @@ TEST_F(ViewportScreen, CapturesTheScreenTheRightWayUp) {
   EXPECT_FALSE(isRed(image.pixel(mirrored)));
 }
 
-TEST_F(ViewportScreen, HighlightsTheSelectedJointOnBothFigures) {
+/// Pixels of a square around a place that differ between two pictures.
+std::vector<QPoint> changedNear(const QPoint& place, const QImage& before, const QImage& after) {
+  constexpr int kReach = 30;
+  std::vector<QPoint> changed;
+  for (int y = place.y() - kReach; y <= place.y() + kReach; ++y)
+    for (int x = place.x() - kReach; x <= place.x() + kReach; ++x)
+      if (difference(before.pixel(x, y), after.pixel(x, y)) > 12) changed.emplace_back(x, y);
+  return changed;
+}
+
+TEST_F(ViewportScreen, ARingWithoutColourMarksTheSelectedJointOnBothFigures) {
   const QImage plain = picture();
   viewport_.setSelectedJoint(kKnee);
   const QImage selected = picture();
   for (const auto& tracks : {original_, compressed_}) {
     const QPoint knee = seen(tracks, 0, kKnee);
-    EXPECT_GT(difference(plain.pixel(knee), selected.pixel(knee)), 40);
+    EXPECT_EQ(plain.pixel(knee), selected.pixel(knee)) << "the joint keeps its colour";
+    const std::vector<QPoint> ring = changedNear(knee, plain, selected);
+    EXPECT_GT(ring.size(), 40u);
+    EXPECT_TRUE(std::any_of(ring.begin(), ring.end(),
+                            [&](const QPoint& p) { return qGray(selected.pixel(p)) > 245; }));
+    for (const QPoint& p : ring)
+      EXPECT_TRUE(isGrey(selected.pixel(p)) || isRed(selected.pixel(p))) << p.x() << ' ' << p.y();
     const QPoint foot = seen(tracks, 0, 0);
     EXPECT_EQ(plain.pixel(foot), selected.pixel(foot));
   }
+}
+
+TEST_F(ViewportScreen, AGhostIsNoLargerThanWhatItIsAGhostOf) {
+  const QImage alone = pictureOf(nullptr, compressed_);
+  const QImage both = pictureOf(compressed_, compressed_);
+  for (const int landmark : {0, kKnee, 3})  // the neck is near the titles
+    EXPECT_TRUE(changedNear(seen(compressed_, 0, landmark), alone, both).empty()) << landmark;
+  const QImage apart = pictureOf(pillarTracks(-44, 25), compressed_);
+  EXPECT_FALSE(changedNear(seen(compressed_, 0, kKnee), alone, apart).empty());
+}
+
+TEST_F(ViewportScreen, NothingIsDrawnOverTheColoursOfErrors) {
+  const auto isYellow = [](QRgb pixel) {
+    return qRed(pixel) > qBlue(pixel) + 60 && qGreen(pixel) > qBlue(pixel) + 60;
+  };
+  viewport_.setErrors(std::make_shared<const Eigen::MatrixXf>(Eigen::MatrixXf::Constant(2, 4, 9)),
+                      {.top = 1});
+  ViewOptions options;
+  options.by_error = true;
+  viewport_.setOptions(options);
+  const QImage alone = pictureOf(original_, compressed_);
+  viewport_.setPinned({{pillarTracks(-43, 25), Qt::blue, {QStringLiteral("nearer")}, {}},
+                       {pillarTracks(-47, 25), Qt::darkGreen, {QStringLiteral("beyond")}, {}}});
+  const QImage pinned = pictureOf(pillarTracks(-42, 25), compressed_);
+  const QPoint knee = seen(compressed_, 0, kKnee);
+  const std::vector<QPoint> changed = changedNear(knee, alone, pinned);
+  EXPECT_GT(changed.size(), 100u) << "they are seen beside it";
+  for (const QPoint& p : changed) EXPECT_FALSE(isYellow(alone.pixel(p))) << p.x() << ' ' << p.y();
 }
 
 TEST_F(ViewportScreen, ReportsTheJointThatIsClickedOnEitherFigure) {

@@ -72,7 +72,6 @@ SceneColours sceneColours(const QPalette& palette) {
   colours.z_axis = dark ? QColor(0x6f9fd8) : QColor(0x3f74b5);
   colours.original = dark ? QColor(0xaab3bc) : QColor(0x3f4953);
   colours.compressed = QColor(0xd8352c);
-  colours.selected = QColor(0xffb526);
   colours.trail = slideColour(0);
   colours.alert = slideColour(100);
   colours.past = dark ? QColor(0x56b4e9) : QColor(0x0072b2);

@@ -49,9 +49,8 @@ QColor slideColour(double slid_cm);
 struct SceneColours {
   QColor backdrop_centre, backdrop_edge;
   QColor grid, x_axis, z_axis;
-  QColor original;    // the ghost
-  QColor compressed;  // red
-  QColor selected;
+  QColor original;      // the ghost
+  QColor compressed;    // red
   QColor trail;         // of a foot that hardly slides
   QColor alert;         // of a foot that does, and its trail
   QColor past, future;  // poses before and after now

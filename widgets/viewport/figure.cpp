@@ -6,10 +6,7 @@
 namespace mocapress {
 namespace {
 
-// The ghost is a shell around the solid figure: where the two agree neither flickers through the
-// other, and where they part the shell stands alone.
-constexpr float kGhostThickness = 1.3f;
-constexpr CapsuleDetail kTrailDetail{6, 2};
+constexpr CapsuleDetail kTrailDetail{8, 3};
 
 }  // namespace
 
@@ -23,7 +20,6 @@ Figure::Figure(Look look, QNode* parent) : QEntity(parent) {
   };
   perInstance("start", 4, offsetof(Capsule, start));
   perInstance("end", 4, offsetof(Capsule, end));
-  perInstance("highlight", 1, offsetof(Capsule, highlight));
   perInstance("alert", 1, offsetof(Capsule, alert));
   perInstance("startTint", 4, offsetof(Capsule, start_tint));
   perInstance("endTint", 4, offsetof(Capsule, end_tint));
@@ -31,6 +27,8 @@ Figure::Figure(Look look, QNode* parent) : QEntity(parent) {
   material_ =
       new ShaderMaterial("figure", look == Look::Solid ? solidPasses() : ghostPasses(), this);
   setGhost(look != Look::Solid);
+  setBehind(0);
+  setThickness(1);
   setPane({});
   setOffset({});
   setFlatness(1);
@@ -51,8 +49,11 @@ void Figure::hide() {
 }
 
 void Figure::setGhost(bool ghost) {
-  material_->set("thickness", ghost ? kGhostThickness : 1.0f);
   material_->set("opacity", ghost ? kGhostOpacity : 1.0f);
+}
+
+void Figure::setBehind(float behind) {
+  material_->set("behind", behind);
 }
 
 void Figure::setThickness(float thickness) {
@@ -71,9 +72,8 @@ void Figure::setFlatness(float flatness) {
   material_->set("flatness", flatness);
 }
 
-void Figure::setColours(const QColor& figure, const QColor& selected, const QColor& alert) {
+void Figure::setColours(const QColor& figure, const QColor& alert) {
   material_->setColour("colour", figure);
-  material_->setColour("highlightColour", selected);
   material_->setColour("alertColour", alert);
 }
 

@@ -27,7 +27,10 @@ class Figure : public Qt3DCore::QEntity {
   /// A figure made as a ghost may stand solid, and be one again.
   void setGhost(bool ghost);
 
-  /// 1: as thick as the bones are; after setGhost().
+  /// How much further (cm) from the eye it counts as it is: what is nearer covers it.
+  void setBehind(float behind);
+
+  /// 1: as thick as the bones are.
   void setThickness(float thickness);
 
   void setPane(const Pane& pane);
@@ -38,7 +41,7 @@ class Figure : public Qt3DCore::QEntity {
   /// 1: round; less: pressed flat onto the ground.
   void setFlatness(float flatness);
 
-  void setColours(const QColor& figure, const QColor& selected, const QColor& alert);
+  void setColours(const QColor& figure, const QColor& alert);
 
  private:
   Qt3DRender::QGeometryRenderer* mesh_;

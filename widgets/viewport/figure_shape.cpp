@@ -19,8 +19,8 @@ namespace {
 constexpr float kRadiusPerRoot = 0.034f;  // of length x size of the figure
 constexpr float kThinnest = 0.003f;       // radius per size of the figure
 constexpr float kTaper = 0.6f;            // a bone's end radius, per start radius
-constexpr float kSelectedGrowth = 1.5f;   // of a joint's ball
-constexpr float kSelectedAbove = 1.15f;   // of how deep below the skin the joint is
+constexpr float kRingPerBall = 1.5f;      // radii
+constexpr float kRingPerDepth = 1.3f;     // of how deep below the skin the joint is
 constexpr float kMostThickness = 0.4f;    // of a bone's length, its radius
 
 // Of a human, per stature.
@@ -395,8 +395,8 @@ FigureShape::FigureShape(const Skeleton& skeleton, const Eigen::MatrixXd& tracks
   std::fill(ball_radii_.begin(), ball_radii_.end(), kThinnest * size_);
   Builder(skeleton, pose, *this).build();
   for (int j = 0; j < jointCount(); ++j)
-    selected_radii_.push_back(std::max(kSelectedGrowth * ball_radii_[static_cast<std::size_t>(j)],
-                                       kSelectedAbove * depth(landmarkAt(pose, 0, j), pose)));
+    ring_radii_.push_back(std::max(kRingPerBall * ball_radii_[static_cast<std::size_t>(j)],
+                                   kRingPerDepth * depth(landmarkAt(pose, 0, j), pose)));
 }
 
 float FigureShape::depth(const QVector3D& point, const Eigen::MatrixXd& tracks) const {
@@ -447,11 +447,9 @@ void FigureShape::pose(const Eigen::MatrixXd& tracks, int frame, const FigureMar
   };
   auto capsule = capsules.begin();
   for (int j = 0; j < jointCount(); ++j) {
-    const bool selected = j == marks.selected_joint;
     const QVector3D centre = landmarkAt(tracks, frame, j);
-    const float radius = (selected ? selected_radii_ : ball_radii_)[static_cast<std::size_t>(j)];
-    *capsule++ = {centre,     radius,    centre,   radius, selected ? 1.0f : 0.0f,
-                  alertOf(j), tintAt(j), tintAt(j)};
+    const float radius = ball_radii_[static_cast<std::size_t>(j)];
+    *capsule++ = {centre, radius, centre, radius, alertOf(j), tintAt(j), tintAt(j)};
   }
   for (const Part& part : parts_) {
     const int start = nearestLandmark(part.start);
@@ -460,7 +458,6 @@ void FigureShape::pose(const Eigen::MatrixXd& tracks, int frame, const FigureMar
                   part.start_radius,
                   at(part.end, tracks, frame),
                   part.end_radius,
-                  0,
                   std::max(alertOf(start), alertOf(end)),
                   tintAt(start),
                   tintAt(end)};

@@ -19,19 +19,17 @@ struct Capsule {
   float start_radius;  // cm
   QVector3D end;
   float end_radius;
-  float highlight;       // 0 or 1
   float alert;           // 0 ... 1
   QVector4D start_tint;  // red, green, blue, and how much of them, each 0 ... 1
   QVector4D end_tint;
 };
-static_assert(sizeof(Capsule) == 18 * sizeof(float));
+static_assert(sizeof(Capsule) == 17 * sizeof(float));
 
 /// A tint that covers what is under it.
 QVector4D tintOf(const QColor& colour);
 
 /// What is marked on a figure at a frame.
 struct FigureMarks {
-  int selected_joint = -1;
   std::vector<float> alerts;     // of each joint, 0 ... 1; empty: none
   std::vector<QVector4D> tints;  // of each landmark; empty: none
 };
@@ -55,7 +53,7 @@ class FigureShape {
   int capsuleCount() const { return static_cast<int>(parts_.size() + ball_radii_.size()); }
 
   /// Of those the parts of the body, which come last. They are round at their ends. The others are
-  /// balls within it, one a joint, of which the selected one stands out.
+  /// balls within it, one a joint.
   int partCount() const { return static_cast<int>(parts_.size()); }
 
   /// The first joint that carries the body. A game's root on the floor does not: the hips walk away
@@ -64,6 +62,9 @@ class FigureShape {
 
   /// The longest side (cm) of the box around the rest pose.
   float size() const { return size_; }
+
+  /// How wide (cm) a ring around a joint is that the body does not cover.
+  float ringRadius(int joint) const { return ring_radii_[static_cast<std::size_t>(joint)]; }
 
   /// All capsules at a frame of landmark_tracks().
   std::vector<Capsule> posed(const Eigen::MatrixXd& tracks, int frame,
@@ -97,8 +98,8 @@ class FigureShape {
   float depth(const QVector3D& point, const Eigen::MatrixXd& tracks) const;
 
   std::vector<Part> parts_;
-  std::vector<float> ball_radii_;      // cm, one a joint
-  std::vector<float> selected_radii_;  // of its ball when it is selected
+  std::vector<float> ball_radii_;  // cm, one a joint
+  std::vector<float> ring_radii_;  // likewise
   int body_root_;
   float size_;
 };

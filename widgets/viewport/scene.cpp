@@ -76,9 +76,6 @@ constexpr int kFramesUntilDrawn = 2;
 constexpr float kDiscFlatness = 0.05f;
 
 constexpr float kTrailThickness = 0.8f;
-// Each pinned figure is a little thinner than the one before: where results agree none flickers
-// through the other, and where they part each is seen.
-constexpr float kThinnerEach = 0.07f;
 
 /// A leaf of the frame graph: one pass of the materials of some entities.
 template <typename Entities>
@@ -138,12 +135,10 @@ Scene::Scene(OpenGl open_gl) {
   discs_->setFlatness(kDiscFlatness);
   ghosts_ = new Figure(Figure::Look::Trail, root);
   ghosts_->setThickness(kTrailThickness);
-  float thickness = 1;
-  for (Figure*& figure : pinned_) {
-    figure = new Figure(Figure::Look::Solid, root);
-    figure->setThickness(thickness -= kThinnerEach);
-  }
-  for (SkinFigure*& skin : pinned_skins_) skin = new SkinFigure(false, root);
+  for (Figure*& figure : pinned_) figure = new Figure(Figure::Look::Ghost, root);
+  for (SkinFigure*& skin : pinned_skins_) skin = new SkinFigure(true, root);
+  body_ring_ = new Ring(root);
+  shell_ring_ = new Ring(root);
   overlay_ = new Overlay(root);
   auto* frame_action = new Qt3DLogic::QFrameAction(root);
   root->addComponent(frame_action);
@@ -170,13 +165,17 @@ void Scene::makeFrameGraph(Qt3DCore::QEntity* backdrop) {
   };
   step({backdrop}, "shade");
   step({body_, body_skin_, body_path_, shell_path_, trails_, discs_}, "shade");
-  addStep(camera_selector, pinned_, QStringLiteral("shade"));
-  addStep(camera_selector, pinned_skins_, QStringLiteral("shade"));
   step({body_shadow_, shell_shadow_}, "shade");
   addStep(camera_selector, grounds_, QStringLiteral("shade"));
+  // Of several pinned figures the nearest alone is seen: colours over each other would be neither.
+  std::vector<Qt3DCore::QEntity*> pinned(pinned_.begin(), pinned_.end());
+  pinned.insert(pinned.end(), pinned_skins_.begin(), pinned_skins_.end());
+  for (const char* pass : {"depth", "shade"})
+    addStep(camera_selector, pinned, QString::fromLatin1(pass));
   for (Qt3DCore::QEntity* translucent :
        std::initializer_list<Qt3DCore::QEntity*>{ghosts_, shell_, shell_skin_})
     for (const char* pass : {"depth", "shade"}) step({translucent}, pass);
+  step({body_ring_, shell_ring_}, "shade");
   for (const auto& labels : overlay_->labels())
     addStep(camera_selector, labels, QStringLiteral("shade"));
   capture_ = new Qt3DRender::QRenderCapture(new Qt3DRender::QNoDraw(camera_selector));
@@ -204,8 +203,8 @@ void Scene::setCell(float cell) {
 }
 
 void Scene::setColours(const SceneColours& colours) {
-  trails_->setColours(colours.trail, colours.selected, colours.alert);
-  discs_->setColours(colours.trail, colours.selected, colours.alert);
+  trails_->setColours(colours.trail, colours.alert);
+  discs_->setColours(colours.trail, colours.alert);
   for (Ground* ground : grounds_) ground->setColours(colours);
   overlay_->setColours(colours);
   backdrop_->setColour("centreColour", colours.backdrop_centre);

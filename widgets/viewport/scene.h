@@ -10,6 +10,7 @@
 #include "widgets/viewport/figure.h"
 #include "widgets/viewport/orbit_camera.h"
 #include "widgets/viewport/overlay.h"
+#include "widgets/viewport/ring.h"
 #include "widgets/viewport/shader_material.h"
 #include "widgets/viewport/shadow.h"
 #include "widgets/viewport/skin_figure.h"
@@ -59,6 +60,8 @@ class Scene : public Qt3DExtras::Qt3DWindow {
   Shadow& shellShadow() { return *shell_shadow_; }
   Figure& bodyPath() { return *body_path_; }
   Figure& shellPath() { return *shell_path_; }
+  Ring& bodyRing() { return *body_ring_; }
+  Ring& shellRing() { return *shell_ring_; }
   Figure& trails() { return *trails_; }
   Figure& discs() { return *discs_; }
   Figure& ghosts() { return *ghosts_; }  // poses before and after now
@@ -96,6 +99,8 @@ class Scene : public Qt3DExtras::Qt3DWindow {
   Shadow* shell_shadow_;
   Figure* body_path_;
   Figure* shell_path_;
+  Ring* body_ring_;
+  Ring* shell_ring_;
   Figure* trails_;
   Figure* discs_;
   Figure* ghosts_;

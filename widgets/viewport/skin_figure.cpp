@@ -12,11 +12,6 @@
 namespace mocapress {
 namespace {
 
-// The ghost is a shell around the solid figure: where the two agree neither flickers through the
-// other, and where they part the shell stands alone.
-constexpr float kSwellPerSize = 0.006f;  // of the character
-constexpr float kSelectedCover = 0.8f;   // the shape of what is covered stays to be seen
-
 /// As the shader takes it. Its integers are slow and its attributes few: indices are floats.
 struct SkinVertex {
   std::array<float, 3> position;
@@ -56,17 +51,9 @@ std::vector<SkinVertex> verticesOf(const Skin& skin) {
   return vertices;
 }
 
-float sizeOf(const Skin& skin) {
-  if (skin.vertices.empty()) return 0;
-  Eigen::AlignedBox3f box;
-  for (const Skin::Vertex& vertex : skin.vertices) box.extend(vertex.in_bind);
-  return box.sizes().maxCoeff();
-}
-
 }  // namespace
 
-std::vector<QVector4D> jointCovers(const FigureMarks& marks, int joints, const QColor& selected,
-                                   const QColor& alert) {
+std::vector<QVector4D> jointCovers(const FigureMarks& marks, int joints, const QColor& alert) {
   std::vector<QVector4D> covers;
   for (int joint = 0; joint < joints; ++joint) {
     const auto j = static_cast<std::size_t>(joint);
@@ -76,10 +63,6 @@ std::vector<QVector4D> jointCovers(const FigureMarks& marks, int joints, const Q
       cover.setW(marks.alerts[j]);
     }
     if (j < marks.tints.size() && marks.tints[j].w() > 0) cover = marks.tints[j];
-    if (joint == marks.selected_joint) {
-      cover = tintOf(selected);
-      cover.setW(kSelectedCover);
-    }
     covers.push_back(cover);
   }
   return covers;
@@ -117,6 +100,7 @@ SkinFigure::SkinFigure(bool may_be_ghost, QNode* parent) : QEntity(parent) {
   material_->set("Bones", QVariant::fromValue(bones_));
   material_->set("pictureCount", 1.0f);
   setGhost(may_be_ghost);
+  setBehind(0);
   setPane({});
   setOffset({});
   setColour({});
@@ -132,7 +116,6 @@ void SkinFigure::setSkin(std::shared_ptr<const Skin> skin) {
 }
 
 void SkinFigure::upload() {
-  ghost_swell_ = kSwellPerSize * sizeOf(*skin_);
   showPictures(pictures_, skin_);
   material_->set("pictureCount",
                  static_cast<float>(std::max<std::size_t>(1, skin_->pictures.size())));
@@ -164,8 +147,11 @@ void SkinFigure::hide() {
 }
 
 void SkinFigure::setGhost(bool ghost) {
-  material_->set("swell", ghost ? ghost_swell_ : 0.0f);
   material_->set("opacity", ghost ? kGhostOpacity : 1.0f);
+}
+
+void SkinFigure::setBehind(float behind) {
+  material_->set("behind", behind);
 }
 
 void SkinFigure::setPane(const Pane& pane) {

@@ -18,8 +18,7 @@
 namespace mocapress {
 
 /// What is marked on a figure, as a colour for each joint and how much of it covers the skin there.
-std::vector<QVector4D> jointCovers(const FigureMarks& marks, int joints, const QColor& selected,
-                                   const QColor& alert);
+std::vector<QVector4D> jointCovers(const FigureMarks& marks, int joints, const QColor& alert);
 
 /// A character in the scene: its mesh, which the graphics card bends. A new pose replaces one small
 /// buffer, that of its bones.
@@ -34,6 +33,9 @@ class SkinFigure : public Qt3DCore::QEntity {
   void hide();
 
   void setGhost(bool ghost);
+
+  /// As Figure's.
+  void setBehind(float behind);
   void setPane(const Pane& pane);
 
   /// Draws everything that far (cm) from where it is.
@@ -54,7 +56,6 @@ class SkinFigure : public Qt3DCore::QEntity {
   Qt3DCore::QAttribute* corners_;
   ShaderMaterial* material_;
   Qt3DRender::QTexture2D* pictures_;
-  float ghost_swell_ = 0;  // cm
 };
 
 }  // namespace mocapress

@@ -27,7 +27,7 @@ std::vector<Capsule> jointPath(const Eigen::MatrixXd& tracks, int landmark, int 
   std::vector<Capsule> path;
   const auto add = [&](int a, int b) {
     path.push_back({landmarkAt(tracks, a, landmark), radiusAt(a), landmarkAt(tracks, b, landmark),
-                    radiusAt(b), 0, 0});
+                    radiusAt(b), 0});
   };
   const int first = std::max(0, frame - reach);
   const int end = std::min(last, frame + reach);
@@ -110,7 +110,7 @@ std::vector<Capsule> slideTrails(const std::vector<SlideFinding>& slides,
     for (int t = span.first_frame + 1; t <= span.last_frame; ++t) {
       const QVector3D end = onGround(tracks, t, span.landmark);
       if (t < span.last_frame && start.distanceToPoint(end) < kStepPerRadius * radius) continue;
-      trails.push_back({start, radius, end, radius, 0, alert});
+      trails.push_back({start, radius, end, radius, alert});
       start = end;
     }
   }
@@ -130,7 +130,7 @@ std::vector<Capsule> footDiscs(const std::vector<ContactSpan>& contacts,
     if (frame < span.first_frame || frame > span.last_frame) continue;
     const QVector3D centre = onGround(tracks, frame, span.landmark);
     const QVector4D tint = tintOf(slideColour(slideOf(span)));
-    discs.push_back({centre, radius, centre, radius, 0, 0, tint, tint});
+    discs.push_back({centre, radius, centre, radius, 0, tint, tint});
   }
   return discs;
 }

@@ -40,6 +40,7 @@ Arrangement arrange(const ViewOptions& options, bool both, bool turn, int pinned
   switch (options.mode) {
     case ViewMode::Overlay:
       (options.swapped ? compressed : original).ghost = true;
+      for (Placement& each : arrangement.pinned) each.ghost = true;
       return arrangement;
     case ViewMode::SideBySide:
       arrangement.panes = 2 + pinned;

@@ -73,8 +73,8 @@ struct Arrangement {
 };
 
 /// `both`: there are two figures to arrange, else one stands alone. `turn` of a blinking view: the
-/// compressed figure's. Those that are `pinned` are seen where the others are or each in a pane of
-/// its own; a wipe and a blinking view have no place for them.
+/// compressed figure's. Those that are `pinned` are ghosts where the others are or stand each in a
+/// pane of its own; a wipe and a blinking view have no place for them.
 Arrangement arrange(const ViewOptions& options, bool both, bool turn, int pinned = 0);
 
 /// Another result of the clip, seen beside the current one.

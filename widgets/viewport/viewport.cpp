@@ -12,18 +12,21 @@
 #include <utility>
 
 #include "widgets/viewport/orbit_camera.h"
+#include "widgets/viewport/ring.h"
 #include "widgets/viewport/scene.h"
 #include "widgets/viewport/trails.h"
 
 namespace mocapress {
 namespace {
 
-constexpr float kLeastRadius = 0.1f;     // of what is framed, per size of the figure
-constexpr float kTrailPerSize = 0.006f;  // radius of a trail, per size of the figure
-constexpr float kPathPerSize = 0.006f;   // radius of a joint's path, likewise
-constexpr float kDiscPerSize = 0.055f;   // radius of a foot's disc, likewise
-constexpr double kTrailSeconds = 0.1;    // between the poses of the ghost trail
-constexpr double kPathSeconds = 0.5;     // to either side of now
+constexpr float kLeastRadius = 0.1f;      // of what is framed, per size of the figure
+constexpr float kTrailPerSize = 0.006f;   // radius of a trail, per size of the figure
+constexpr float kPathPerSize = 0.006f;    // radius of a joint's path, likewise
+constexpr float kDiscPerSize = 0.055f;    // radius of a foot's disc, likewise
+constexpr float kBehindPerSize = 0.002f;  // how much further a ghost counts than another, likewise
+constexpr float kFarBehind = 2;           // and than a whole figure, in sizes of it
+constexpr double kTrailSeconds = 0.1;     // between the poses of the ghost trail
+constexpr double kPathSeconds = 0.5;      // to either side of now
 constexpr auto kBlinkTime = std::chrono::milliseconds(400);
 constexpr double kWheelStep = 120;    // Qt's angle delta of one notch
 constexpr double kDividerReach = 10;  // pixels to either side at which it is taken
@@ -231,12 +234,11 @@ void Viewport::showFigures() {
                         colours_.compressed, QColor()};
   // The ghost is the one that is drawn over the other.
   const bool turned = arrangement_.compressed.ghost;
-  FigureMarks plain;
-  plain.selected_joint = selected_joint_;
-  const Parts body{scene_->body(), scene_->bodySkin(), scene_->bodyShadow(), scene_->bodyPath()};
+  const Parts body{scene_->body(), scene_->bodySkin(), scene_->bodyShadow(), scene_->bodyPath(),
+                   scene_->bodyRing()};
   const Parts shell{scene_->shell(), scene_->shellSkin(), scene_->shellShadow(),
-                    scene_->shellPath()};
-  showFigure(turned ? body : shell, original, plain);
+                    scene_->shellPath(), scene_->shellRing()};
+  showFigure(turned ? body : shell, original, {});
   showFigure(turned ? shell : body, compressed, compressedMarks());
   showMarks();
   showPinned();
@@ -245,7 +247,7 @@ void Viewport::showFigures() {
 }
 
 void Viewport::showFigure(const Parts& parts, const Role& role, const FigureMarks& marks) {
-  const auto& [figure, skin, shadow, path] = parts;
+  const auto& [figure, skin, shadow, path, ring] = parts;
   const bool shown = role.tracks && role.placement.shown;
   const bool as_skin = shown && hasSkin(role.poses);
   if (!shown || as_skin) figure.hide();
@@ -254,10 +256,11 @@ void Viewport::showFigure(const Parts& parts, const Role& role, const FigureMark
   const bool has_shadow = shown && !role.placement.ghost;
   if (!has_shadow) shadow.hide();
   if (!shown || !options_.path) path.hide();
+  if (!shown || selected_joint_ < 0) ring.hide();
   if (!shown) return;
   const int frame = frameOf(*role.tracks);
   for (Figure* each : {&figure, &path}) {
-    each->setColours(role.colour, colours_.selected, colours_.alert);
+    each->setColours(role.colour, colours_.alert);
     each->setPane(role.placement.pane);
     each->setOffset(offset());
   }
@@ -273,11 +276,18 @@ void Viewport::showFigure(const Parts& parts, const Role& role, const FigureMark
     skin.setColour(role.skin_colour);
     skin.setPane(role.placement.pane);
     skin.setOffset(offset());
-    skin.show(pose, jointCovers(marks, shape_->jointCount(), colours_.selected, colours_.alert));
+    skin.show(pose, jointCovers(marks, shape_->jointCount(), colours_.alert));
     skin.setGhost(role.placement.ghost);
+    skin.setBehind(behindOf(role.placement, 1));
   } else {
     figure.setGhost(role.placement.ghost);
+    figure.setBehind(behindOf(role.placement, 1));
     figure.show(capsules);
+  }
+  if (selected_joint_ >= 0) {
+    ring.setPane(role.placement.pane);
+    ring.show(landmarkAt(*role.tracks, frame, selected_joint_) + offset(),
+              shape_->ringRadius(selected_joint_));
   }
   if (!options_.path) return;
   const auto reach = std::max(1, static_cast<int>(kPathSeconds * sample_rate_hz_));
@@ -295,20 +305,39 @@ void Viewport::showPinned() {
     if (!as_skin) skin.hide();
     if (!shown) continue;
     const PinnedFigure& pinned = pinned_[i];
+    const Placement& placement = arrangement_.pinned[i];
+    const float behind = behindOf(placement, 2 + static_cast<int>(i));
     if (as_skin) {
       Pose pose;
       pinned.poses(frameOf(*pinned.tracks), pose);
       skin.setColour(pinned.colour);
-      skin.setPane(arrangement_.pinned[i].pane);
+      skin.setGhost(placement.ghost);
+      skin.setBehind(behind);
+      skin.setPane(placement.pane);
       skin.setOffset(offset());
       skin.show(pose, {});
       continue;
     }
-    figure.setColours(pinned.colour, colours_.selected, colours_.alert);
-    figure.setPane(arrangement_.pinned[i].pane);
+    figure.setColours(pinned.colour, colours_.alert);
+    figure.setGhost(placement.ghost);
+    figure.setBehind(behind);
+    figure.setPane(placement.pane);
     figure.setOffset(offset());
     figure.show(shape_->posed(*pinned.tracks, frameOf(*pinned.tracks), {}));
   }
+}
+
+/// Ghosts that agree with the solid figure are covered by it instead of flickering through it, and
+/// one by another. Where colours tell errors, none covers the figure that has them.
+float Viewport::behindOf(const Placement& placement, int rank) const {
+  if (!placement.ghost) return 0;
+  const bool over_colours = colouredByError() && !arrangement_.compressed.ghost;
+  return (static_cast<float>(rank) * kBehindPerSize + (over_colours ? kFarBehind : 0)) *
+         shape_->size();
+}
+
+bool Viewport::colouredByError() const {
+  return options_.by_error && errors_ && compressed_ && errors_->rows() == compressed_->rows();
 }
 
 /// Where the compressed figure was and will be.
@@ -317,6 +346,7 @@ void Viewport::showGhosts() {
   if (options_.trail == 0 || !shape_ || !compressed_ || !arrangement_.compressed.shown)
     return ghosts.hide();
   const int step = std::max(1, static_cast<int>(kTrailSeconds * sample_rate_hz_));
+  ghosts.setBehind(colouredByError() ? kFarBehind * shape_->size() : 0);
   ghosts.setPane(arrangement_.compressed.pane);
   ghosts.setOffset(offset());
   ghosts.show(ghostTrail(*shape_, *compressed_, {frameOf(*compressed_), step, options_.trail},
@@ -325,11 +355,9 @@ void Viewport::showGhosts() {
 
 FigureMarks Viewport::compressedMarks() const {
   FigureMarks marks;
-  marks.selected_joint = selected_joint_;
   if (!shape_ || !compressed_) return marks;
   const int frame = frameOf(*compressed_);
-  const bool coloured = options_.by_error && errors_ && errors_->rows() == compressed_->rows();
-  if (!coloured) {
+  if (!colouredByError()) {
     marks.alerts = slideAlerts(slides_, shape_->jointCount(), frame);
     return marks;
   }

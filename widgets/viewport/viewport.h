@@ -25,6 +25,7 @@ class QMouseEvent;
 namespace mocapress {
 
 class Figure;
+class Ring;
 class Scene;
 class Shadow;
 class SkinFigure;
@@ -83,7 +84,7 @@ class Viewport : public QWidget {
 
   void setFrame(int frame);
 
-  /// The joint drawn highlighted; -1: none.
+  /// The joint with a ring around it; -1: none.
   void setSelectedJoint(int joint);
 
   /// The camera moves with the root.
@@ -132,6 +133,7 @@ class Viewport : public QWidget {
     SkinFigure& skin;
     Shadow& shadow;
     Figure& path;
+    Ring& ring;
   };
 
   void showSceneOrNotice();
@@ -155,6 +157,8 @@ class Viewport : public QWidget {
   const Eigen::MatrixXd* leadingTracks() const;
   int frameOf(const Eigen::MatrixXd& tracks) const;
   FigureMarks compressedMarks() const;
+  bool colouredByError() const;
+  float behindOf(const Placement& placement, int rank) const;
   bool hasSkin(const Poses& poses) const { return skin_ && options_.skin && poses; }
   std::vector<QVector3D> leadingBody() const;
 

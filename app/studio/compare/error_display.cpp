@@ -9,7 +9,6 @@ namespace mocapress {
 namespace {
 
 constexpr double kAutomatic = 0;
-constexpr double kFirst = 5;  // cm, degrees: room for the worst frames of usual settings
 
 QString settingOf(ErrorQuantity quantity) {
   return quantity == ErrorQuantity::Angle ? QStringLiteral("view/angle-scale-degrees")
@@ -28,12 +27,12 @@ ErrorScaleChoice::ErrorScaleChoice(ErrorQuantity quantity, QObject* parent)
   };
   for (const double top : errorScales(quantity)) add(roundErrorText(top, quantity), top);
   add(tr("&Automatic"), kAutomatic);
-  const double chosen = QSettings().value(settingOf(quantity), kFirst).toDouble();
+  const double chosen = QSettings().value(settingOf(quantity), kAutomatic).toDouble();
   for (QAction* action : actions())
     if (action->data().toDouble() == chosen) action->setChecked(true);
   if (!checkedAction())
     for (QAction* action : actions())
-      if (action->data().toDouble() == kFirst) action->setChecked(true);
+      if (action->data().toDouble() == kAutomatic) action->setChecked(true);
   connect(this, &QActionGroup::triggered, this, [this](const QAction* action) {
     QSettings().setValue(settingOf(quantity_), action->data().toDouble());
     emit changed();
