@@ -1143,8 +1143,8 @@
         <translation>Ajouter un contact ici</translation>
     </message>
     <message>
-        <source>%1 on the ground, frames %L2–%L3; slides %4 further than the original. Drag an end to move it.</source>
-        <translation>%1 au sol, images %L2–%L3 ; glisse %4 de plus que l&apos;original. Tirez une extrémité pour la déplacer.</translation>
+        <source>%1 on the ground, frames %L2–%L3; drifts by %4 against the original. Drag an end to move it.</source>
+        <translation>%1 au sol, images %L2–%L3 ; dérive de %4 par rapport à l&apos;original. Faites glisser un bout pour le déplacer.</translation>
     </message>
 </context>
 <context>
@@ -1406,17 +1406,17 @@
         <translation>Pas de réponse à ces réglages ; la précédente est gardée</translation>
     </message>
     <message numerus="yes">
-        <source>%1 of footskate in %Ln contact(s): %2 each in the mean, %3 in the worst</source>
-        <translation>
-            <numerusform>%1 de glissement en %Ln contact : %2 chacun en moyenne, %3 au pire</numerusform>
-            <numerusform>%1 de glissement en %Ln contacts : %2 chacun en moyenne, %3 au pire</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%1, %Ln iteration(s), %L2 s</source>
         <translation>
             <numerusform>%1, %Ln itération, %L2 s</numerusform>
             <numerusform>%1, %Ln itérations, %L2 s</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln contact(s): feet drift by %1 in the mean, by %2 at worst; their path is %3 longer than the original&apos;s</source>
+        <translation>
+            <numerusform>%Ln contact : le pied dérive de %1 en moyenne, de %2 au pire ; son chemin est plus long de %3 que dans l&apos;original</numerusform>
+            <numerusform>%Ln contacts : les pieds dérivent de %1 en moyenne, de %2 au pire ; leur chemin est plus long de %3 que dans l&apos;original</numerusform>
         </translation>
     </message>
 </context>
@@ -1455,22 +1455,6 @@
         <translation>Plus grande distance d&apos;une articulation à une image.</translation>
     </message>
     <message>
-        <source>footskate</source>
-        <translation>glissement</translation>
-    </message>
-    <message>
-        <source>Sliding of standing feet beyond the original&apos;s own.</source>
-        <translation>Glissement des pieds posés au-delà de celui de l&apos;original.</translation>
-    </message>
-    <message>
-        <source>size</source>
-        <translation>taille</translation>
-    </message>
-    <message>
-        <source>Compressed motion bytes, without the skeleton.</source>
-        <translation>Octets du mouvement compressé, sans le squelette.</translation>
-    </message>
-    <message>
         <source>ratio</source>
         <translation>taux</translation>
     </message>
@@ -1497,6 +1481,22 @@
     <message>
         <source>about %1</source>
         <translation>environ %1</translation>
+    </message>
+    <message>
+        <source>foot drift</source>
+        <translation>dérive du pied</translation>
+    </message>
+    <message>
+        <source>The furthest that a foot gets from where it should stand.</source>
+        <translation>Le plus loin qu&apos;un pied s&apos;éloigne de l&apos;endroit où il devrait se tenir.</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>mouvement</translation>
+    </message>
+    <message>
+        <source>Compressed motion bytes; the file has its skeleton beside them.</source>
+        <translation>Octets du mouvement compressé ; le fichier contient en plus son squelette.</translation>
     </message>
 </context>
 <context>
@@ -2486,10 +2486,6 @@
         <translation>Plus grande distance d&apos;un point, toutes images confondues.</translation>
     </message>
     <message>
-        <source>Footskate: how far standing feet slide.</source>
-        <translation>Glissement : de combien glissent les pieds posés.</translation>
-    </message>
-    <message>
         <source>eps_x</source>
         <translation>eps_x</translation>
     </message>
@@ -2502,8 +2498,12 @@
         <translation>Max</translation>
     </message>
     <message>
-        <source>Skate</source>
-        <translation>Glisse</translation>
+        <source>Drift</source>
+        <translation>Dérive</translation>
+    </message>
+    <message>
+        <source>The furthest that a foot gets from where it should stand.</source>
+        <translation>Le plus loin qu&apos;un pied s&apos;éloigne de l&apos;endroit où il devrait se tenir.</translation>
     </message>
 </context>
 <context>
@@ -3020,14 +3020,6 @@
         <translation>Plus grande distance d&apos;une articulation à une image.</translation>
     </message>
     <message>
-        <source>Footskate</source>
-        <translation>Glissement</translation>
-    </message>
-    <message>
-        <source>Distance of the feet over the ground while they stand, beyond the original&apos;s own, summed over the clip.</source>
-        <translation>Chemin des pieds sur le sol pendant qu&apos;ils sont posés, au-delà de celui de l&apos;original, sur tout le clip.</translation>
-    </message>
-    <message>
         <source>Motion / file</source>
         <translation>Mouvement / fichier</translation>
     </message>
@@ -3079,14 +3071,6 @@
         <source>%1 / %2</source>
         <comment>bytes</comment>
         <translation>%1 / %2</translation>
-    </message>
-    <message>
-        <source>A contact: mean / worst</source>
-        <translation>Un contact : moyen / pire</translation>
-    </message>
-    <message>
-        <source>Footskate of one contact: it compares clips of any length.</source>
-        <translation>Glissement d&apos;un contact : compare des clips de toute longueur.</translation>
     </message>
     <message>
         <source>%1 / %2</source>
@@ -3154,6 +3138,22 @@
     <message>
         <source>about %1</source>
         <translation>environ %1</translation>
+    </message>
+    <message>
+        <source>Foot drift: mean / worst</source>
+        <translation>Dérive du pied : moy. / pire</translation>
+    </message>
+    <message>
+        <source>How far a foot gets from where it should stand, over its contacts.</source>
+        <translation>De combien un pied s&apos;éloigne de l&apos;endroit où il devrait se tenir, sur ses contacts.</translation>
+    </message>
+    <message>
+        <source>Foot path: all / worst</source>
+        <translation>Chemin des pieds : tout / pire</translation>
+    </message>
+    <message>
+        <source>Length of the feet&apos;s path over the ground while they stand, beyond the original&apos;s: summed over the clip, and of the worst contact. The trembling of a foot in its place sums up in it.</source>
+        <translation>Longueur du chemin des pieds sur le sol pendant qu&apos;ils se tiennent, au-delà de celui de l&apos;original : sommée sur le clip, et pour le pire contact. Le tremblement d&apos;un pied sur place s&apos;y additionne.</translation>
     </message>
 </context>
 <context>
@@ -3323,10 +3323,6 @@
         <translation>Pendant que l&apos;original est posé au sol.</translation>
     </message>
     <message>
-        <source>Distance over the ground beyond the original&apos;s.</source>
-        <translation>Chemin sur le sol au-delà de celui de l&apos;original.</translation>
-    </message>
-    <message>
         <source>cm/s</source>
         <translation>cm/s</translation>
     </message>
@@ -3335,8 +3331,20 @@
         <translation>Plus grande vitesse sur le sol.</translation>
     </message>
     <message>
-        <source>Slid</source>
-        <translation>Glissé</translation>
+        <source>Drift</source>
+        <translation>Dérive</translation>
+    </message>
+    <message>
+        <source>How far the foot gets from where it should stand.</source>
+        <translation>De combien le pied s&apos;éloigne de l&apos;endroit où il devrait se tenir.</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Chemin</translation>
+    </message>
+    <message>
+        <source>Length of its path over the ground beyond the original&apos;s: the trembling of a foot in its place sums up in it.</source>
+        <translation>Longueur de son chemin sur le sol au-delà de celui de l&apos;original : le tremblement d&apos;un pied sur place s&apos;y additionne.</translation>
     </message>
 </context>
 <context>

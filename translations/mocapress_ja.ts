@@ -1134,8 +1134,8 @@
         <translation>ここに接地を追加</translation>
     </message>
     <message>
-        <source>%1 on the ground, frames %L2–%L3; slides %4 further than the original. Drag an end to move it.</source>
-        <translation>%1 が接地、フレーム %L2～%L3。元より %4 多く滑ります。端をドラッグして動かせます。</translation>
+        <source>%1 on the ground, frames %L2–%L3; drifts by %4 against the original. Drag an end to move it.</source>
+        <translation>%1が接地、フレーム%L2–%L3。元に対して%4ずれます。端をドラッグすると移動します。</translation>
     </message>
 </context>
 <context>
@@ -1396,15 +1396,15 @@
         <translation>この設定では結果が出ません。前の結果を残しました</translation>
     </message>
     <message numerus="yes">
-        <source>%1 of footskate in %Ln contact(s): %2 each in the mean, %3 in the worst</source>
-        <translation>
-            <numerusform>接地 %Ln 回で足滑り %1：平均 %2、最悪 %3</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%1, %Ln iteration(s), %L2 s</source>
         <translation>
             <numerusform>%1、反復 %Ln 回、%L2 s</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln contact(s): feet drift by %1 in the mean, by %2 at worst; their path is %3 longer than the original&apos;s</source>
+        <translation>
+            <numerusform>接地%Ln回：足のずれは平均%1、最大%2。軌跡は元より%3長い</numerusform>
         </translation>
     </message>
 </context>
@@ -1443,22 +1443,6 @@
         <translation>全関節・全フレームでの最大距離。</translation>
     </message>
     <message>
-        <source>footskate</source>
-        <translation>足滑り</translation>
-    </message>
-    <message>
-        <source>Sliding of standing feet beyond the original&apos;s own.</source>
-        <translation>接地中の足の、元を超える滑り。</translation>
-    </message>
-    <message>
-        <source>size</source>
-        <translation>サイズ</translation>
-    </message>
-    <message>
-        <source>Compressed motion bytes, without the skeleton.</source>
-        <translation>圧縮後の動きのバイト数(スケルトンを除く)。</translation>
-    </message>
-    <message>
         <source>ratio</source>
         <translation>圧縮率</translation>
     </message>
@@ -1485,6 +1469,22 @@
     <message>
         <source>about %1</source>
         <translation>約 %1</translation>
+    </message>
+    <message>
+        <source>foot drift</source>
+        <translation>足のずれ</translation>
+    </message>
+    <message>
+        <source>The furthest that a foot gets from where it should stand.</source>
+        <translation>足が本来の接地位置から最も離れる距離。</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>モーション</translation>
+    </message>
+    <message>
+        <source>Compressed motion bytes; the file has its skeleton beside them.</source>
+        <translation>圧縮したモーションのバイト数。ファイルにはほかにスケルトンが入ります。</translation>
     </message>
 </context>
 <context>
@@ -2465,10 +2465,6 @@
         <translation>全フレーム、全点での最大距離。</translation>
     </message>
     <message>
-        <source>Footskate: how far standing feet slide.</source>
-        <translation>フットスケート：接地した足が滑る距離。</translation>
-    </message>
-    <message>
         <source>eps_x</source>
         <translation>eps_x</translation>
     </message>
@@ -2481,8 +2477,12 @@
         <translation>最大</translation>
     </message>
     <message>
-        <source>Skate</source>
-        <translation>滑り</translation>
+        <source>Drift</source>
+        <translation>ずれ</translation>
+    </message>
+    <message>
+        <source>The furthest that a foot gets from where it should stand.</source>
+        <translation>足が本来の接地位置から最も離れる距離。</translation>
     </message>
 </context>
 <context>
@@ -2996,14 +2996,6 @@
         <translation>全関節・全フレームでの最大距離。</translation>
     </message>
     <message>
-        <source>Footskate</source>
-        <translation>足滑り</translation>
-    </message>
-    <message>
-        <source>Distance of the feet over the ground while they stand, beyond the original&apos;s own, summed over the clip.</source>
-        <translation>接地中の足が元より余分に地面を動いた距離、クリップ全体の合計。</translation>
-    </message>
-    <message>
         <source>Motion / file</source>
         <translation>動き / ファイル</translation>
     </message>
@@ -3055,14 +3047,6 @@
         <source>%1 / %2</source>
         <comment>bytes</comment>
         <translation>%1 / %2</translation>
-    </message>
-    <message>
-        <source>A contact: mean / worst</source>
-        <translation>接地ごと：平均 / 最悪</translation>
-    </message>
-    <message>
-        <source>Footskate of one contact: it compares clips of any length.</source>
-        <translation>一度の接地あたりの滑り：長さの違うクリップも比べられます。</translation>
     </message>
     <message>
         <source>%1 / %2</source>
@@ -3130,6 +3114,22 @@
     <message>
         <source>about %1</source>
         <translation>約 %1</translation>
+    </message>
+    <message>
+        <source>Foot drift: mean / worst</source>
+        <translation>足のずれ：平均／最大</translation>
+    </message>
+    <message>
+        <source>How far a foot gets from where it should stand, over its contacts.</source>
+        <translation>接地中に足が本来の位置から離れる距離。</translation>
+    </message>
+    <message>
+        <source>Foot path: all / worst</source>
+        <translation>足の軌跡：合計／最大</translation>
+    </message>
+    <message>
+        <source>Length of the feet&apos;s path over the ground while they stand, beyond the original&apos;s: summed over the clip, and of the worst contact. The trembling of a foot in its place sums up in it.</source>
+        <translation>接地中の足が床の上で動いた軌跡の長さのうち元を超える分。クリップ全体の合計と最大の接地のもの。その場での震えも積算されます。</translation>
     </message>
 </context>
 <context>
@@ -3299,10 +3299,6 @@
         <translation>元が接地している間。</translation>
     </message>
     <message>
-        <source>Distance over the ground beyond the original&apos;s.</source>
-        <translation>元を超えて地面を動いた距離。</translation>
-    </message>
-    <message>
         <source>cm/s</source>
         <translation>cm/s</translation>
     </message>
@@ -3311,8 +3307,20 @@
         <translation>地面に対する最大速度。</translation>
     </message>
     <message>
-        <source>Slid</source>
-        <translation>滑り</translation>
+        <source>Drift</source>
+        <translation>ずれ</translation>
+    </message>
+    <message>
+        <source>How far the foot gets from where it should stand.</source>
+        <translation>足が本来の接地位置から離れる距離。</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>軌跡</translation>
+    </message>
+    <message>
+        <source>Length of its path over the ground beyond the original&apos;s: the trembling of a foot in its place sums up in it.</source>
+        <translation>床の上の軌跡の長さのうち元を超える分。その場での震えも積算されます。</translation>
     </message>
 </context>
 <context>

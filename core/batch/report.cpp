@@ -224,20 +224,19 @@ std::string clip_line(const BatchRow& row) {
   std::string method(method_title(row.preset.method));
   if (row.preset.correction) method += ", feet held";
   if (m.ik_ratio_used) method += ", r_IK " + format_significant(*m.ik_ratio_used);
-  return line(row_head(row.output) + cell(escaped(row.preset.name), "name") +
-              cell(escaped(method), "name") +
-              cell(escaped(target_text(row.preset.target)), "name") +
-              cell(std::to_string(m.frames)) + cell(ratio_text(m.ratio)) +
-              cell(format_significant(static_cast<double>(m.motion_bytes) / 1024)) +
-              cell(format_significant(m.eps_cm(row.preset.weighting))) +
-              cell(format_significant(m.p95_error_cm)) + cell(format_significant(m.p99_error_cm)) +
-              cell(format_significant(m.max_error_cm)) + cell(std::to_string(m.worst_frame)) +
-              degrees_cell(m.body.angle_rms_degrees) + turn_cell(m.body.head) +
-              turn_cell(m.body.hand) + figure_cell(m.footskate_cm) +
-              figure_cell(m.slide ? std::optional(m.slide->mean_cm) : std::nullopt) +
-              figure_cell(m.slide ? std::optional(m.slide->worst_cm) : std::nullopt) +
-              seen_cell(m.seen) + review_cells(row) +
-              cell(row.warnings.empty() ? kNothing : std::to_string(row.warnings.size())));
+  return line(
+      row_head(row.output) + cell(escaped(row.preset.name), "name") +
+      cell(escaped(method), "name") + cell(escaped(target_text(row.preset.target)), "name") +
+      cell(std::to_string(m.frames)) + cell(ratio_text(m.ratio)) +
+      cell(format_significant(static_cast<double>(m.motion_bytes) / 1024)) +
+      cell(format_significant(m.eps_cm(row.preset.weighting))) +
+      cell(format_significant(m.p95_error_cm)) + cell(format_significant(m.p99_error_cm)) +
+      cell(format_significant(m.max_error_cm)) + cell(std::to_string(m.worst_frame)) +
+      degrees_cell(m.body.angle_rms_degrees) + turn_cell(m.body.head) + turn_cell(m.body.hand) +
+      figure_cell(m.slide ? std::optional(m.slide->drift_mean_cm) : std::nullopt) +
+      figure_cell(m.slide ? std::optional(m.slide->drift_worst_cm) : std::nullopt) +
+      figure_cell(m.footskate_cm) + seen_cell(m.seen) + review_cells(row) +
+      cell(row.warnings.empty() ? kNothing : std::to_string(row.warnings.size())));
 }
 
 void write_clips(std::ostream& out, const BatchRows& rows) {
@@ -251,7 +250,7 @@ void write_clips(std::ostream& out, const BatchRows& rows) {
               head("asked", left) + head("frames") + head("ratio") + head("KB") +
               head("&#949;<sub>x</sub>") + head("p95") + head("p99") + head("max") +
               head("at frame") + head("joints") + head("head") + head("hands") +
-              head("foot slide") + head("a contact") + head("worst contact") +
+              head("foot drift") + head("worst drift") + head("foot path") +
               head("to the eye", left) + head("verdict", left) + head("note", left) +
               head("warnings"))
       << "</thead><tbody>\n";
@@ -334,9 +333,10 @@ std::string notes() {
   add("Joints, head, hands",
       "Angle in the world between a joint&#8217;s rotation and the original&#8217;s, root mean "
       "square over frames and joints. Head and hands are known by their names.");
-  add("Foot slide",
-      "While a foot stands in the original, beyond its own slide there: all contacts together, a "
-      "contact on average, and the worst contact.");
+  add("Foot drift, foot path",
+      "While a foot stands in the original. Drift is how far it gets from where it should stand, "
+      "over a contact on average and in the worst one. Path is the length of its way beyond the "
+      "original&#8217;s, over all contacts: the trembling of a foot in its place sums up in it.");
   add("Verdict, note",
       "What the reviewer of the clip said about it, who and when. Stale: the clip&#8217;s file or "
       "the settings are not those that were reviewed, so that the verdict does not count.");

@@ -41,6 +41,8 @@ TEST(CorrectionControl, TellsOfTheRatioOnlyWhileFeetAreHeld) {
   EXPECT_FALSE(control.slider()->isEnabled());
   control.hold()->click();
   ASSERT_EQ(told.size(), 1u);
+  EXPECT_FALSE(told.back()->ratio) << "it starts with Auto";
+  control.findChildren<QCheckBox*>().at(1)->click();
   EXPECT_EQ(told.back()->ratio, 16.0);
   control.slider()->setValue(500);
   EXPECT_NEAR(*told.back()->ratio, std::sqrt(200), 0.05);
@@ -93,8 +95,11 @@ TEST(CorrectionControl, OffersEveryJoint) {
 
 const std::vector<QString> kNames = {"root", "lfoot", "rfoot"};
 const std::vector<ContactSpan> kContacts = {{1, 0, 49}, {2, 50, 99}};
-const std::vector<SlideFinding> kSlides = {
-    {.span = kContacts[1], .slid_cm = 3, .worst_speed_cm_s = 40, .worst_frame = 70}};
+const std::vector<SlideFinding> kSlides = {{.span = kContacts[1],
+                                            .slid_cm = 3,
+                                            .drift_cm = 2.5,
+                                            .worst_speed_cm_s = 40,
+                                            .worst_frame = 70}};
 
 TEST(SlideModel, ListsFindingsCountingFramesFromOne) {
   SlideModel model;
@@ -106,6 +111,7 @@ TEST(SlideModel, ListsFindingsCountingFramesFromOne) {
   };
   EXPECT_EQ(text(SlideModel::Joint), "rfoot");
   EXPECT_EQ(text(SlideModel::Frames), QStringLiteral("51–100"));
+  EXPECT_EQ(text(SlideModel::Drift), QStringLiteral("2.50 cm"));
   EXPECT_EQ(text(SlideModel::Slid), QStringLiteral("3.00 cm"));
 }
 

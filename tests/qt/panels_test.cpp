@@ -289,16 +289,17 @@ TEST(ResultPanel, ShowsBothEndsOfAClipAndTheSeamOfALoop) {
   EXPECT_FALSE(has("/frame"));
 }
 
-TEST(ResultPanel, ShowsTheSlideOfAContactBesideTheTotal) {
+TEST(ResultPanel, ShowsTheDriftOfFeetBesideTheirPath) {
   ResultPanel panel;
   ResultFigures figures;
   figures.footskate_cm = 28.7;
-  figures.slide = SlidePerContact{.mean_cm = 0.04, .worst_cm = 2.39};
+  figures.slide = SlidePerContact{
+      .mean_cm = 0.04, .worst_cm = 2.39, .drift_mean_cm = 0.03, .drift_worst_cm = 0.21};
   panel.setFigures(figures);
   QStringList texts;
   for (const QLabel* label : panel.findChildren<QLabel*>()) texts << label->text();
-  EXPECT_TRUE(texts.contains(QStringLiteral("28.7 cm")));
-  EXPECT_TRUE(texts.contains(QStringLiteral("0.4 mm / 2.39 cm"))) << texts.join(u'|').toStdString();
+  EXPECT_TRUE(texts.contains(QStringLiteral("0.3 mm / 2.1 mm"))) << texts.join(u'|').toStdString();
+  EXPECT_TRUE(texts.contains(QStringLiteral("28.7 cm / 2.39 cm")));
 }
 
 bool shown(const QWidget* widget) {

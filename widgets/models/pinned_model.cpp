@@ -24,7 +24,7 @@ QString textOf(const PinnedEntry& entry, int column) {
     case PinnedModel::Max:
       return lengthText(entry.max_cm);
     case PinnedModel::Footskate:
-      return entry.footskate_cm ? lengthText(*entry.footskate_cm) : QStringLiteral("–");
+      return entry.drift_cm ? lengthText(*entry.drift_cm) : QStringLiteral("–");
     default:
       return {};
   }
@@ -96,7 +96,7 @@ QVariant PinnedModel::headerData(int section, Qt::Orientation orientation, int r
     case Max:
       return shown ? tr("Max") : tr("Greatest distance of any point at any frame.");
     case Footskate:
-      return shown ? tr("Skate") : tr("Footskate: how far standing feet slide.");
+      return shown ? tr("Drift") : tr("The furthest that a foot gets from where it should stand.");
     default:
       return {};
   }

@@ -17,7 +17,7 @@ struct PinnedEntry {
   double eps_cm = 0;
   double p95_cm = 0;
   double max_cm = 0;
-  std::optional<double> footskate_cm;
+  std::optional<double> drift_cm;
 };
 
 /// One row a pinned result: its name, which can be edited, and its figures.

@@ -2,6 +2,7 @@
 #include "widgets/models/slide_model.h"
 
 #include <QLocale>
+#include <algorithm>
 
 #include "widgets/models/number_text.h"
 
@@ -11,6 +12,8 @@ void SlideModel::setFindings(std::vector<SlideFinding> findings,
                              const std::vector<QString>& names) {
   beginResetModel();
   findings_ = std::move(findings);
+  std::stable_sort(findings_.begin(), findings_.end(),
+                   [](const auto& a, const auto& b) { return a.drift_cm > b.drift_cm; });
   names_ = names;
   endResetModel();
 }
@@ -34,6 +37,8 @@ QVariant SlideModel::data(const QModelIndex& index, int role) const {
       return names_[static_cast<std::size_t>(slide.span.landmark)];
     case Frames:  // counted from 1, as the transport does
       return tr("%L1–%L2").arg(slide.span.first_frame + 1).arg(slide.span.last_frame + 1);
+    case Drift:
+      return lengthText(slide.drift_cm);
     case Slid:
       return lengthText(slide.slid_cm);
     case Speed:
@@ -54,10 +59,16 @@ QVariant SlideModel::headerData(int section, Qt::Orientation orientation, int ro
       return role == Qt::DisplayRole   ? QVariant(tr("Frames"))
              : role == Qt::ToolTipRole ? QVariant(tr("While the original stands on the ground."))
                                        : QVariant();
-    case Slid:
-      return role == Qt::DisplayRole ? QVariant(tr("Slid"))
+    case Drift:
+      return role == Qt::DisplayRole ? QVariant(tr("Drift"))
              : role == Qt::ToolTipRole
-                 ? QVariant(tr("Distance over the ground beyond the original's."))
+                 ? QVariant(tr("How far the foot gets from where it should stand."))
+                 : QVariant();
+    case Slid:
+      return role == Qt::DisplayRole ? QVariant(tr("Path"))
+             : role == Qt::ToolTipRole
+                 ? QVariant(tr("Length of its path over the ground beyond the original's: the "
+                               "trembling of a foot in its place sums up in it."))
                  : QVariant();
     case Speed:
       return role == Qt::DisplayRole   ? QVariant(tr("cm/s"))

@@ -8,12 +8,12 @@
 
 namespace mocapress {
 
-/// One row a finding of footskate, the worst first: which point, when, how far and how fast.
+/// One row a finding of footskate, the furthest drift first: which point, when, how far and fast.
 class SlideModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { Joint, Frames, Slid, Speed, kColumns };
+  enum Column { Joint, Frames, Drift, Slid, Speed, kColumns };
 
   using QAbstractTableModel::QAbstractTableModel;
 

@@ -18,7 +18,7 @@
 namespace mocapress {
 namespace {
 
-constexpr double kFirstRatio = 16;  // of the paper's video
+constexpr double kFirstRatio = 16;  // where Auto is taken off; of the paper's video
 constexpr LogScale kScale = {1, 200};
 const QString kNotKnownYet = QStringLiteral("–");
 
@@ -102,7 +102,6 @@ CorrectionControl::CorrectionControl(QWidget* parent)
     chosen.at = static_cast<CorrectAt>(at_->currentData().toInt());
     choose(chosen);
   });
-  correction_.ratio = ratio_;
   show();
 }
 

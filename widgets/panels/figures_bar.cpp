@@ -29,8 +29,10 @@ FiguresBar::FiguresBar(QWidget* parent) : QWidget(parent) {
   p95_ = add(row, tr("p95"), tr("95 % of all points at all frames are nearer to the original."));
   p99_ = add(row, tr("p99"), tr("99 % of all points at all frames are nearer to the original."));
   max_ = add(row, tr("max"), tr("Greatest distance of any joint at any frame."));
-  footskate_ = add(row, tr("footskate"), tr("Sliding of standing feet beyond the original's own."));
-  size_ = add(row, tr("size"), tr("Compressed motion bytes, without the skeleton."));
+  footskate_ =
+      add(row, tr("foot drift"), tr("The furthest that a foot gets from where it should stand."));
+  size_ =
+      add(row, tr("motion"), tr("Compressed motion bytes; the file has its skeleton beside them."));
   ratio_ = add(row, tr("ratio"),
                tr("Channels as 32-bit floats over the compressed motion bytes, as in the paper."));
   bits_ = add(row, tr("bits per joint-sample"),
@@ -66,7 +68,8 @@ void FiguresBar::setFigures(const std::optional<ResultFigures>& figures) {
   show(p95_, distance(known.p95_cm));
   show(p99_, distance(known.p99_cm));
   show(max_, distance(known.max_cm));
-  show(footskate_, distance(known.footskate_cm));
+  show(footskate_,
+       distance(known.slide ? std::optional(known.slide->drift_worst_cm) : std::nullopt));
   const auto maybe_about = [&](const QString& text) {
     return known.size_is_estimated ? tr("about %1").arg(text) : text;
   };

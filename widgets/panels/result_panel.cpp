@@ -68,6 +68,7 @@ ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent), grid_(new QGridLayo
                      1);
   eps_name_ = qobject_cast<QLabel*>(grid_->itemAtPosition(1, 1)->widget());
   state_ = new QLabel(this);
+  state_->setWordWrap(true);
   state_->setForegroundRole(QPalette::PlaceholderText);
   state_->setAccessibleName(tr("State of the answer"));
   grid_->addWidget(state_, 2, 0, 1, 2);
@@ -81,10 +82,12 @@ ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent), grid_(new QGridLayo
   skin_ = addRow(tr("On the skin: worst / RMS"),
                  tr("Distances of points spread evenly over the mesh, at any frame."));
   seen_ = addRow(tr("To the eye"), seenExplanation());
-  footskate_ = addRow(tr("Footskate"), tr("Distance of the feet over the ground while they stand, "
-                                          "beyond the original's own, summed over the clip."));
-  slide_ = addRow(tr("A contact: mean / worst"),
-                  tr("Footskate of one contact: it compares clips of any length."));
+  slide_ = addRow(tr("Foot drift: mean / worst"),
+                  tr("How far a foot gets from where it should stand, over its contacts."));
+  footskate_ = addRow(tr("Foot path: all / worst"),
+                      tr("Length of the feet's path over the ground while they stand, beyond the "
+                         "original's: summed over the clip, and of the worst contact. The "
+                         "trembling of a foot in its place sums up in it."));
   ends_ = addRow({}, {});
   elsewhere_ =
       addRow(tr("Loop: elsewhere"),
@@ -170,11 +173,13 @@ void ResultPanel::setFigures(const std::optional<ResultFigures>& figures) {
                                   ? tr("%L1 : 1").arg(*figures->coefficient_ratio, 0, 'f', 1)
                                   : kUnknown);
   bits_->setText(maybe_about(QLocale().toString(figures->bits_per_joint_sample, 'f', 2)));
-  footskate_->setText(distance(figures->footskate_cm));
-  slide_->setText(figures->slide ? tr("%1 / %2", "footskate")
-                                       .arg(lengthText(figures->slide->mean_cm),
-                                            lengthText(figures->slide->worst_cm))
-                                 : kUnknown);
+  const auto pair = [](double a, double b) {
+    return tr("%1 / %2", "footskate").arg(lengthText(a), lengthText(b));
+  };
+  const auto& slide = figures->slide;
+  slide_->setText(slide ? pair(slide->drift_mean_cm, slide->drift_worst_cm) : kUnknown);
+  footskate_->setText(slide && figures->footskate_cm ? pair(*figures->footskate_cm, slide->worst_cm)
+                                                     : distance(figures->footskate_cm));
   correction_->setText(correctionText(*figures));
   knee_->setText(kneeText(*figures));
 }

@@ -125,11 +125,11 @@ QRectF ContactStrip::barOf(const ContactSpan& span) const {
 double ContactStrip::slideOf(const ContactSpan& span) const {
   const auto found = std::find_if(findings_.begin(), findings_.end(),
                                   [&](const SlideFinding& slide) { return slide.span == span; });
-  return found == findings_.end() ? 0 : found->slid_cm;
+  return found == findings_.end() ? 0 : found->drift_cm;
 }
 
 QString ContactStrip::describe(const ContactSpan& span) const {
-  return tr("%1 on the ground, frames %L2–%L3; slides %4 further than the original. Drag an "
+  return tr("%1 on the ground, frames %L2–%L3; drifts by %4 against the original. Drag an "
             "end "
             "to move it.")
       .arg(names_[static_cast<std::size_t>(span.landmark)])

@@ -95,7 +95,7 @@ std::vector<float> slideAlerts(const std::vector<SlideFinding>& slides, int join
     const ContactSpan& span = slide.span;
     if (frame < span.first_frame || frame > span.last_frame || span.landmark >= joints) continue;
     float& alert = alerts[static_cast<std::size_t>(span.landmark)];
-    alert = std::max(alert, slideSeverity(slide.slid_cm));
+    alert = std::max(alert, slideSeverity(slide.drift_cm));
   }
   return alerts;
 }
@@ -105,7 +105,7 @@ std::vector<Capsule> slideTrails(const std::vector<SlideFinding>& slides,
   std::vector<Capsule> trails;
   for (const SlideFinding& slide : slides) {
     const ContactSpan& span = slide.span;
-    const float alert = slideSeverity(slide.slid_cm);
+    const float alert = slideSeverity(slide.drift_cm);
     QVector3D start = onGround(tracks, span.first_frame, span.landmark);
     for (int t = span.first_frame + 1; t <= span.last_frame; ++t) {
       const QVector3D end = onGround(tracks, t, span.landmark);
@@ -123,7 +123,7 @@ std::vector<Capsule> footDiscs(const std::vector<ContactSpan>& contacts,
   const auto slideOf = [&](const ContactSpan& span) {
     const auto found = std::find_if(slides.begin(), slides.end(),
                                     [&](const SlideFinding& slide) { return slide.span == span; });
-    return found == slides.end() ? 0.0 : found->slid_cm;
+    return found == slides.end() ? 0.0 : found->drift_cm;
   };
   std::vector<Capsule> discs;
   for (const ContactSpan& span : contacts) {

@@ -36,7 +36,7 @@ struct TrailColours {
 std::vector<Capsule> ghostTrail(const FigureShape& shape, const Eigen::MatrixXd& tracks,
                                 const TrailPoses& poses, const TrailColours& colours);
 
-/// How badly each joint slides at a frame, 0 ... 1: FigureMarks::alerts.
+/// How badly each joint slides at a frame, by its drift, 0 ... 1: FigureMarks::alerts.
 std::vector<float> slideAlerts(const std::vector<SlideFinding>& slides, int joints, int frame);
 
 /// The way of each sliding point over the ground while it should stand, drawn on y = 0. `tracks` of
@@ -45,7 +45,7 @@ std::vector<Capsule> slideTrails(const std::vector<SlideFinding>& slides,
                                  const Eigen::MatrixXd& tracks, float radius);
 
 /// A ball under each point that stands on the ground at a frame, to be pressed flat, in the colour
-/// of how far it slides. Where each stands is taken from `tracks`.
+/// of how far it drifts. Where each stands is taken from `tracks`.
 std::vector<Capsule> footDiscs(const std::vector<ContactSpan>& contacts,
                                const std::vector<SlideFinding>& slides,
                                const Eigen::MatrixXd& tracks, int frame, float radius);

@@ -103,10 +103,12 @@ QString footskateSummary(const Document& document) {
   const SlidePerContact each =
       slide_per_contact(*footskate, document.contacts().size()).value_or(SlidePerContact());
   const QString slid =
-      Figures::tr("%1 of footskate in %Ln contact(s): %2 each in the mean, %3 in the worst",
-                  nullptr, contacts)
-          .arg(lengthText(footskate->total_cm), lengthText(each.mean_cm),
-               lengthText(each.worst_cm));
+      Figures::tr(
+          "%Ln contact(s): feet drift by %1 in the mean, by %2 at worst; their path is %3 "
+          "longer than the original's",
+          nullptr, contacts)
+          .arg(lengthText(each.drift_mean_cm), lengthText(each.drift_worst_cm),
+               lengthText(footskate->total_cm));
   return document.uncorrected() ? Figures::tr("%1, without IK").arg(slid) : slid;
 }
 

@@ -179,7 +179,7 @@ void PinnedResults::show() {
     PinnedEntry entry{
         pin.name,          pin.colour, decoded->ratio, distortion.eps(weighting), distortion.p95,
         distortion.max.cm, {}};
-    if (decoded->footskate) entry.footskate_cm = decoded->footskate->total_cm;
+    if (decoded->footskate) entry.drift_cm = decoded->footskate->drift_worst_cm;
     figures.push_back(
         {decoded->tracks,
          pin.colour,
