@@ -803,9 +803,17 @@ TEST_F(InALibrary, SlotsAreSwitchedCopiedAndUndone) {
   EXPECT_EQ(session.document().tuning().active, 1);
   settleAfter(run, [&] { session.switchSlot(); });
   EXPECT_DOUBLE_EQ(target(), 10);
-  ASSERT_TRUE(session.slotAnswer(0) && session.slotAnswer(1));
-  EXPECT_NEAR(session.slotAnswer(1)->ratio, 40, 1);
+  const auto ratio_of = [&](int slot) {
+    const auto figures = session.slotFigures(slot);
+    return figures ? figures->ratio : 0;
+  };
+  EXPECT_NEAR(ratio_of(0), 10, 1);
+  EXPECT_NEAR(ratio_of(1), 40, 1);
+  settleAfter(run, [&] { session.open(clip("jump.bvh", 2)); });
+  settleAfter(run, [&] { session.open(clip("walk.bvh", 1)); });
+  EXPECT_NEAR(ratio_of(1), 40, 1) << "also of a clip that one comes back to";
   settleAfter(run, [&] { session.copyToOtherSlot(); });
+  EXPECT_NEAR(ratio_of(1), 10, 1) << "what is the same came to the same";
   const int steps = session.history()->count();
   session.copyToOtherSlot();
   EXPECT_EQ(session.history()->count(), steps) << "they are the same";
@@ -813,6 +821,7 @@ TEST_F(InALibrary, SlotsAreSwitchedCopiedAndUndone) {
   EXPECT_DOUBLE_EQ(target(), 10);
   settleAfter(run, [&] { session.history()->undo(); });  // the switch
   settleAfter(run, [&] { session.history()->undo(); });  // the copy
+  EXPECT_NEAR(ratio_of(1), 40, 1);
   settleAfter(run, [&] { session.switchSlot(); });
   EXPECT_DOUBLE_EQ(target(), 40);
 }

@@ -218,6 +218,17 @@ TEST_F(History, TheCurveOfTheClipFillsAndOutlivesAnotherTarget) {
   EXPECT_GE(curve.curves().front().line.size(), 4u);
   settleAfter([&] { session_.setOptions(standard(33)); });
   EXPECT_GT(curve.ratios().size(), points);
+  const std::vector<double> measured = curve.ratios();
+  const QString own = session_.document().original()->path;
+  settleAfter([&] {
+    session_.open(QStringLiteral(MOCAPRESS_SOURCE_DIR "/resources/samples/human_walk.amc"));
+  });
+  EXPECT_NE(curve.ratios(), measured);
+  QSignalSpy opened(&session_, &Session::opened);
+  session_.open(own);
+  ASSERT_TRUE(opened.wait(kPatience));
+  EXPECT_EQ(curve.ratios(), measured) << "they are there again with their clip";
+  settleAfter([&] { session_.setOptions(standard(34)); });
   EncodeOptions joints = standard(33);
   joints.weighting = Weighting::JointOrigins;
   settleAfter([&] { session_.setOptions(joints); });

@@ -6,6 +6,7 @@
 
 #include "app/jobs/result_cache.h"
 #include "app/studio/document/session.h"
+#include "core/batch/row.h"
 #include "core/codec/format/compressed_clip.h"
 #include "widgets/models/display_names.h"
 
@@ -23,32 +24,38 @@ std::string sharedKey(EncodeOptions options) {
   return settingsKey(options);
 }
 
+/// All that errors are measured on: files, how they were read, and the character.
+std::string clipKey(const OriginalPtr& clip) {
+  return clip ? clip->stamp.hash + settings_hash({}, clip->reading) + clip->character.toStdString()
+              : std::string();
+}
+
 }  // namespace
 
 ClipCurve::ClipCurve(Session* session, QObject* parent) : QObject(parent), session_(session) {
-  connect(&session->document(), &Document::clipChanged, this, &ClipCurve::clear);
+  connect(&session->document(), &Document::clipChanged, this, &ClipCurve::takeUp);
+  connect(&session->document(), &Document::skinChanged, this, &ClipCurve::takeUp);
   connect(session, &Session::recompressing, &filler_, [this] { filler_.abandon(); });
   connect(session, &Session::settled, this, [this] {
     addOwn();
     fill();
   });
   connect(&filler_, &CurveFiller::measured, this, [this](double asked, const CurvePoint& point) {
-    points_[task_.options.method].insert_or_assign(asked, point);
-    done_[task_.options.method].insert(asked);
+    curve_->points[task_.options.method].insert_or_assign(asked, point);
+    curve_->done[task_.options.method].insert(asked);
     emit changed();
   });
   connect(&filler_, &CurveFiller::ended, this, [this] {
     // A ratio without a point is out of this clip's reach: it is not asked for again.
-    done_[task_.options.method].insert(task_.ratios.begin(), task_.ratios.end());
+    curve_->done[task_.options.method].insert(task_.ratios.begin(), task_.ratios.end());
     fill();
   });
+  takeUp();
 }
 
-void ClipCurve::clear() {
+void ClipCurve::takeUp() {
   filler_.abandon();
-  points_.clear();
-  done_.clear();
-  key_.clear();
+  curve_ = &curves_[clipKey(session_->document().original())];
   emit changed();
 }
 
@@ -57,24 +64,26 @@ void ClipCurve::addOwn() {
   const Document& document = session_->document();
   if (!document.original() || !document.decoded() || !document.decoded()->distortion) return;
   const std::string key = sharedKey(document.options());
-  if (key != key_) clear();
-  key_ = key;
+  if (key != curve_->key) {
+    filler_.abandon();
+    *curve_ = {key, {}, {}};
+  }
   const DecodedClip& decoded = *document.decoded();
   const Provenance& provenance = decoded.compressed.provenance;
   if (!decoded.of_wavelets || !decoded.complete || !decoded.coefficient_ratio) return;
-  points_[provenance.method].insert_or_assign(
+  curve_->points[provenance.method].insert_or_assign(
       decoded.ratio, CurvePoint{decoded.ratio, decoded.distortion->eps(provenance.weighting)});
   emit changed();
 }
 
 void ClipCurve::fill() {
   const Document& document = session_->document();
-  if (!document.original() || key_.empty()) return;
+  if (!document.original() || curve_->key.empty()) return;
   task_ = {document.original()->encoder, document.options(), {}};
   const auto ask = [&](Method method, const auto& wanted) {
     task_.options.method = method;
     for (const double ratio : wanted)
-      if (!done_[method].contains(ratio)) task_.ratios.push_back(ratio);
+      if (!curve_->done[method].contains(ratio)) task_.ratios.push_back(ratio);
     return !task_.ratios.empty();
   };
   if (ask(Method::Standard, kStandardRatios) || ask(document.options().method, kRatios))
@@ -83,7 +92,7 @@ void ClipCurve::fill() {
 
 std::vector<double> ClipCurve::ratios() const {
   std::vector<double> all;
-  for (const auto& [method, points] : points_)
+  for (const auto& [method, points] : curve_->points)
     for (const auto& [asked, point] : points) all.push_back(point.ratio);
   return all;
 }
@@ -91,7 +100,7 @@ std::vector<double> ClipCurve::ratios() const {
 std::vector<RateCurve> ClipCurve::curves() const {
   std::vector<RateCurve> curves;
   int row = 0;
-  for (const auto& [method, points] : points_) {
+  for (const auto& [method, points] : curve_->points) {
     RateCurve curve{.series = {std::string(name(method)), {}, displayName(method).toStdString()}};
     std::vector<CurvePoint> line;
     for (const auto& [asked, point] : points) {

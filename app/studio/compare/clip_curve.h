@@ -16,7 +16,7 @@ class Session;
 
 /// The rate-distortion curves of the clip that is open: standard selection, and the method that is
 /// chosen. Filled while nothing else is to be done; what was measured stays while only the target
-/// changes.
+/// changes, and is there again with its clip.
 class ClipCurve : public QObject {
   Q_OBJECT
 
@@ -38,16 +38,22 @@ class ClipCurve : public QObject {
   /// Points of one method, by the ratio that was asked for.
   using Points = std::map<double, CurvePoint>;
 
-  void clear();
+  /// The points that one clip has so far.
+  struct Curve {
+    std::string key;  // of the settings that all points share
+    std::map<Method, Points> points;
+    std::map<Method, std::set<double>> done;  // ratios that need not be asked for again
+  };
+
+  void takeUp();
   void fill();
   void addOwn();
 
   Session* session_;
   CurveFiller filler_;
-  CurveTask task_;   // started last
-  std::string key_;  // of the settings that all points share
-  std::map<Method, Points> points_;
-  std::map<Method, std::set<double>> done_;  // ratios that need not be asked for again
+  CurveTask task_;                       // started last
+  std::map<std::string, Curve> curves_;  // by the clip they were measured on
+  Curve* curve_ = nullptr;               // of the clip that is open
 };
 
 }  // namespace mocapress

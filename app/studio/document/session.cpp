@@ -30,6 +30,10 @@ std::vector<int> worstFirst(const Eigen::MatrixXf& distances) {
   return order;
 }
 
+SlotFigures figuresOf(const DecodedClip& decoded) {
+  return {decoded.ratio, decoded.distortion->eps(decoded.compressed.provenance.weighting)};
+}
+
 QString absolute(const QString& path) {
   return QFileInfo(path).absoluteFilePath();
 }
@@ -62,7 +66,6 @@ void Session::closeClip() {
   document_.setClip(nullptr, nullptr, {});
   wearing_.abandon();
   takeUp({}, false);
-  slot_answers_ = {};
   emit slotsChanged();
 }
 
@@ -158,12 +161,13 @@ void Session::show(const OpenedClip& opened, const OpenRequest& request) {
   const std::optional<NamedSettings> remembered = rememberedOf(opened, request);
   document_.setClip(opened.original, opened.decoded, saved_path);
   if (remembered) document_.loadSettings(settingsFor(*remembered, opened.original->motion()));
-  if (again && past_->joints == document_.skeleton()->joint_count())
+  if (again && past_->joints == document_.skeleton()->joint_count()) {
+    past_->figures.clear();
     emit historyChanged();
-  else
+  } else {
     takeUp(opened.original ? opened.original->path : request.path,
            !opened.decoded && !request.options);
-  slot_answers_ = {};
+  }
   chooseCurves();
   emit slotsChanged();
   emit this->opened(request);
@@ -194,6 +198,7 @@ void Session::takeUp(const QString& path, bool by_itself) {
                                      SettingsField::None);
   if (same) return document_.loadTuning(*past_->tuning);
   past_->steps.clear();
+  past_->figures.clear();
   document_.beginSlots();
 }
 
@@ -294,8 +299,6 @@ void Session::copyToOtherSlot() {
 }
 
 void Session::apply(const Tuning& tuning) {
-  if (settingsKey(tuning.other().encode) == settingsKey(tuning.now().encode))
-    slot_answers_[static_cast<std::size_t>(1 - tuning.active)] = nullptr;  // it will be the same
   document_.setTuning(tuning);
   emit slotsChanged();
   if (!document_.original()) return;
@@ -306,11 +309,21 @@ void Session::apply(const Tuning& tuning) {
 }
 
 void Session::answer(const DecodedPtr& decoded, bool final) {
-  slot_answers_[static_cast<std::size_t>(document_.tuning().active)] = decoded;
   document_.setDecoded(decoded, final);
+  if (final && decoded->distortion)
+    past_->figures[settingsKey(document_.options())] = figuresOf(*decoded);
   chooseCurves();
   emit slotsChanged();
   if (final) emit settled();
+}
+
+std::optional<SlotFigures> Session::slotFigures(int slot) const {
+  const Tuning& tuning = document_.tuning();
+  const DecodedPtr& decoded = document_.decoded();
+  if (slot == tuning.active && decoded && decoded->distortion) return figuresOf(*decoded);
+  const auto found =
+      past_->figures.find(settingsKey(tuning.both[static_cast<std::size_t>(slot)].encode));
+  return found == past_->figures.end() ? std::nullopt : std::optional(found->second);
 }
 
 /// A graph without a curve explains nothing: the worst joints, unless chosen ones are there.
@@ -414,7 +427,7 @@ void Session::wear() {
                             far_meshes(worn.original->motion().skeleton).empty() &&
                             settingsKey(document_.options()) == key;
         compressor_.setEncoder(worn.original->encoder);
-        slot_answers_ = {};
+        past_->figures.clear();
         document_.setDressed(worn.original, stands ? worn.decoded : document_.decoded());
         emit slotsChanged();
         stands ? emit settled() : compressor_.request(document_.options());

@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/jobs/compressor.h"
@@ -18,6 +19,12 @@
 #include "core/study/row.h"
 
 namespace mocapress {
+
+/// The figures of an answer to one of a clip's two settings.
+struct SlotFigures {
+  double ratio = 0;
+  double eps_cm = 0;
+};
 
 /// What the user wants of the document, done by jobs. No widgets.
 class Session : public QObject {
@@ -81,10 +88,8 @@ class Session : public QObject {
   void switchSlot();
   void copyToOtherSlot();
 
-  /// What a slot came to; null: not known.
-  const DecodedPtr& slotAnswer(int slot) const {
-    return slot_answers_[static_cast<std::size_t>(slot)];
-  }
+  /// The figures of a slot's last answer; unset: not known.
+  std::optional<SlotFigures> slotFigures(int slot) const;
 
   /// By what a clip was compressed before; what is unset is compressed as the last one was.
   using Memory = std::function<std::optional<NamedSettings>(const QString& path)>;
@@ -150,6 +155,7 @@ class Session : public QObject {
     std::optional<Tuning> tuning;  // unset: it was never left
     int frames = 0;                // of the clip they were done to
     int joints = 0;
+    std::map<std::string, SlotFigures> figures;  // by settingsKey() of what came to them
   };
 
   void readAs(const QString& step, const ReadOptions& reading);
@@ -177,7 +183,6 @@ class Session : public QObject {
   Document document_;
   std::map<QString, Past> pasts_;  // by path; of no clip: ""
   Past* past_ = nullptr;           // of the clip that is open
-  std::array<DecodedPtr, 2> slot_answers_;
   Memory memory_;
   ReadingMemory reading_memory_;
   Compressor compressor_;

@@ -59,12 +59,9 @@ void LibraryViews::offer(const PresetShelf* presets) {
 void LibraryViews::showSlots() {
   std::array<QString, 2> summaries;
   for (std::size_t slot = 0; slot < summaries.size(); ++slot)
-    if (const DecodedPtr& decoded = session_->slotAnswer(static_cast<int>(slot));
-        decoded && decoded->distortion)
+    if (const auto figures = session_->slotFigures(static_cast<int>(slot)))
       summaries[slot] =
-          tr("%L1 : 1, %2")
-              .arg(decoded->ratio, 0, 'f', 1)
-              .arg(lengthText(decoded->distortion->eps(decoded->compressed.provenance.weighting)));
+          tr("%L1 : 1, %2").arg(figures->ratio, 0, 'f', 1).arg(lengthText(figures->eps_cm));
   slots_->setSlots(session_->document().tuning().active, summaries);
   slots_->setEnabled(session_->document().original() != nullptr);
 }
