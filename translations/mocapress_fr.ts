@@ -926,10 +926,6 @@
         <source>Value (%1)</source>
         <translation>Valeur (%1)</translation>
     </message>
-    <message>
-        <source>Difference (%1)</source>
-        <translation>Différence (%1)</translation>
-    </message>
 </context>
 <context>
     <name>mocapress::CharacterChoice</name>

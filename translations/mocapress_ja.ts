@@ -917,10 +917,6 @@
         <source>Value (%1)</source>
         <translation>値 (%1)</translation>
     </message>
-    <message>
-        <source>Difference (%1)</source>
-        <translation>差 (%1)</translation>
-    </message>
 </context>
 <context>
     <name>mocapress::CharacterChoice</name>

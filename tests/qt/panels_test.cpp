@@ -306,6 +306,19 @@ bool shown(const QWidget* widget) {
   return !widget->isHidden();
 }
 
+TEST(AnnealingPanel, HasNoAxesWhileThereIsNothingToDraw) {
+  AnnealingPanel panel;
+  panel.resize(300, 300);
+  panel.show();
+  const auto* plot = panel.findChild<QCustomPlot*>();
+  EXPECT_FALSE(plot->isVisible());
+  panel.begin({});
+  panel.append({{0, 0, 8, 8, 1.0}, {0, 1, 8, 8, 0.9}});
+  EXPECT_TRUE(plot->isVisible());
+  panel.await();
+  EXPECT_FALSE(plot->isVisible());
+}
+
 TEST(AnnealingPanel, CanBeCancelledOnlyWhileItRuns) {
   AnnealingPanel panel;
   auto* cancel = panel.findChild<QPushButton*>();

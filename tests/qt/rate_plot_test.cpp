@@ -14,6 +14,7 @@
 #include "widgets/models/colours.h"
 #include "widgets/models/study_rows_model.h"
 #include "widgets/panels/study_results.h"
+#include "widgets/plots/plot_style.h"
 
 namespace mocapress {
 namespace {
@@ -52,6 +53,21 @@ void lay(Widget& widget) {
 void click(RatePlot& plot, const RatePoint& point) {
   auto* canvas = plot.findChild<QCustomPlot*>();
   QTest::mouseClick(canvas, Qt::LeftButton, {}, canvas->mapFrom(&plot, plot.positionOf(point)));
+}
+
+QStringList labelsOf(const QCPRange& range) {
+  LogTicker ticker(QStringLiteral(":1"));
+  QVector<double> ticks;
+  QVector<QString> labels;
+  ticker.generate(range, QLocale::c(), u'g', 3, ticks, nullptr, &labels);
+  return QStringList(labels.begin(), labels.end());
+}
+
+TEST(LogTicker, LabelsWhatThereIsRoomFor) {
+  EXPECT_EQ(labelsOf({20, 50}), QStringList({"20:1", "30:1", "40:1", "50:1"}));
+  EXPECT_EQ(labelsOf({18, 105}), QStringList({"20:1", "50:1", "100:1"}));
+  EXPECT_EQ(labelsOf({0.9, 2000}), QStringList({"1:1", "10:1", "100:1", "1000:1"}));
+  EXPECT_GE(labelsOf({36.2, 38.9}).size(), 3) << "fewer than two digits are in it";
 }
 
 TEST(RatePlot, DrawsEveryCurveInItsColour) {

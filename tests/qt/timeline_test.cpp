@@ -2,6 +2,7 @@
 #include "widgets/timeline/timeline.h"
 
 #include <gtest/gtest.h>
+#include <qcustomplot.h>
 
 #include <QAction>
 #include <QApplication>
@@ -395,6 +396,33 @@ TEST(FiguresBar, NamesTheWeightingAndShowsEveryFigure) {
   bar.setFigures({});
   for (const QLabel* label : bar.findChildren<QLabel*>())
     EXPECT_FALSE(label->text().contains(QStringLiteral("1.2 mm")));
+}
+
+TEST(ChannelGraph, WritesNoLabelOverAnother) {
+  ChannelGraph graph;
+  graph.resize(560, 220);
+  ChannelCurves curves;
+  curves.original = Eigen::VectorXd::LinSpaced(kFrames, -11, 21);
+  curves.compressed = curves.original + 0.5 * Eigen::VectorXd::Random(kFrames);
+  curves.kept.assign(11, {888, 1000});
+  graph.setCurves(curves);
+  graph.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&graph));
+  graph.grab();
+  const int line = QFontMetrics(graph.font()).height();
+  const auto gap = [](const QCPAxis* axis) {
+    const QVector<double> ticks = axis->tickVector();
+    return ticks.size() < 2 ? 0.0
+                            : std::abs(axis->coordToPixel(ticks[1]) - axis->coordToPixel(ticks[0]));
+  };
+  const auto plots = graph.findChildren<QCustomPlot*>();
+  ASSERT_EQ(plots.size(), 2);
+  for (const QCPAxisRect* area : plots[0]->axisRects()) {
+    const QCPAxis* axis = area->axis(QCPAxis::atLeft);
+    EXPECT_GE(gap(axis), line) << qPrintable(axis->label());
+    EXPECT_LE(QFontMetrics(axis->labelFont()).horizontalAdvance(axis->label()), area->height());
+  }
+  EXPECT_GE(gap(plots[1]->xAxis), line) << "they are upright";
 }
 
 TEST(ChannelGraph, DrawsWhatItIsGivenAndSeeks) {

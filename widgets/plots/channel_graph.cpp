@@ -19,7 +19,7 @@
 namespace mocapress {
 namespace {
 
-constexpr int kBandsWidth = 190;  // pixels
+constexpr int kBandsWidth = 240;  // pixels: room for a number below each bar
 
 void paintAxes(QCPAxisRect* area, const QPalette& palette, const QFont& font) {
   for (QCPAxis* axis : {area->axis(QCPAxis::atBottom), area->axis(QCPAxis::atLeft)})
@@ -75,6 +75,9 @@ ChannelGraph::ChannelGraph(QWidget* parent)
   for (QCPAxisRect* area : {curves_plot_->axisRect(), difference_})
     area->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
   curves_plot_->axisRect()->axis(QCPAxis::atBottom)->setTickLabels(false);
+  // Both are low: more labels would be written over each other.
+  curves_plot_->axisRect()->axis(QCPAxis::atLeft)->ticker()->setTickCount(3);
+  difference_->axis(QCPAxis::atLeft)->ticker()->setTickCount(2);
   difference_->axis(QCPAxis::atBottom)->setLabel(tr("Time (s)"));
   curves_plot_->addLayer(QStringLiteral("playhead"));
   curves_plot_->layer(QStringLiteral("playhead"))->setMode(QCPLayer::lmBuffered);
@@ -147,7 +150,7 @@ void ChannelGraph::drawCurves() {
   };
   const QString unit = curves_.rotation ? tr("°") : tr("cm");
   above->axis(QCPAxis::atLeft)->setLabel(tr("Value (%1)").arg(unit));
-  difference_->axis(QCPAxis::atLeft)->setLabel(tr("Difference (%1)").arg(unit));
+  difference_->axis(QCPAxis::atLeft)->setLabel(QStringLiteral("Δ (%1)").arg(unit));
   const auto& [original, compressed, rotation, kept, rate] = curves_;
   if (original.size() > 0) add(above, original, QPen(palette().color(QPalette::Text), 1));
   if (compressed.size() > 0) add(above, compressed, QPen(QColor(kCurveColours[1]), 1));
@@ -178,7 +181,7 @@ void ChannelGraph::drawBands() {
     ticker->addTick(place, QString::number(kept.kept));
   }
   bands_plot_->xAxis->setTicker(ticker);
-  bands_plot_->xAxis->setTickLabelRotation(-60);
+  bands_plot_->xAxis->setTickLabelRotation(-90);
   bands_plot_->xAxis->setRange(-0.6, std::max<double>(1, double(curves_.kept.size())) - 0.4);
   bands_plot_->setVisible(!curves_.kept.empty());
   bands_plot_->replot(QCustomPlot::rpQueuedReplot);

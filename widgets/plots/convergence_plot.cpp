@@ -24,12 +24,11 @@ ConvergencePlot::ConvergencePlot(QWidget* parent) : QWidget(parent), plot_(new Q
   clear();
 }
 
+/// Axes of nothing would say that there is something from 0 to 1.
 void ConvergencePlot::clear() {
   plot_->clearGraphs();
   pass_ = -1;
-  plot_->xAxis->setRange(0, 1);
-  plot_->yAxis->setRange(0, 1);
-  plot_->replot(QCustomPlot::rpQueuedReplot);
+  plot_->hide();
 }
 
 void ConvergencePlot::startPass(int pass) {
@@ -48,6 +47,7 @@ void ConvergencePlot::append(const std::vector<EncodeProgress>& states) {
       plot_->graph(plot_->graphCount() - 1)->addData(state.iteration, state.eps_cm);
   }
   if (plot_->graphCount() == 0) return;
+  plot_->show();
   plot_->rescaleAxes();
   plot_->yAxis->scaleRange(1.1);
   plot_->replot(QCustomPlot::rpQueuedReplot);

@@ -2,7 +2,10 @@
 #include "widgets/plots/plot_style.h"
 
 #include <qcustomplot.h>
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <vector>
 
 namespace mocapress {
 
@@ -39,31 +42,31 @@ QVector<QCPGraphData> overTime(const Eigen::VectorXd& values, double sample_rate
   return points;
 }
 
-namespace {
-
-/// Whether a digit is labelled in a range of so many decades.
-bool labelled(int digit, double decades) {
-  if (digit == 1 || decades < 0.9) return true;
-  return decades < 4.6 && (digit == 2 || digit == 5);
-}
-
-}  // namespace
-
 QVector<double> LogTicker::createTickVector(double, const QCPRange& range) {
+  constexpr double kLeastGap = 0.12;  // of the axis: room for a label
   QVector<double> ticks;
   if (!(range.lower > 0)) return ticks;
   const double decades = std::log10(range.upper / range.lower);
-  for (double decade = std::pow(10, std::floor(std::log10(range.lower))); decade <= range.upper;
-       decade *= 10)
-    for (int digit = 1; digit < 10; ++digit)
-      if (labelled(digit, decades) && digit * decade >= range.lower &&
-          digit * decade <= range.upper)
-        ticks << digit * decade;
-  return ticks;
+  const auto is_crowded = [&](double a, double b) {
+    return std::log10(b / a) < kLeastGap * decades;
+  };
+  for (const auto& digits :
+       std::initializer_list<std::vector<int>>{{1, 2, 3, 4, 5, 6, 7, 8, 9}, {1, 2, 5}, {1}}) {
+    ticks.clear();
+    for (double decade = std::pow(10, std::floor(std::log10(range.lower))); decade <= range.upper;
+         decade *= 10)
+      for (const int digit : digits)
+        if (range.contains(digit * decade)) ticks << digit * decade;
+    if (ticks.size() > 1 &&
+        std::adjacent_find(ticks.begin(), ticks.end(), is_crowded) == ticks.end())
+      return ticks;
+  }
+  return decades > 1 ? ticks
+                     : QCPAxisTicker::createTickVector(QCPAxisTicker::getTickStep(range), range);
 }
 
 QString LogTicker::getTickLabel(double tick, const QLocale& locale, QChar, int) {
-  return locale.toString(tick, 'g', 3) + unit_;
+  return locale.toString(tick, 'g', 6) + unit_;
 }
 
 }  // namespace mocapress

@@ -19,8 +19,8 @@ void applyPalette(QCPAxis* axis, const QPalette& palette, const QFont& font);
 /// One point a frame, against seconds.
 QVector<QCPGraphData> overTime(const Eigen::VectorXd& values, double sample_rate_hz);
 
-/// Ticks of a logarithmic axis that is read at a glance: 1, 2, 5 of each decade, every digit of a
-/// short range, whole decades of a long one.
+/// Ticks of a logarithmic axis that is read at a glance: as many as have room for their labels, of
+/// every digit, of 1, 2, 5, or of whole decades. In a range of less than a digit: equal steps.
 class LogTicker : public QCPAxisTicker {
  public:
   /// `unit` follows each number: ":1".
