@@ -3824,10 +3824,6 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Taux de compression</translation>
     </message>
     <message>
-        <source>Size in bytes</source>
-        <translation>Taille en octets</translation>
-    </message>
-    <message>
         <source>Error (eps_x)</source>
         <translation>Erreur (eps_x)</translation>
     </message>
@@ -3870,6 +3866,10 @@ Cliquer pour le charger dans le studio.</translation>
     <message>
         <source>Ask for a size (compression ratio: bytes of the channels as 32-bit floats over the compressed motion bytes; or these bytes themselves) or for a quality (weighted mean error eps_x; a distance that no joint exceeds at any frame; or the most that anything may be off, as a multiple of what people notice: at 1, nothing is visible).</source>
         <translation>Demander une taille (taux de compression : octets des canaux en flottants de 32 bits sur les octets du mouvement compressé ; ou ces octets mêmes) ou une qualité (erreur moyenne pondérée eps_x ; une distance qu&apos;aucune articulation ne dépasse à aucune image ; ou l&apos;écart maximal, en multiple de ce que l&apos;on remarque : à 1, rien n&apos;est visible).</translation>
+    </message>
+    <message>
+        <source>Size of the motion</source>
+        <translation>Taille du mouvement</translation>
     </message>
 </context>
 <context>

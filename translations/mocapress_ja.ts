@@ -3794,10 +3794,6 @@ Click to load it into the studio.</source>
         <translation>圧縮率</translation>
     </message>
     <message>
-        <source>Size in bytes</source>
-        <translation>バイト数</translation>
-    </message>
-    <message>
         <source>Error (eps_x)</source>
         <translation>誤差 (eps_x)</translation>
     </message>
@@ -3840,6 +3836,10 @@ Click to load it into the studio.</source>
     <message>
         <source>Ask for a size (compression ratio: bytes of the channels as 32-bit floats over the compressed motion bytes; or these bytes themselves) or for a quality (weighted mean error eps_x; a distance that no joint exceeds at any frame; or the most that anything may be off, as a multiple of what people notice: at 1, nothing is visible).</source>
         <translation>大きさ(圧縮率：32ビット浮動小数点のチャンネルと圧縮後の動きのバイト数の比、またはバイト数そのもの)か、品質(重み付き平均誤差 eps_x、またはどの関節もどのフレームでも超えない距離、またはどのずれも超えない「人が気づく差」の倍数: 1 なら何も見えません)を指定します。</translation>
+    </message>
+    <message>
+        <source>Size of the motion</source>
+        <translation>モーションのサイズ</translation>
     </message>
 </context>
 <context>

@@ -165,6 +165,21 @@ TEST(StudioStyle, ASliderThatIsDisabledIsPaler) {
   EXPECT_LT(ink(), 0.6 * enabled);
 }
 
+TEST(NumberBox, WhatIsTypedHasThreeDigits) {
+  NumberBox box;
+  box.setDecimalsShown(1, 6);
+  const auto typed = [&](const char* text) {
+    box.selectAll();
+    QTest::keyClicks(&box, QString::fromLatin1(text));
+    QTest::keyClick(&box, Qt::Key_Return);
+    return box.value();
+  };
+  EXPECT_DOUBLE_EQ(typed("1.002305"), 1);
+  EXPECT_DOUBLE_EQ(typed("36.885"), 36.9);
+  EXPECT_DOUBLE_EQ(typed("0.0123456"), 0.0123);
+  EXPECT_DOUBLE_EQ(typed("12345"), 12345) << "bytes are counted";
+}
+
 TEST(TargetControl, WithoutAResultEveryKindBeginsWithSomethingUsual) {
   TargetControl control;
   for (const auto kind : {Target::Kind::Size, Target::Kind::Error, Target::Kind::MaxError,

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/panels/number_fields.h"
 
+#include <cmath>
+
+#include "widgets/models/log_scale.h"
 #include "widgets/models/number_text.h"
 
 namespace mocapress {
@@ -37,6 +40,11 @@ QString NumberBox::textFromValue(double value) const {
   auto length = text.size();
   while (length > point + 1 + shown_ && text[length - 1] == locale().zeroDigit()[0]) --length;
   return text.left(length == point + 1 ? point : length);
+}
+
+double NumberBox::valueFromText(const QString& text) const {
+  const double value = QDoubleSpinBox::valueFromText(text);
+  return value >= 100 ? std::round(value) : value > 0 ? in_three_digits(value) : value;
 }
 
 NumberListEdit::NumberListEdit(QWidget* parent) : QLineEdit(parent) {

@@ -8,7 +8,8 @@
 namespace mocapress {
 
 /// A number of any size, taken as it is typed: what a range would cut off is for others to judge.
-/// Shows no more decimals than it has, and keeps its width whatever it holds.
+/// Shows no more decimals than it has, and keeps its width whatever it holds. Decimals beyond the
+/// third digit of a number that is typed are rounded away.
 class NumberBox : public QDoubleSpinBox {
   Q_OBJECT
 
@@ -23,6 +24,7 @@ class NumberBox : public QDoubleSpinBox {
 
  protected:
   QString textFromValue(double value) const override;
+  double valueFromText(const QString& text) const override;
 
  private:
   int shown_ = 0;

@@ -59,7 +59,7 @@ TargetControl::TargetControl(QWidget* parent)
       trouble_(new QLabel(this)) {
   kind_->setAccessibleName(tr("Target"));
   kind_->addItem(tr("Compression ratio"), static_cast<int>(Target::Kind::Ratio));
-  kind_->addItem(tr("Size in bytes"), static_cast<int>(Target::Kind::Size));
+  kind_->addItem(tr("Size of the motion"), static_cast<int>(Target::Kind::Size));
   kind_->addItem(tr("Error (eps_x)"), static_cast<int>(Target::Kind::Error));
   kind_->addItem(tr("Hard maximum"), static_cast<int>(Target::Kind::MaxError));
   kind_->addItem(tr("What the eye notices"), static_cast<int>(Target::Kind::Visibility));
