@@ -28,16 +28,8 @@
         <translation>&amp;Comparer à l&apos;original…</translation>
     </message>
     <message>
-        <source>&amp;Save</source>
-        <translation>&amp;Enregistrer</translation>
-    </message>
-    <message>
         <source>Save the compressed clip as .mcpr</source>
         <translation>Enregistrer le clip compressé en .mcpr</translation>
-    </message>
-    <message>
-        <source>Save &amp;As…</source>
-        <translation>Enregistrer &amp;sous…</translation>
     </message>
     <message>
         <source>A&amp;dd Clips to Library…</source>
@@ -242,6 +234,14 @@
     <message>
         <source>Angle Scale</source>
         <translation>Échelle d&apos;angle</translation>
+    </message>
+    <message>
+        <source>&amp;Save Compressed Clip</source>
+        <translation>&amp;Enregistrer le clip compressé</translation>
+    </message>
+    <message>
+        <source>Save Compressed Clip &amp;As…</source>
+        <translation>Enregistrer le clip compressé &amp;sous…</translation>
     </message>
 </context>
 <context>

@@ -28,16 +28,8 @@
         <translation>元と比較(&amp;C)…</translation>
     </message>
     <message>
-        <source>&amp;Save</source>
-        <translation>保存(&amp;S)</translation>
-    </message>
-    <message>
         <source>Save the compressed clip as .mcpr</source>
         <translation>圧縮クリップを .mcpr として保存</translation>
-    </message>
-    <message>
-        <source>Save &amp;As…</source>
-        <translation>名前を付けて保存(&amp;A)…</translation>
     </message>
     <message>
         <source>A&amp;dd Clips to Library…</source>
@@ -242,6 +234,14 @@
     <message>
         <source>Angle Scale</source>
         <translation>角度の尺度</translation>
+    </message>
+    <message>
+        <source>&amp;Save Compressed Clip</source>
+        <translation>圧縮クリップを保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save Compressed Clip &amp;As…</source>
+        <translation>圧縮クリップに名前を付けて保存(&amp;A)…</translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
+#include <QDockWidget>
 #include <QFile>
 #include <QLineEdit>
 #include <QMenu>
@@ -388,6 +389,54 @@ TEST_F(StudioWithoutAScreen, TheHeatMapTellsWhatIsSeenByASwitchThatIsRemembered)
   EXPECT_FALSE(window_.errorDisplay()->tellsSight()) << "one at a time";
   window_.actions().in_degrees->trigger();
   EXPECT_EQ(picture(), in_cm);
+}
+
+TEST_F(StudioWithoutAScreen, WhatAKeySwitchesComesIntoView) {
+  window_.show();
+  auto* map = window_.inspection().heat_map;
+  auto* graph = window_.views().graph;
+  const auto dock_of = [](QWidget* panel) { return qobject_cast<QDockWidget*>(panel->parent()); };
+  ASSERT_TRUE(dock_of(map) && dock_of(graph));
+  const auto hide = [&] {
+    for (QWidget* panel : {static_cast<QWidget*>(map), static_cast<QWidget*>(graph)})
+      dock_of(panel)->hide();
+  };
+  hide();
+  window_.actions().as_seen->trigger();
+  EXPECT_TRUE(dock_of(map)->isVisible());
+  hide();
+  window_.actions().in_degrees->trigger();
+  EXPECT_TRUE(dock_of(map)->isVisible());
+  hide();
+  dock_of(graph)->show();
+  dock_of(graph)->raise();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return graph->isVisible(); }, kPatience));
+  window_.actions().in_degrees->trigger();
+  EXPECT_FALSE(dock_of(map)->isVisible()) << "the graph, too, shows it";
+}
+
+TEST_F(StudioWithoutAScreen, TheTitleNamesTheFileThatSavingWrites) {
+  settleAfter([&] { window_.files().open(clip("walk.bvh")); });
+  EXPECT_TRUE(window_.windowTitle().startsWith(QStringLiteral("walk.mcpr")));
+}
+
+TEST_F(StudioWithoutAScreen, TheLibraryGetsItsWidthBackAfterASmallWindow) {
+  window_.resize(1600, 900);
+  window_.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window_));
+  runDueEvents();
+  auto* dock = qobject_cast<QDockWidget*>(window_.libraryPanel().parent());
+  ASSERT_TRUE(dock);
+  window_.resizeDocks({dock}, {400}, Qt::Horizontal);
+  runDueEvents();
+  const int width = dock->width();
+  ASSERT_GT(width, 350);
+  window_.resize(window_.minimumSizeHint());
+  runDueEvents();
+  EXPECT_LT(dock->width(), width);
+  window_.resize(1600, 900);
+  runDueEvents();
+  EXPECT_EQ(dock->width(), width);
 }
 
 TEST_F(StudioWithoutAScreen, AClickOnWhatIsSeenGoesThereAndSelectsTheJoint) {

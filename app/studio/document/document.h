@@ -63,6 +63,9 @@ class Document : public QObject {
   /// The file name for the window title.
   QString title() const;
 
+  /// The file that saving writes: what was saved, or will be beside the original.
+  QString fileTitle() const;
+
   /// The user changed or saved something, and what is shown now is not in the file.
   bool modified() const;
 

@@ -71,9 +71,10 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
   actions.open_sample = make(window, Texts::tr("Open Sample &Walk"));
   actions.choose_skeleton = make(window, Texts::tr("Choose Skeleton…"));
   actions.compare = make(window, Texts::tr("&Compare with Original…"));
-  actions.save = make(window, Texts::tr("&Save"), QKeySequence::Save, QStringLiteral("save"));
+  actions.save =
+      make(window, Texts::tr("&Save Compressed Clip"), QKeySequence::Save, QStringLiteral("save"));
   actions.save->setToolTip(Texts::tr("Save the compressed clip as .mcpr"));
-  actions.save_as = make(window, Texts::tr("Save &As…"), QKeySequence::SaveAs);
+  actions.save_as = make(window, Texts::tr("Save Compressed Clip &As…"), QKeySequence::SaveAs);
   actions.save_as->setToolTip(
       Texts::tr("Save as .mcpr, .bvh, .fbx, .glb, .amc with its .asf, or .csv"));
   actions.export_motion =

@@ -27,6 +27,8 @@
 #include "widgets/panels/compression_panel.h"
 #include "widgets/panels/correction_control.h"
 #include "widgets/panels/library_panel.h"
+#include "widgets/plots/error_graph.h"
+#include "widgets/plots/heat_map.h"
 #include "widgets/viewport/viewport.h"
 
 namespace mocapress {
@@ -105,6 +107,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   connectChoices();
   connect(&session_->document(), &Document::titleChanged, this, &MainWindow::updateTitle);
   connect(&session_->document(), &Document::skinChanged, this, &MainWindow::updateTitle);
+  connect(&session_->document(), &Document::decodedChanged, this, &MainWindow::updateTitle);
   connect(library_, &Library::projectChanged, this, &MainWindow::updateTitle);
   updateTitle();
   // Keys play and step from the start: no field takes them for text.
@@ -174,6 +177,13 @@ void MainWindow::connectWindowActions() {
   connect(actions_.export_library, &QAction::triggered, tools_,
           [this] { tools_->exportClips({}); });
   connect(panels_.library, &LibraryPanel::exportRequested, tools_, &ToolWindows::exportClips);
+  // A panel that a key changes comes into view.
+  for (const QAction* action : {actions_.in_degrees, actions_.as_seen})
+    connect(action, &QAction::triggered, this, [this, action] {
+      const bool is_seen = panels_.inspection.heat_map->isVisible() ||
+                           (action == actions_.in_degrees && panels_.views.graph->isVisible());
+      if (!is_seen) layout_.bringUp(panels_.inspection.heat_map);
+    });
 }
 
 void MainWindow::connectChoices() {
@@ -195,7 +205,7 @@ void MainWindow::updateTitle() {
       QStringLiteral("%1 – %2").arg(projects_->title(), QCoreApplication::applicationName());
   // The project is always in its file; what may not be is the compressed clip.
   setWindowTitle(document.title().isEmpty() ? project + QStringLiteral("[*]")
-                                            : tr("%1[*] – %2").arg(document.title(), project));
+                                            : tr("%1[*] – %2").arg(document.fileTitle(), project));
   setWindowModified(document.modified() || library_->stuck());
   actions_.save->setEnabled(document.decoded() != nullptr);
   actions_.save_as->setEnabled(document.decoded() != nullptr);

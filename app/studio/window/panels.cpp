@@ -3,13 +3,16 @@
 
 #include <QCoreApplication>
 #include <QDockWidget>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QMainWindow>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSettings>
 #include <QStatusBar>
+#include <QTimer>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <tuple>
 
 #include "widgets/panels/annealing_panel.h"
@@ -52,6 +55,28 @@ QLabel* makeTitle(const QString& title, QWidget* parent) {
 
 }  // namespace
 
+KeptWidth::KeptWidth(QDockWidget* dock, QMainWindow* window)
+    : QObject(dock), dock_(dock), window_(window) {
+  dock->installEventFilter(this);
+  window->installEventFilter(this);
+}
+
+bool KeptWidth::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::Resize) return false;
+  // A resize of the window has laid out its docks before its own event gets here.
+  if (watched == dock_ && window_->width() == window_width_) {
+    const bool is_dragged = QGuiApplication::mouseButtons() != Qt::NoButton;
+    width_ = is_dragged ? dock_->width() : std::max(width_, dock_->width());
+  }
+  if (watched == window_)
+    QTimer::singleShot(0, this, [this] {
+      if (dock_->width() < width_) window_->resizeDocks({dock_}, {width_}, Qt::Horizontal);
+      width_ = std::max(width_, dock_->width());
+      window_width_ = window_->width();
+    });
+  return false;
+}
+
 QDockWidget* WindowLayout::addLeft(QWidget* panel, const QString& id, const QString& title) {
   return add(Qt::LeftDockWidgetArea, panel, id, title);
 }
@@ -73,6 +98,14 @@ QDockWidget* WindowLayout::add(Qt::DockWidgetArea area, QWidget* panel, const QS
   window_->addDockWidget(area, dock);
   docks_ << dock;
   return dock;
+}
+
+void WindowLayout::bringUp(const QWidget* panel) const {
+  for (QDockWidget* dock : docks_)
+    if (dock->widget() == panel) {
+      dock->show();
+      dock->raise();
+    }
 }
 
 void WindowLayout::restore() {
@@ -197,6 +230,7 @@ Panels makePanels(QMainWindow* window, WindowLayout* layout, const PanelModels& 
   panels.library = new LibraryPanel(models.library, window);
   QDockWidget* library =
       layout->addLeft(panels.library, QStringLiteral("library"), DockTitles::tr("Library"));
+  new KeptWidth(library, window);
   QDockWidget* sidebar = addRight(panels, layout, window);
   Views& views = panels.views;
   views.joints = new JointsPanel(models.clip.joints, window);

@@ -3,6 +3,7 @@
 
 #include <QByteArray>
 #include <QList>
+#include <QObject>
 
 #include "app/studio/compare/inspector.h"
 #include "app/studio/compare/presenter.h"
@@ -21,6 +22,22 @@ class PinnedPanel;
 class SlotControl;
 struct TransportActions;
 
+/// A dock that gets its width back when its window, which was too small for it, grows.
+class KeptWidth : public QObject {
+  Q_OBJECT
+
+ public:
+  KeptWidth(QDockWidget* dock, QMainWindow* window);
+
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  QDockWidget* dock_;
+  QMainWindow* window_;
+  int width_ = 0;         // before the window was too small, or as the user dragged it
+  int window_width_ = 0;  // that the dock has its place in
+};
+
 /// Docks around the 3D view, remembered from run to run.
 class WindowLayout {
  public:
@@ -32,6 +49,9 @@ class WindowLayout {
   QDockWidget* addBelow(QWidget* panel, const QString& id, const QString& title);
 
   const QList<QDockWidget*>& docks() const { return docks_; }
+
+  /// Shows the dock of a panel, before the tabs that hide it.
+  void bringUp(const QWidget* panel) const;
 
   /// After the last dock: notes the layout as built, and restores the one of the last run.
   void restore();
