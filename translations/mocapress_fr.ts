@@ -2555,6 +2555,10 @@
         <source>Name of a Pin</source>
         <translation>Nom d&apos;une épingle</translation>
     </message>
+    <message>
+        <source>%1 (%L2)</source>
+        <translation>%1 (%L2)</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::Presenter</name>

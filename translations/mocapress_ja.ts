@@ -2534,6 +2534,10 @@
         <source>Name of a Pin</source>
         <translation>ピンの名前</translation>
     </message>
+    <message>
+        <source>%1 (%L2)</source>
+        <translation>%1 (%L2)</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::Presenter</name>

@@ -6,6 +6,7 @@
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
 
+#include "widgets/panels/batch_queue_view.h"
 #include "widgets/panels/preset_chooser.h"
 #include "widgets/panels/preset_editor.h"
 
@@ -128,6 +129,17 @@ TEST_F(BatchQueue, ARejectedClipIsLeftOutUntilItIsTicked) {
   EXPECT_EQ(text(0, BatchQueueModel::Review), QStringLiteral("✓ approved"));
   model_.setReviews({{walk, said(Verdict::Rejected, "")}});
   EXPECT_TRUE(model_.clips()[0].left_out) << "rejected anew";
+}
+
+TEST_F(BatchQueue, TheColumnOfVerdictsIsThereOnceThereIsOne) {
+  const BatchQueueView view(&model_);
+  EXPECT_TRUE(view.isColumnHidden(BatchQueueModel::Review));
+  LibraryReview review;
+  review.review.note = "look again";
+  model_.setReviews({{QStringLiteral("/a/run.bvh"), review}});
+  EXPECT_FALSE(view.isColumnHidden(BatchQueueModel::Review));
+  model_.remove({1});
+  EXPECT_TRUE(view.isColumnHidden(BatchQueueModel::Review));
 }
 
 TEST_F(BatchQueue, WhatWasBeingWorkedOnIsWaitingWhenItStops) {

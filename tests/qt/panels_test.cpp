@@ -143,6 +143,26 @@ TEST(StudioStyle, ADragThatBeginsBesideTheHandleIsFollowed) {
   QTest::mouseRelease(&slider, Qt::LeftButton, {}, {400, 15});
 }
 
+TEST(StudioStyle, AButtonThatIsOnStandsOutInBothThemes) {
+  StudioStyle style;
+  QToolButton button;
+  button.setStyle(&style);
+  button.setCheckable(true);
+  button.resize(80, 30);
+  for (const QPalette& palette : {lightPalette(), darkPalette()}) {
+    button.setPalette(palette);
+    const auto edge = [&](bool on) {
+      button.setChecked(on);
+      return button.grab().toImage().pixelColor(1, 15);
+    };
+    const QColor off = edge(false);
+    const QColor on = edge(true);
+    EXPECT_GT(std::abs(on.red() - off.red()) + std::abs(on.green() - off.green()) +
+                  std::abs(on.blue() - off.blue()),
+              40);
+  }
+}
+
 TEST(StudioStyle, ASliderThatIsDisabledIsPaler) {
   StudioStyle style;
   QSlider slider(Qt::Horizontal);

@@ -115,6 +115,16 @@ TEST_F(Pinning, NamesAreEdited) {
   EXPECT_EQ(viewport_.pinned()[0].title[0], QStringLiteral("hero"));
 }
 
+TEST_F(Pinning, NoTwoHaveOneName) {
+  EncodeOptions other = standardAt(10);
+  results_.pinCurrent();
+  other.weighting = Weighting::JointOrigins;
+  settleAfter([&] { session_.setOptions(other); });
+  results_.pinCurrent();
+  ASSERT_EQ(model_.rowCount(), 2);
+  EXPECT_NE(model_.entries()[0].name, model_.entries()[1].name);
+}
+
 TEST_F(Pinning, EveryEditIsAStepOfTheClip) {
   QUndoStack& history = *session_.history();
   const int before = history.count();

@@ -14,6 +14,7 @@
 #include <QWindow>
 #include <algorithm>
 #include <cstdio>
+#include <numbers>
 
 #include "core/motion/landmarks.h"
 
@@ -307,6 +308,28 @@ TEST_F(ViewportScreen, ShowsTheWholeFigureOfAnySizeWhenItIsOpenedAndOnReset) {
           << scale << reset;
     }
   }
+}
+
+TEST_F(ViewportScreen, WhoLiesDownIsSeenWholeByACameraThatFollows) {
+  Skeleton person;
+  Joint hips = joint(-1, {0, 95, 0});
+  hips.channels = {ChannelKind::TranslationY, ChannelKind::RotationZ};
+  person.add(hips);
+  person.add(joint(0, {0, 75, 0}));
+  person.add(joint(0, {0, -90, 0}));
+  Clip clip;
+  clip.channels.resize(100, 2);
+  for (int t = 0; t < 100; ++t)
+    clip.channels.row(t) << (t < 50 ? 0 : -85), (t < 50 ? 0 : std::numbers::pi / 2);
+  const auto tracks = std::make_shared<const Eigen::MatrixXd>(landmark_tracks(person, clip));
+  viewport_.resize(260, 600);
+  viewport_.setSkeleton(person);
+  viewport_.setOriginal(tracks);
+  viewport_.setFollow(true);
+  waitUntilDrawn();
+  viewport_.setFrame(99);
+  for (int landmark = 0; landmark < 3; ++landmark)
+    EXPECT_TRUE(QRect({}, viewport_.size()).contains(seen(tracks, 99, landmark))) << landmark;
 }
 
 TEST_F(ViewportScreen, AViewOfAnotherShapeStillShowsAllUntilTheUserLooksAtSomething) {

@@ -102,6 +102,11 @@ BatchQueueView::BatchQueueView(BatchQueueModel* model, QWidget* parent) : QTreeV
   heads->setSectionResizeMode(BatchQueueModel::State, QHeaderView::Stretch);
   heads->setSectionResizeMode(BatchQueueModel::Lock, QHeaderView::Fixed);
 
+  connect(model, &BatchQueueModel::modelReset, this, &BatchQueueView::fitColumns);
+  connect(model, &BatchQueueModel::rowsInserted, this, &BatchQueueView::fitColumns);
+  connect(model, &BatchQueueModel::rowsRemoved, this, &BatchQueueView::fitColumns);
+  connect(model, &BatchQueueModel::dataChanged, this, &BatchQueueView::fitColumns);
+  fitColumns();
   auto* remove = new QAction(tr("Remove from Queue"), this);
   remove->setShortcut(QKeySequence::Delete);
   remove->setShortcutContext(Qt::WidgetShortcut);
@@ -126,6 +131,15 @@ BatchQueueView::BatchQueueView(BatchQueueModel* model, QWidget* parent) : QTreeV
   });
   connect(selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &BatchQueueView::selectedRowsChanged);
+}
+
+/// An empty column of verdicts would cut off what the others say.
+void BatchQueueView::fitColumns() {
+  const auto* queue = static_cast<const BatchQueueModel*>(model());
+  const bool any = std::any_of(queue->clips().begin(), queue->clips().end(), [](const auto& clip) {
+    return clip.review.verdict != Verdict::None || !clip.review.note.empty();
+  });
+  setColumnHidden(BatchQueueModel::Review, !any);
 }
 
 void BatchQueueView::requestLeftOut(bool left_out) {

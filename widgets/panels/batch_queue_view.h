@@ -36,6 +36,7 @@ class BatchQueueView : public QTreeView {
 
  private:
   void requestLeftOut(bool left_out);
+  void fitColumns();
 
   bool editable_ = true;
 };

@@ -19,6 +19,7 @@
 namespace mocapress {
 namespace {
 
+constexpr int kFramedPoses = 24;          // of the clip, that are in sight
 constexpr float kLeastRadius = 0.1f;      // of what is framed, per size of the figure
 constexpr float kTrailPerSize = 0.006f;   // radius of a trail, per size of the figure
 constexpr float kPathPerSize = 0.006f;    // radius of a joint's path, likewise
@@ -424,11 +425,18 @@ const Eigen::MatrixXd* Viewport::leadingTracks() const {
   return original_ ? original_.get() : compressed_.get();
 }
 
-/// With its skin, where that is seen.
+/// With its skin, where that is seen; and with what it does later, around where its root is now:
+/// who lies down is seen whole by a camera that follows.
 std::vector<QVector3D> Viewport::leadingBody() const {
   const Eigen::MatrixXd& tracks = *leadingTracks();
   const Poses& poses = original_ ? original_poses_ : compressed_poses_;
   std::vector<QVector3D> body = shape_->body(tracks, frameOf(tracks));
+  const QVector3D root = landmarkAt(tracks, frameOf(tracks), shape_->bodyRoot());
+  for (int i = 0; i < kFramedPoses; ++i) {
+    const auto frame = static_cast<int>(i * (tracks.rows() - 1) / (kFramedPoses - 1));
+    const QVector3D away = root - landmarkAt(tracks, frame, shape_->bodyRoot());
+    for (const QVector3D& point : shape_->body(tracks, frame)) body.push_back(point + away);
+  }
   if (!hasSkin(poses)) return body;
   Pose pose;
   poses(frameOf(tracks), pose);

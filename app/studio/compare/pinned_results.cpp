@@ -58,8 +58,8 @@ void PinnedResults::pinCurrent() {
   if (!canPin()) return;
   const DecodedPtr& decoded = session_->document().decoded();
   const EncodeOptions& options = session_->document().options();
-  const QString name = tr("%1, %2").arg(targetText(options.target),
-                                        displayName(decoded->compressed.provenance.method));
+  const QString name = freeName(tr("%1, %2").arg(
+      targetText(options.target), displayName(decoded->compressed.provenance.method)));
   const NamedSettings settings = namedSettings({options, {}, {}}, *session_->document().skeleton());
   const Result result{{name, freeColour(), settings}, decoded};
   session_->history()->push(new EditStep(
@@ -159,6 +159,17 @@ std::vector<Pin> PinnedResults::all() const {
 void PinnedResults::setFinal(bool final) {
   final_ = final;
   showWhetherToPin();
+}
+
+/// Two of one name would be told apart by their colours alone.
+QString PinnedResults::freeName(const QString& wanted) const {
+  const std::vector<Pin> taken = all();
+  QString name = wanted;
+  for (int count = 2;
+       std::any_of(taken.begin(), taken.end(), [&](const Pin& pin) { return pin.name == name; });
+       ++count)
+    name = tr("%1 (%L2)").arg(wanted).arg(count);
+  return name;
 }
 
 QColor PinnedResults::freeColour() const {

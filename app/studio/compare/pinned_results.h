@@ -62,6 +62,7 @@ class PinnedResults : public QObject {
   void makeNext();
   void noteEdit();
   std::vector<Pin> all() const;
+  QString freeName(const QString& wanted) const;
   QColor freeColour() const;
   void setFinal(bool final);
   void show();

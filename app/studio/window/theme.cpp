@@ -19,6 +19,17 @@ StudioStyle::StudioStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("F
 void StudioStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option,
                                 QPainter* painter, const QWidget* widget) const {
   QProxyStyle::drawPrimitive(element, option, painter, widget);
+  if (element == PE_PanelButtonTool && option->state & State_On) {
+    // Pressed in alone looks like the others on dark ground.
+    QColor colour = option->palette.color(QPalette::Highlight);
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setPen(QPen(colour, 1.5));
+    colour.setAlphaF(0.25F);
+    painter->setBrush(colour);
+    painter->drawRoundedRect(QRectF(option->rect).adjusted(1, 1, -1, -1), 2, 2);
+    painter->restore();
+  }
   if (element != PE_IndicatorCheckBox && element != PE_IndicatorItemViewItemCheck) return;
   QColor outline = option->palette.color(QPalette::Text);
   outline.setAlphaF(option->state & State_Enabled ? 0.5F : 0.25F);

@@ -8,8 +8,9 @@
 
 namespace mocapress {
 
-/// Fusion, with check boxes whose outline is seen on dark ground too, and sliders that come to
-/// where they are pressed, follow a drag from there, and look disabled where they are.
+/// Fusion, with check boxes whose outline is seen on dark ground too, tool buttons that stand out
+/// while they are on, and sliders that come to where they are pressed, follow a drag from there,
+/// and look disabled where they are.
 class StudioStyle : public QProxyStyle {
  public:
   StudioStyle();
