@@ -10,6 +10,7 @@
 #include "app/jobs/open_clip.h"
 #include "core/codec/methods/compared_file.h"
 #include "core/formats/motion_file.h"
+#include "core/motion/body.h"
 #include "core/motion/landmarks.h"
 #include "core/motion/skin.h"
 
@@ -101,14 +102,17 @@ ClipOutline outlineOf(const Motion& motion, const Skin* skin) {
   Eigen::MatrixX3d points(track.cols() / 3, 3);
   for (Eigen::Index p = 0; p < points.rows(); ++p) points.row(p) = track.block<1, 3>(0, 3 * p);
 
-  const View view = viewOf(points);
+  const int root = body_root(motion.skeleton);
+  const View view = viewOf(points.bottomRows(points.rows() - root));
   const auto at = [&](int landmark) {
     const Eigen::Vector3d place = view.of(points.row(landmark));
     return QPointF(place.x(), place.y());
   };
   int end_site = motion.skeleton.joint_count();
-  for (const Segment& segment : motion.skeleton.segments())
-    outline.bones << QLineF(at(segment.joint), at(segment.child >= 0 ? segment.child : end_site++));
+  for (const Segment& segment : motion.skeleton.segments()) {
+    const int end = segment.child >= 0 ? segment.child : end_site++;
+    if (segment.joint >= root) outline.bones << QLineF(at(segment.joint), at(end));
+  }
   if (skin) {
     Pose pose;
     compute_pose(motion.skeleton, shown.channels.row(0), pose);

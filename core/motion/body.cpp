@@ -258,6 +258,22 @@ std::vector<BodyRegion> body_regions(const Skeleton& skeleton) {
   return anatomy.is_human() ? anatomy.regions() : std::vector<BodyRegion>();
 }
 
+int body_root(const Skeleton& skeleton) {
+  std::vector<int> children(static_cast<std::size_t>(skeleton.joint_count()), 0);
+  for (const Joint& joint : skeleton.joints())
+    if (joint.parent >= 0) ++children[static_cast<std::size_t>(joint.parent)];
+  const auto is_moved = [](const Joint& joint) {
+    return std::any_of(joint.channels.begin(), joint.channels.end(),
+                       [](ChannelKind kind) { return !is_rotation(kind); });
+  };
+  // Joints come parents first, so that those above the body are the first ones.
+  int root = 0;
+  while (root + 1 < skeleton.joint_count() && children[static_cast<std::size_t>(root)] == 1 &&
+         skeleton.joint(root + 1).parent == root && is_moved(skeleton.joint(root + 1)))
+    ++root;
+  return root;
+}
+
 std::vector<BodyLimb> body_limbs(const Skeleton& skeleton) {
   const Anatomy anatomy(skeleton);
   const bool is_human = anatomy.is_human() && anatomy.stature() > 0;

@@ -17,6 +17,10 @@ enum class BodyRegion { Trunk, Neck, Head, UpperArm, Forearm, Hand, Thigh, Lower
 /// between these and the trunk. Empty unless the skeleton has two arms and two legs.
 std::vector<BodyRegion> body_regions(const Skeleton& skeleton);
 
+/// The first joint that carries the body. A game's root on the floor does not: its only child moves
+/// away from it. Landmarks from here on are the body's.
+int body_root(const Skeleton& skeleton);
+
 /// A stretch of body around a bone: a cylinder whose axis begins at a joint's origin.
 struct BodyLimb {
   int joint;

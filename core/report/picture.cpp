@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/feet/feet.h"
+#include "core/motion/body.h"
 
 namespace mocapress {
 
@@ -42,9 +43,10 @@ std::vector<DrawnBone> figure_shape(const Skeleton& skeleton) {
   int landmark = skeleton.joint_count();
   for (int j = 0; j < skeleton.joint_count(); ++j)
     if (skeleton.joint(j).end_site) end_landmark[static_cast<std::size_t>(j)] = landmark++;
+  const int root = body_root(skeleton);
   std::vector<DrawnBone> bones;
   for (const Segment& segment : skeleton.segments()) {
-    if (segment.length < kShortest) continue;
+    if (segment.length < kShortest || segment.joint < root) continue;
     const bool leaf = segment.child < 0;
     const int to = leaf ? end_landmark[static_cast<std::size_t>(segment.joint)] : segment.child;
     const double beyond = leaf ? 0 : carried[static_cast<std::size_t>(segment.child)];

@@ -65,23 +65,6 @@ Box boxAround(const Eigen::MatrixXd& tracks, int frame, int first) {
   return box;
 }
 
-bool isMoved(const Joint& joint) {
-  return std::any_of(joint.channels.begin(), joint.channels.end(),
-                     [](ChannelKind kind) { return !is_rotation(kind); });
-}
-
-/// Joints come parents first: those above the body are the first ones.
-int bodyRootOf(const Skeleton& skeleton) {
-  std::vector<int> children(static_cast<std::size_t>(skeleton.joint_count()), 0);
-  for (const Joint& joint : skeleton.joints())
-    if (joint.parent >= 0) ++children[static_cast<std::size_t>(joint.parent)];
-  int root = 0;
-  while (root + 1 < skeleton.joint_count() && children[static_cast<std::size_t>(root)] == 1 &&
-         skeleton.joint(root + 1).parent == root && isMoved(skeleton.joint(root + 1)))
-    ++root;
-  return root;
-}
-
 float longestSide(const Box& box) {
   const QVector3D sides = box.high - box.low;
   return std::max({sides.x(), sides.y(), sides.z()});
@@ -387,7 +370,7 @@ class FigureShape::Builder {
 
 FigureShape::FigureShape(const Skeleton& skeleton, const Eigen::MatrixXd& tracks)
     : ball_radii_(static_cast<std::size_t>(skeleton.joint_count())),
-      body_root_(bodyRootOf(skeleton)) {
+      body_root_(body_root(skeleton)) {
   const Eigen::MatrixXd rest = restTracks(skeleton);
   const Eigen::MatrixXd pose = tracks.rows() > 0 ? tracks.topRows(1).eval() : rest;
   size_ = skeleton.joint_count() > 0 ? longestSide(boxAround(rest, 0, body_root_)) : 0;

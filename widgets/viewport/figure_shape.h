@@ -56,8 +56,7 @@ class FigureShape {
   /// balls within it, one a joint.
   int partCount() const { return static_cast<int>(parts_.size()); }
 
-  /// The first joint that carries the body. A game's root on the floor does not: the hips walk away
-  /// from it. Landmarks from here on are the body's.
+  /// The skeleton's body_root().
   int bodyRoot() const { return body_root_; }
 
   /// The longest side (cm) of the box around the rest pose.

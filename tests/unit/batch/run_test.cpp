@@ -202,6 +202,11 @@ TEST(BatchReport, OfThousandsOfClipsIsSmallAndBeginsWithWhatIsSeen) {
     return found;
   };
   EXPECT_EQ(count("the unit is guessed"), 1u);
+  for (const char* filter : {"any visibility", "any verdict", "with warnings", "max over, cm",
+                             "ratio below", "sort(column(\"to the eye\"))"})
+    EXPECT_GT(count(filter), 0u) << filter;
+  if (const char* folder = std::getenv("MOCAPRESS_PICTURES"))  // for those who look at pages
+    write_text(std::filesystem::path(folder) / "batch-3000.html", page);
   EXPECT_EQ(count("what the eye sees over time"), 24u);
   EXPECT_LT(page.find("take_2234: what the eye sees"), page.find("take_1000: what the eye sees"));
 }

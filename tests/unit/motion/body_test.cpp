@@ -111,6 +111,12 @@ TEST(Body, BetweenTheFloorAndHipsThatMoveThereIsNone) {
   for (const BodyLimb& limb : body_limbs(skeleton)) EXPECT_NE(limb.joint, skeleton.find("root"));
 }
 
+TEST(Body, BeginsAtTheJointThatMovesAwayFromARootOnTheFloor) {
+  EXPECT_EQ(body_root(game_skeleton()), 1);
+  EXPECT_EQ(body_root(samples::human_skeleton()), 0);
+  EXPECT_EQ(body_root(Skeleton()), 0);
+}
+
 TEST(Body, OfWhatIsNoHumanHasTheSameSkinForEveryCentimetre) {
   const Skeleton skeleton = test::small_skeleton();  // arms without legs
   EXPECT_TRUE(body_regions(skeleton).empty());
