@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/codec/methods/compression_method.h"
+#include "core/mocapress/settings.h"
 #include "core/report/chart_svg.h"
 #include "core/report/markup.h"
 #include "core/report/report_stamp.h"
@@ -123,10 +124,9 @@ std::string mean_of(const MeanRatio& mean) {
 }
 
 std::string tiles(const Results& results) {
-  if (results.series().empty()) return "";
+  if (!results.leading_series()) return "";
   const double eps_cm = headline_eps_cm(results);
-  const Series* annealed = results.find_series("annealed");
-  const Series& first = annealed ? *annealed : results.series().front();
+  const Series& first = *results.leading_series();
   const auto ratio = results.mean_ratio_at(first, eps_cm);
   std::string all;
   if (ratio)
@@ -137,22 +137,69 @@ std::string tiles(const Results& results) {
             (results.weighting() == Weighting::JointOrigins && eps_cm == kPublishedInvisibleEpsCm
                  ? " (the paper: about " + format_shortest(kPublishedMeanRatio) + ":1)"
                  : ""));
-  const Series* standard = results.find_series("standard");
-  if (annealed && standard && ratio)
-    if (const auto other = results.mean_ratio_at(*standard, eps_cm);
-        other && other->clips == ratio->clips)
-      all += tile(fixed(ratio->ratio / other->ratio, 2) + "&#215;",
-                  "smaller than " + escaped(standard->title) + " at the same error");
+  for (const char* other_method : {"annealed", "standard"}) {
+    const Series* other = results.find_series(other_method);
+    if (!other || other->method == first.method || !ratio) continue;
+    const auto other_ratio = results.mean_ratio_at(*other, eps_cm);
+    if (other_ratio && other_ratio->clips == ratio->clips)
+      all += tile(fixed(ratio->ratio / other_ratio->ratio, 2) + "&#215;",
+                  "smaller than " + escaped(other->title) + " at the same error");
+  }
   std::vector<double> ms;
   for (const StudyRow& row : results.rows())
-    if (row.measured && row.settings.method == "annealed" &&
-        row.settings.target == Target{Target::Kind::Ratio, 30} && row.measured->ms_per_frame() > 0)
+    if (row.measured && row.settings.method == first.method && row.measured->ms_per_frame() > 0)
       ms.push_back(row.measured->ms_per_frame());
   if (const auto mean = geometric_mean(ms))
-    all += tile(format_significant(*mean) + " ms",
-                "a frame to anneal to 30:1, search for the ratio included (the paper: 254 and "
-                "391 ms)");
+    all +=
+        tile(format_significant(*mean) + " ms",
+             "a frame to compress by " + escaped(first.title) + ", search for the target included");
   return element("div", attribute("class", "tiles"), all);
+}
+
+/// The method that is smallest at an error, of those that all clips have there.
+const Series* smallest_at(const Results& results, double eps_cm) {
+  const Series* smallest = nullptr;
+  double largest_ratio = 0;
+  for (const Series& series : results.series()) {
+    const auto ratio = results.mean_ratio_at(series, eps_cm);
+    if (!ratio || ratio->clips < static_cast<int>(results.clips().size()) ||
+        ratio->ratio <= largest_ratio)
+      continue;
+    largest_ratio = ratio->ratio;
+    smallest = &series;
+  }
+  return smallest;
+}
+
+/// Which method and which preset to take, by what was measured.
+std::string recommendation(const Results& results) {
+  using namespace html;
+  const double eps_cm = headline_eps_cm(results);
+  const Series* best = smallest_at(results, eps_cm);
+  if (!best) return "";
+  const Series& shipped = *results.leading_series();
+  std::string text = "Take " + element("b", "", escaped(best->title)) +
+                     ": the smallest at &#949;<sub>x</sub> = " + format_shortest(eps_cm) +
+                     " cm over all clips.";
+  std::string lines;
+  for (const Settings& preset : built_in_presets()) {
+    if (preset.method != shipped.method || preset.target.kind != Target::Kind::Error ||
+        preset.weighting != results.weighting())
+      continue;
+    const auto ratio = results.mean_ratio_at(shipped, preset.target.value);
+    lines += line(head(escaped(preset.name), attribute("scope", "row")) +
+                  cell(format_shortest(preset.target.value)) +
+                  cell(ratio ? ratio_text(ratio->ratio) : std::string(kNothing)) +
+                  cell(ratio ? std::to_string(ratio->clips) : std::string(kNothing)));
+  }
+  if (lines.empty()) return section("What to take", paragraph(text));
+  text += " The presets use " + escaped(shipped.title) +
+          "; what each asks for came to this, without its promises about heads, hands and roots, "
+          "which cost some bytes more.";
+  return section("What to take",
+                 paragraph(text) + table(line(head("Preset") + head("&#949;<sub>x</sub>, cm") +
+                                              head("mean ratio") + head("clips")),
+                                         lines));
 }
 
 std::string subtitle(const Results& results) {
@@ -398,7 +445,7 @@ std::string report_html(const Results& results, const std::vector<Picture>& pict
                              element("h1", "", "Compression study") + paragraph(subtitle(results)) +
                                  paragraph(escaped(stamp.program + ", " + stamp.time)));
   if (!results.clips().empty()) {
-    body += tiles(results) + curves_section(results);
+    body += tiles(results) + recommendation(results) + curves_section(results);
     for (const Picture& picture : pictures) body += picture_section(picture);
     body += section("Size at equal error", size_table(results));
     body += section("Time to anneal", time_table(results));

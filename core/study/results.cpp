@@ -64,6 +64,12 @@ const Series* Results::find_series(std::string_view method) const {
   return nullptr;
 }
 
+const Series* Results::leading_series() const {
+  for (const Method method : {Method::ClosedLoop, Method::Annealed})
+    if (const Series* series = find_series(name(method))) return series;
+  return series_.empty() ? nullptr : &series_.front();
+}
+
 const StudyRow* Results::row(const StudiedClip& clip, const Series& series,
                              const Target& target) const {
   for (const StudyRow& row : rows_)

@@ -60,6 +60,10 @@ class Results {
   /// nullptr when no row has that method.
   const Series* find_series(std::string_view method) const;
 
+  /// The series that a report leads with: of the method that ships, else of the paper's best, else
+  /// the first; nullptr when there is none.
+  const Series* leading_series() const;
+
   /// nullptr when there is none, or none that was measured.
   const StudyRow* row(const StudiedClip& clip, const Series& series, const Target& target) const;
 

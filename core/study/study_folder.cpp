@@ -24,10 +24,11 @@ namespace fs = std::filesystem;
 constexpr std::size_t kPictures = 2;
 constexpr double kPicturedRatio = 50;  // aggressive enough to be seen
 
-/// The paper's pair where both were studied, else the first two.
+/// The method that ships beside the paper's plain one, else the first two.
 std::vector<std::string> pictured_methods(const Results& results) {
-  if (results.find_series("standard") && results.find_series("annealed"))
-    return {"standard", "annealed"};
+  const Series* shipped = results.leading_series();
+  if (results.find_series("standard") && shipped && shipped->method != "standard")
+    return {"standard", shipped->method};
   std::vector<std::string> methods;
   for (const Series& series : results.series())
     if (methods.size() < 2 && !series.ik_ratio) methods.push_back(series.method);

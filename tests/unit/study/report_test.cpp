@@ -203,6 +203,25 @@ TEST(Report, IsWellFormedAndNeedsNothingElse) {
     EXPECT_THAT(html, Not(HasSubstr(bad)));
 }
 
+TEST(Report, LeadsWithTheMethodThatShipsAndRecommendsWithPresets) {
+  std::vector<StudyRow> rows = known_rows();
+  for (const double ratio : {30.0, 120.0})
+    for (const char* clip : {"a/09_01.amc", "b/run & <jump>.bvh"})
+      rows.push_back(point(clip, "closed-loop", {Target::Kind::Ratio, ratio}, ratio, ratio / 150));
+  for (StudyRow& row : rows) {
+    row.settings.weighting = Weighting::Surface;
+    if (row.clip.starts_with("a/")) row.measured->frames = 148;
+    row.measured->body.surface.rms = row.measured->eps_bone_ends_cm;
+  }
+  const std::string html = report_html(Results(rows), {});
+  EXPECT_EQ(imbalance(html), "");
+  EXPECT_THAT(html, HasSubstr("</b><span>Closed-loop wavelets at "));
+  EXPECT_THAT(html, HasSubstr("smaller than Annealed wavelets at the same error"));
+  EXPECT_THAT(html, HasSubstr("Take <b>Closed-loop wavelets</b>"));
+  EXPECT_LT(html.find("What to take"), html.find("How small, at what error"));
+  EXPECT_THAT(html, HasSubstr(">Gameplay<"));
+}
+
 TEST(Report, OfNothingButFailuresIsAPage) {
   const std::string html = report_html(
       Results({{.clip = "c.bvh", .settings = {.method = "annealed"}, .error = "gone"}}), {});
