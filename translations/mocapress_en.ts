@@ -86,17 +86,17 @@
 <context>
     <name>mocapress::Figures</name>
     <message numerus="yes">
-        <source>%1, %Ln iteration(s), %L2 s</source>
-        <translation>
-            <numerusform>%1, %Ln iteration, %L2 s</numerusform>
-            <numerusform>%1, %Ln iterations, %L2 s</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%Ln contact(s): feet drift by %1 in the mean, by %2 at worst; their path is %3 longer than the original&apos;s</source>
         <translation>
             <numerusform>%Ln contact: the foot drifts by %1 in the mean, by %2 at worst; its path is %3 longer than the original&apos;s</numerusform>
             <numerusform>%Ln contacts: feet drift by %1 in the mean, by %2 at worst; their path is %3 longer than the original&apos;s</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %Ln iteration(s), %L2 s</source>
+        <translation>
+            <numerusform>%1, %Ln iteration, %L2 s</numerusform>
+            <numerusform>%1, %Ln iterations, %L2 s</numerusform>
         </translation>
     </message>
 </context>
@@ -152,6 +152,13 @@
         <translation>
             <numerusform>%Ln frame</numerusform>
             <numerusform>%Ln frames</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln note(s)</source>
+        <translation>
+            <numerusform>%Ln note</numerusform>
+            <numerusform>%Ln notes</numerusform>
         </translation>
     </message>
 </context>

@@ -922,10 +922,6 @@
         <source>cm</source>
         <translation>cm</translation>
     </message>
-    <message>
-        <source>Value (%1)</source>
-        <translation>Valeur (%1)</translation>
-    </message>
 </context>
 <context>
     <name>mocapress::CharacterChoice</name>
@@ -2110,6 +2106,13 @@
     <message>
         <source>✕ stale: %1</source>
         <translation>✕ périmé : %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln note(s)</source>
+        <translation>
+            <numerusform>%Ln remarque</numerusform>
+            <numerusform>%Ln remarques</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4150,6 +4153,10 @@ Cliquer pour le charger dans le studio.</translation>
             <numerusform>%n note sur la lecture de ce clip</numerusform>
             <numerusform>%n notes sur la lecture de ce clip</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>line %L1: %2</source>
+        <translation>ligne %L1 : %2</translation>
     </message>
 </context>
 </TS>

@@ -913,10 +913,6 @@
         <source>cm</source>
         <translation>cm</translation>
     </message>
-    <message>
-        <source>Value (%1)</source>
-        <translation>値 (%1)</translation>
-    </message>
 </context>
 <context>
     <name>mocapress::CharacterChoice</name>
@@ -2091,6 +2087,12 @@
     <message>
         <source>✕ stale: %1</source>
         <translation>✕ 無効：%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln note(s)</source>
+        <translation>
+            <numerusform>注記%Ln件</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4118,6 +4120,10 @@ Click to load it into the studio.</source>
         <translation>
             <numerusform>このクリップの読み込みに関する注記 %n 件</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>line %L1: %2</source>
+        <translation>%L1行目：%2</translation>
     </message>
 </context>
 </TS>

@@ -129,7 +129,10 @@ ClipOutline readOutline(const QString& path, const QString& skeleton, const Read
   std::optional<std::filesystem::path> beside;
   if (!skeleton.isEmpty()) beside = skeleton.toStdU16String();
   const MotionFile file = read_motion(path.toStdU16String(), beside, reading);
-  return outlineOf(file.motion, file.skin.get());
+  ClipOutline outline = outlineOf(file.motion, file.skin.get());
+  for (const Warning& warning : file.warnings)
+    outline.notes << QString::fromStdString(warning.text());
+  return outline;
 }
 
 }  // namespace mocapress

@@ -4,7 +4,7 @@
 #include <QImage>
 #include <QLineF>
 #include <QList>
-#include <QString>
+#include <QStringList>
 
 #include "core/formats/motion_file.h"
 
@@ -16,6 +16,7 @@ struct ClipOutline {
   double sample_rate_hz = 0;
   QList<QLineF> bones;  // of a pose, in a square from 0 to 1, y down
   QImage skin;          // of the same pose; null: the clip has none
+  QStringList notes;    // what the reader repaired or guessed
 };
 
 /// The pose in the middle, seen from where it is widest. `skin` may be null.

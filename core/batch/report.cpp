@@ -225,34 +225,34 @@ std::string clip_line(const BatchRow& row) {
   if (row.preset.correction) method += ", feet held";
   if (m.ik_ratio_used) method += ", r_IK " + format_significant(*m.ik_ratio_used);
   return line(
-      row_head(row.output) + cell(escaped(row.preset.name), "name") +
-      cell(escaped(method), "name") + cell(escaped(target_text(row.preset.target)), "name") +
-      cell(std::to_string(m.frames)) + cell(ratio_text(m.ratio)) +
-      cell(format_significant(static_cast<double>(m.motion_bytes) / 1024)) +
+      row_head(row.output) + seen_cell(m.seen) + review_cells(row) +
+      cell(row.warnings.empty() ? kNothing : std::to_string(row.warnings.size())) +
+      cell(ratio_text(m.ratio)) + cell(format_significant(m.max_error_cm)) +
+      cell(std::to_string(m.worst_frame)) +
       cell(format_significant(m.eps_cm(row.preset.weighting))) +
       cell(format_significant(m.p95_error_cm)) + cell(format_significant(m.p99_error_cm)) +
-      cell(format_significant(m.max_error_cm)) + cell(std::to_string(m.worst_frame)) +
       degrees_cell(m.body.angle_rms_degrees) + turn_cell(m.body.head) + turn_cell(m.body.hand) +
       figure_cell(m.slide ? std::optional(m.slide->drift_mean_cm) : std::nullopt) +
       figure_cell(m.slide ? std::optional(m.slide->drift_worst_cm) : std::nullopt) +
-      figure_cell(m.footskate_cm) + seen_cell(m.seen) + review_cells(row) +
-      cell(row.warnings.empty() ? kNothing : std::to_string(row.warnings.size())));
+      figure_cell(m.footskate_cm) +
+      cell(format_significant(static_cast<double>(m.motion_bytes) / 1024)) +
+      cell(std::to_string(m.frames)) + cell(escaped(row.preset.name), "name") +
+      cell(escaped(target_text(row.preset.target)), "name") + cell(escaped(method), "name"));
 }
 
 void write_clips(std::ostream& out, const BatchRows& rows) {
   const auto left = attribute("class", "name");
-  out << "<section><h2>Every clip</h2>"
+  out << "<section>" << element("script", "", kHidingScript) << "<h2>Every clip</h2>"
       << muted(
              "Errors of the file as it was read back, against the original: distances in "
              "centimetres, what joints, head and hands are turned by in degrees.")
       << "<div class=\"scroll\"><table id=\"clips\"><thead>"
-      << line(head("Clip", left) + head("preset", left) + head("method", left) +
-              head("asked", left) + head("frames") + head("ratio") + head("KB") +
-              head("&#949;<sub>x</sub>") + head("p95") + head("p99") + head("max") +
-              head("at frame") + head("joints") + head("head") + head("hands") +
-              head("foot drift") + head("worst drift") + head("foot path") +
-              head("to the eye", left) + head("verdict", left) + head("note", left) +
-              head("warnings"))
+      << line(head("Clip", left) + head("to the eye", left) + head("verdict", left) +
+              head("note", left) + head("warnings") + head("ratio") + head("max") +
+              head("at frame") + head("&#949;<sub>x</sub>") + head("p95") + head("p99") +
+              head("joints") + head("head") + head("hands") + head("foot drift") +
+              head("worst drift") + head("foot path") + head("KB") + head("frames") +
+              head("preset", left) + head("asked", left) + head("method", left))
       << "</thead><tbody>\n";
   rows([&](const BatchRow& row) {
     if (row.done() && row.measured) out << clip_line(row) << '\n';

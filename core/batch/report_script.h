@@ -3,9 +3,14 @@
 
 namespace mocapress {
 
+/// Hides the section it stands in until kReportScript shows what is wanted of it: thousands of rows
+/// take a second to lay out.
+inline constexpr const char* kHidingScript = "document.currentScript.parentNode.hidden = true;";
+
 /// Sorts the table of clips by a click on a heading, largest first, and at the start by what the
-/// eye sees; filters it by that, by verdict, error, ratio, warnings and words. The page reads well
-/// without it. Neither < nor & may stand here: the page is XML, too.
+/// eye sees; filters it by that, by verdict, error, ratio, warnings and words; shows the first
+/// rows, or all when asked. The page reads well without it. Neither < nor & may stand here: the
+/// page is XML, too.
 inline constexpr const char* kReportScript = R"(
 const table = document.getElementById("clips");
 const body = table.tBodies[0];
@@ -45,16 +50,25 @@ input("number", "ratio below", (row, most) => Number(most) > number(row, "ratio"
 input("search", "name, preset, reason ...",
   (row, words) => row.textContent.toLowerCase().includes(words.toLowerCase()));
 const shown = document.createElement("span");
-bar.append(shown);
+const more = document.createElement("button");
+more.textContent = "show all";
+bar.append(shown, " ", more);
 table.parentNode.before(bar);
+const first = 200;
+let rows = Array.from(body.rows);
+let most = first;
 function filter() {
-  let count = 0;
-  for (const row of body.rows) {
-    row.hidden = !tests.every(test => test(row));
-    count += row.hidden ? 0 : 1;
-  }
-  shown.textContent = count + " of " + body.rows.length + " clips";
+  const found = rows.filter(row => tests.every(test => test(row)));
+  body.replaceChildren(...found.slice(0, most));
+  more.hidden = most >= found.length;
+  shown.textContent = found.length + " of " + rows.length + " clips"
+    + (more.hidden ? "" : ", the first " + most + " of them below");
 }
+more.onclick = () => {
+  most = Infinity;
+  filter();
+  most = first;
+};
 function key(row, at) {
   const cell = row.cells[at];
   const words = cell.dataset.key || cell.textContent;
@@ -67,18 +81,21 @@ function order(a, b) {
 }
 let sorted = -1;
 function sort(at) {
-  const rows = Array.from(body.rows);
-  if (sorted === at) rows.reverse();
-  else rows.sort((a, b) => order(key(a, at), key(b, at)));
+  if (sorted === at) {
+    rows.reverse();
+  } else {
+    const keyed = rows.map(row => [key(row, at), row]);
+    rows = keyed.sort((a, b) => order(a[0], b[0])).map(pair => pair[1]);
+  }
   sorted = at;
-  body.append(...rows);
+  filter();
 }
 for (const head of heads) {
   head.style.cursor = "pointer";
   head.onclick = () => sort(head.cellIndex);
 }
 sort(column("to the eye"));
-filter();
+table.closest("section").hidden = false;
 )";
 
 }  // namespace mocapress

@@ -60,6 +60,8 @@ table:has(thead th:nth-child(9)) :is(th, td) { padding: 5px 5px; font-size: 12.5
 td.paper, th.paper { color: var(--muted); background: color-mix(in srgb, var(--rule) 28%, transparent); }
 td.best { font-weight: 700; } tr.sum td, tr.sum th { border-top: 2px solid var(--rule); }
 td small { font-size: 12px; } td.wrap { white-space: normal; text-align: left; }
+#clips :is(th, td) { vertical-align: top; } #clips td.wrap { min-width: 8em; }
+#clips td[data-key] { min-width: 16em; }
 .legend { display: flex; flex-wrap: wrap; gap: 4px 20px; margin: 8px 0 4px; padding: 0;
   list-style: none; font-size: 13.5px; }
 .sign { width: 26px; height: 12px; margin-right: 7px; vertical-align: middle; }

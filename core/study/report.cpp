@@ -171,7 +171,7 @@ const Series* smallest_at(const Results& results, double eps_cm) {
   return smallest;
 }
 
-/// Which method and which preset to take, by what was measured.
+/// Says which method and which preset to take, by what was measured.
 std::string recommendation(const Results& results) {
   using namespace html;
   const double eps_cm = headline_eps_cm(results);

@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolTip>
 #include <QTreeView>
 
 #include "widgets/models/library_model.h"
@@ -52,6 +53,48 @@ TEST(LibraryModel, SaysWhyAVerdictIsStaleWhoGaveItAndWhen) {
   EXPECT_TRUE(words().contains(QStringLiteral("✓ stale: file missing")));
   EXPECT_EQ(stateOf(entry), RowState::Bad);
   EXPECT_TRUE(model.index(0).data(Qt::ToolTipRole).toString().contains(QStringLiteral("ann, ")));
+}
+
+TEST(LibraryModel, NotesOnReadingAreBehindAMarkOfTheRow) {
+  LibraryModel model;
+  LibraryEntry entry{.path = QStringLiteral("/a/walk.bvh"), .frames = 9};
+  entry.outcome = Outcome{.warnings = {QStringLiteral("of the outcome")}};
+  EXPECT_EQ(notesOf(entry), QStringList(QStringLiteral("of the outcome")));
+  entry.notes = {QStringLiteral("guessed"), QStringLiteral("repaired")};
+  EXPECT_EQ(notesOf(entry), entry.notes);
+  model.setEntry(entry);
+  EXPECT_TRUE(model.index(0)
+                  .data(Qt::ToolTipRole)
+                  .toString()
+                  .endsWith(QStringLiteral("guessed\nrepaired")));
+  EXPECT_TRUE(
+      model.index(0).data(Qt::AccessibleTextRole).toString().contains(QStringLiteral("2 note")));
+}
+
+TEST(LibraryPanel, AClickOnTheMarkOfARowTellsItsNotes) {
+  LibraryModel model;
+  model.setEntries(
+      {{.path = QStringLiteral("a"), .frames = 9, .notes = {QStringLiteral("guessed")}},
+       {.path = QStringLiteral("b"), .frames = 9}});
+  LibraryPanel panel(&model);
+  panel.resize(240, 400);
+  panel.show();
+  const auto ends = [&](int row) {
+    const QRect place = panel.view()->visualRect(panel.tree()->indexOf(row));
+    return QPoint(place.right() - 12, place.top() + 12);
+  };
+  const QImage list = panel.view()->viewport()->grab().toImage();
+  const auto ink = [&](int row) {
+    QSet<QRgb> colours;
+    for (int x = -6; x < 6; ++x) colours.insert(list.pixel(ends(row) + QPoint(x, 0)));
+    return colours.size();
+  };
+  EXPECT_GT(ink(0), 1);
+  EXPECT_EQ(ink(1), 1) << "nothing was guessed";
+  QToolTip::hideText();
+  QTest::mouseClick(panel.view()->viewport(), Qt::LeftButton, {}, ends(0));
+  EXPECT_EQ(QToolTip::text(), QStringLiteral("guessed"));
+  QToolTip::hideText();
 }
 
 TEST(LibraryPanel, TheMenuGivesTheSelectionAVerdictOrAPresetAndFindsWhatIsMissing) {

@@ -17,6 +17,10 @@ Staleness staleness(const std::string& source, const std::string& settings,
   return settings == settings_now ? Staleness::None : Staleness::Settings;
 }
 
+const QStringList& notesOf(const LibraryEntry& entry) {
+  return entry.notes.isEmpty() && entry.outcome ? entry.outcome->warnings : entry.notes;
+}
+
 QString outcomeText(const LibraryEntry& entry) {
   // The figures of a missing clip are still known, and its state says that it is missing.
   if (!entry.trouble.isEmpty() && !entry.missing) return LibraryModel::tr("Cannot be read");
@@ -42,12 +46,10 @@ RowState stateOf(const LibraryEntry& entry) {
 
 namespace {
 
-/// Where the outcome is still that of the clip, what the eye sees of it and what the reader said.
+/// Where the outcome is still that of the clip, what the eye sees of it.
 QString withOutcome(const QString& state, const LibraryEntry& entry) {
   QStringList parts{state};
   if (entry.outcome && entry.outcome->sight) parts << displayName(*entry.outcome->sight);
-  if (entry.outcome && !entry.outcome->warnings.isEmpty())
-    parts << QStringLiteral("⚠ %L1").arg(entry.outcome->warnings.size());
   return parts.join(LibraryModel::tr(", "));
 }
 
@@ -148,13 +150,15 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
       return name;
     case Qt::AccessibleTextRole: {
       QStringList parts = {name, outcomeText(shown), stateText(shown)};
+      if (const auto notes = notesOf(shown); !notes.isEmpty())
+        parts << tr("%Ln note(s)", nullptr, static_cast<int>(notes.size()));
       parts.removeAll(QString());
       return parts.join(QStringLiteral(", "));
     }
     case Qt::ToolTipRole: {
       QStringList lines = {shown.path, shown.trouble, stateText(shown), reviewerText(shown.review),
                            QString::fromStdString(shown.review.note)};
-      if (shown.outcome) lines << shown.outcome->warnings;
+      lines << notesOf(shown);
       lines.removeAll(QString());
       return lines.join(QLatin1Char('\n'));
     }

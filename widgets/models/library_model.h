@@ -50,6 +50,7 @@ struct LibraryEntry {
   QList<QLineF> outline;  // a pose in a square from 0 to 1, y down
   QImage skin;            // the same pose, where the clip has a skin
   QString trouble;        // why it could not be read; empty: it could, or was not tried
+  QStringList notes;      // what its reader repaired or guessed
   bool missing = false;   // its file is gone
   std::optional<Outcome> outcome;
   Staleness outdated = Staleness::None;  // of the outcome: why it is no longer that of the clip
@@ -83,6 +84,9 @@ class LibraryModel : public QAbstractListModel {
  private:
   std::vector<LibraryEntry> entries_;
 };
+
+/// The reader's notes on the clip, from when it was read last.
+const QStringList& notesOf(const LibraryEntry& entry);
 
 /// "25.0 : 1, 0.09 cm", or why there is nothing to say yet.
 QString outcomeText(const LibraryEntry& entry);

@@ -15,6 +15,7 @@ struct LibraryTree::Folder {
   int row = 0;  // among the folders of `above`
   std::vector<std::unique_ptr<Folder>> folders;
   std::vector<int> clips;
+  SharedName shared;  // by the names of `clips`
 
   Folder& child(const QString& child_name) {
     for (const auto& each : folders)
@@ -79,7 +80,12 @@ void LibraryTree::build() {
   root_->shorten();
   holders_.assign(static_cast<std::size_t>(clips_->rowCount()), nullptr);
   const auto note = [this](auto&& self, Folder& folder) -> void {
-    for (const int clip : folder.clips) holders_[static_cast<std::size_t>(clip)] = &folder;
+    QStringList names;
+    for (const int clip : folder.clips) {
+      holders_[static_cast<std::size_t>(clip)] = &folder;
+      names << QFileInfo(clips_->entry(clip).path).fileName();
+    }
+    folder.shared = sharedName(names);
     for (const auto& each : folder.folders) self(self, *each);
   };
   note(note, *root_);
@@ -109,6 +115,10 @@ void LibraryTree::clipsChanged(int first, int last) {
 
 LibraryTree::Folder* LibraryTree::holderOf(const QModelIndex& index) const {
   return static_cast<Folder*>(index.internalPointer());
+}
+
+SharedName LibraryTree::sharedNameOf(const QModelIndex& index) const {
+  return holderOf(index)->shared;
 }
 
 LibraryTree::Folder* LibraryTree::folderAt(const QModelIndex& index) const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "widgets/models/library_model.h"
+#include "widgets/models/shared_name.h"
 
 namespace mocapress {
 
@@ -27,6 +28,9 @@ class LibraryTree : public QAbstractItemModel {
 
   /// Of a folder, however deep below; of a clip: itself.
   std::vector<int> clipsBelow(const QModelIndex& index) const;
+
+  /// The part of a clip's name that the names of all clips beside it share.
+  SharedName sharedNameOf(const QModelIndex& index) const;
 
   /// Full path; empty: a clip.
   QString folderPath(const QModelIndex& index) const;

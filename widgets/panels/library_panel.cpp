@@ -5,10 +5,12 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QStyledItemDelegate>
+#include <QToolTip>
 #include <QTreeView>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -24,6 +26,7 @@ constexpr int kRowHeight = 58;
 constexpr int kPicture = 46;
 constexpr int kFolderHeight = 28;
 constexpr int kMargin = 6;
+const QString kMark = QStringLiteral("⚠");  // there are notes on reading the clip
 
 /// Of a clip a pose, the name, what it came to and what was decided; of a folder what is in it.
 class RowPainter : public QStyledItemDelegate {
@@ -54,17 +57,23 @@ class RowPainter : public QStyledItemDelegate {
 
     QRect line(picture.right() + 2 * kMargin, option.rect.top() + kMargin,
                option.rect.right() - picture.right() - 3 * kMargin, option.fontMetrics.height());
-    const auto write = [&](const QString& words, const QColor& colour, const QFont& font,
-                           Qt::TextElideMode elided = Qt::ElideRight) {
+    const auto write = [&](const QString& words, const QColor& colour, const QFont& font) {
       painter->setPen(colour);
       painter->setFont(font);
       painter->drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
-                        QFontMetrics(font).elidedText(words, elided, line.width()));
+                        QFontMetrics(font).elidedText(words, Qt::ElideRight, line.width()));
       line.translate(0, option.fontMetrics.height());
     };
     QFont bold = option.font;
     bold.setWeight(QFont::DemiBold);
-    write(index.data().toString(), entry.missing ? faint : text, bold, Qt::ElideMiddle);
+    const bool has_notes = !notesOf(entry).isEmpty();
+    if (has_notes) {
+      painter->setPen(chosen ? text : colourOf(RowState::Doubtful, palette));
+      painter->drawText(markOf(option), Qt::AlignCenter, kMark);
+    }
+    const int room = line.width() - (has_notes ? markOf(option).width() : 0);
+    write(shortened(index.data().toString(), tree_->sharedNameOf(index), QFontMetrics(bold), room),
+          entry.missing ? faint : text, bold);
     write(outcomeText(entry), entry.outdated == Staleness::None ? text : faint, option.font);
     const RowState state = stateOf(entry);
     write(stateText(entry), chosen || state == RowState::Plain ? faint : colourOf(state, palette),
@@ -72,7 +81,25 @@ class RowPainter : public QStyledItemDelegate {
     painter->restore();
   }
 
+  /// A click on the mark says what is behind it.
+  bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
+                   const QModelIndex& index) override {
+    const int clip = tree_->clipOf(index);
+    const auto* mouse = dynamic_cast<QMouseEvent*>(event);
+    if (clip >= 0 && mouse && event->type() == QEvent::MouseButtonRelease &&
+        markOf(option).contains(mouse->pos()))
+      QToolTip::showText(mouse->globalPosition().toPoint(),
+                         notesOf(model_->entry(clip)).join(QLatin1Char('\n')));
+    return QStyledItemDelegate::editorEvent(event, model, option, index);
+  }
+
  private:
+  /// At the end of a row's first line.
+  static QRect markOf(const QStyleOptionViewItem& option) {
+    const int size = option.fontMetrics.height();
+    return {option.rect.right() - kMargin - size, option.rect.top() + kMargin, size, size};
+  }
+
   /// Dark enough on white, bright enough on black.
   static QColor colourOf(RowState state, const QPalette& palette) {
     const bool dark = palette.color(QPalette::Base).lightness() < 128;

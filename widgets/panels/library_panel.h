@@ -48,6 +48,9 @@ class LibraryPanel : public QWidget {
 
   QSize sizeHint() const override { return {230, 400}; }
 
+  /// In less, rows would say nothing.
+  QSize minimumSizeHint() const override { return {210, 200}; }
+
  signals:
   void addRequested();
   void addFolderRequested();

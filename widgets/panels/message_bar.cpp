@@ -29,6 +29,7 @@ MessageBar::MessageBar(QWidget* parent)
   text_->setWordWrap(true);
   text_->setTextFormat(Qt::PlainText);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  text_->setMinimumWidth(1);  // one long word does not make the window wider
   auto* close = new QToolButton(this);
   close->setIcon(style()->standardIcon(QStyle::SP_TitleBarCloseButton));
   close->setAutoRaise(true);
@@ -78,6 +79,7 @@ void MessageBar::showText(const QString& text, bool error, QAction* remedy) {
   leave_.stop();
   error_ = error;
   text_->setText(text);
+  text_->setToolTip(text);
   work_->hide();
   remedy_->setDefaultAction(remedy);
   remedy_->setVisible(remedy != nullptr);

@@ -2,26 +2,35 @@
 #include "widgets/panels/warnings_panel.h"
 
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QPlainTextEdit>
 #include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <utility>
+
+#include "widgets/panels/elided_label.h"
 
 namespace mocapress {
 namespace {
 
 constexpr int kListHeight = 110;
 
+/// Without the path of the clip, which is in view.
+QString noteText(const QString& clip, const Warning& warning) {
+  if (QString::fromStdString(warning.file) != clip) return QString::fromStdString(warning.text());
+  const QString message = QString::fromStdString(warning.message);
+  return warning.line > 0 ? WarningsPanel::tr("line %L1: %2").arg(warning.line).arg(message)
+                          : message;
+}
+
 }  // namespace
 
 WarningsPanel::WarningsPanel(QWidget* parent)
     : QFrame(parent),
-      title_(new QLabel(this)),
+      title_(new ElidedLabel(this)),
       unfold_(new QToolButton(this)),
       list_(new QPlainTextEdit(this)) {
   setAccessibleName(tr("Notes on reading"));
-  title_->setTextFormat(Qt::PlainText);
   unfold_->setCheckable(true);
   unfold_->setAutoRaise(true);
   unfold_->setArrowType(Qt::RightArrow);
@@ -57,9 +66,11 @@ WarningsPanel::WarningsPanel(QWidget* parent)
   hide();
 }
 
-void WarningsPanel::setWarnings(const Warnings& warnings) {
+void WarningsPanel::setWarnings(const QString& clip, const Warnings& warnings) {
   QStringList lines;
-  for (const Warning& warning : warnings) lines << QString::fromStdString(warning.text());
+  for (const Warning& warning : warnings) lines << noteText(clip, warning);
+  const bool is_told = std::exchange(told_[clip], lines) == lines;
+  if (std::exchange(clip_, clip) == clip && is_told) return;
   list_->setPlainText(lines.join(QLatin1Char('\n')));
   // A single note is its own title.
   title_->setText(lines.size() == 1 ? lines.front()
@@ -67,7 +78,7 @@ void WarningsPanel::setWarnings(const Warnings& warnings) {
                                          static_cast<int>(lines.size())));
   unfold_->setVisible(lines.size() > 1);
   unfold_->setChecked(false);
-  setVisible(!lines.isEmpty());
+  setVisible(!lines.isEmpty() && !is_told);
 }
 
 }  // namespace mocapress

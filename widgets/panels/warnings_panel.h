@@ -2,29 +2,34 @@
 #pragma once
 
 #include <QFrame>
+#include <map>
 
 #include "core/base/error.h"
 
-class QLabel;
 class QPlainTextEdit;
 class QToolButton;
 
 namespace mocapress {
 
-/// What a reader repaired or guessed: one line that unfolds and can be dismissed.
+class ElidedLabel;
+
+/// Tells what a reader repaired or guessed, in a line that unfolds and can be dismissed, once a
+/// clip: from then on the mark on the clip's row in the library has it.
 class WarningsPanel : public QFrame {
   Q_OBJECT
 
  public:
   explicit WarningsPanel(QWidget* parent = nullptr);
 
-  /// None hides the panel.
-  void setWarnings(const Warnings& warnings);
+  /// `clip` is its path. No warnings, or those that were told of it already, hide the panel.
+  void setWarnings(const QString& clip, const Warnings& warnings);
 
  private:
-  QLabel* title_;
+  ElidedLabel* title_;
   QToolButton* unfold_;
   QPlainTextEdit* list_;
+  QString clip_;
+  std::map<QString, QStringList> told_;  // by clip
 };
 
 }  // namespace mocapress

@@ -75,9 +75,11 @@ ChannelGraph::ChannelGraph(QWidget* parent)
   for (QCPAxisRect* area : {curves_plot_->axisRect(), difference_})
     area->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
   curves_plot_->axisRect()->axis(QCPAxis::atBottom)->setTickLabels(false);
-  // Both are low: more labels would be written over each other.
+  // Both are low, and narrow in a small window: more labels would be written over each other.
   curves_plot_->axisRect()->axis(QCPAxis::atLeft)->ticker()->setTickCount(3);
   difference_->axis(QCPAxis::atLeft)->ticker()->setTickCount(2);
+  for (QCPAxisRect* area : {curves_plot_->axisRect(), difference_})
+    area->axis(QCPAxis::atBottom)->ticker()->setTickCount(2);
   difference_->axis(QCPAxis::atBottom)->setLabel(tr("Time (s)"));
   curves_plot_->addLayer(QStringLiteral("playhead"));
   curves_plot_->layer(QStringLiteral("playhead"))->setMode(QCPLayer::lmBuffered);
@@ -149,8 +151,8 @@ void ChannelGraph::drawCurves() {
     fit(area->axis(QCPAxis::atLeft), values.minCoeff(), values.maxCoeff());
   };
   const QString unit = curves_.rotation ? tr("°") : tr("cm");
-  above->axis(QCPAxis::atLeft)->setLabel(tr("Value (%1)").arg(unit));
-  difference_->axis(QCPAxis::atLeft)->setLabel(QStringLiteral("Δ (%1)").arg(unit));
+  above->axis(QCPAxis::atLeft)->setLabel(unit);
+  difference_->axis(QCPAxis::atLeft)->setLabel(QStringLiteral("Δ ") + unit);
   const auto& [original, compressed, rotation, kept, rate] = curves_;
   if (original.size() > 0) add(above, original, QPen(palette().color(QPalette::Text), 1));
   if (compressed.size() > 0) add(above, compressed, QPen(QColor(kCurveColours[1]), 1));

@@ -27,7 +27,7 @@ class Figure : public Qt3DCore::QEntity {
   /// A figure made as a ghost may stand solid, and be one again.
   void setGhost(bool ghost);
 
-  /// How much further (cm) from the eye it counts as it is: what is nearer covers it.
+  /// Counts as this much (cm) further from the eye than it is: what is nearer covers it.
   void setBehind(float behind);
 
   /// 1: as thick as the bones are.

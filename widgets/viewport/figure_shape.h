@@ -62,7 +62,7 @@ class FigureShape {
   /// The longest side (cm) of the box around the rest pose.
   float size() const { return size_; }
 
-  /// How wide (cm) a ring around a joint is that the body does not cover.
+  /// The width (cm) of a ring around a joint that the body does not cover.
   float ringRadius(int joint) const { return ring_radii_[static_cast<std::size_t>(joint)]; }
 
   /// All capsules at a frame of landmark_tracks().

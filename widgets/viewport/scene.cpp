@@ -167,7 +167,7 @@ void Scene::makeFrameGraph(Qt3DCore::QEntity* backdrop) {
   step({body_, body_skin_, body_path_, shell_path_, trails_, discs_}, "shade");
   step({body_shadow_, shell_shadow_}, "shade");
   addStep(camera_selector, grounds_, QStringLiteral("shade"));
-  // Of several pinned figures the nearest alone is seen: colours over each other would be neither.
+  // The nearest of several pinned figures alone is seen: colours over each other would be neither.
   std::vector<Qt3DCore::QEntity*> pinned(pinned_.begin(), pinned_.end());
   pinned.insert(pinned.end(), pinned_skins_.begin(), pinned_skins_.end());
   for (const char* pass : {"depth", "shade"})

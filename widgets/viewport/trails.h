@@ -36,7 +36,7 @@ struct TrailColours {
 std::vector<Capsule> ghostTrail(const FigureShape& shape, const Eigen::MatrixXd& tracks,
                                 const TrailPoses& poses, const TrailColours& colours);
 
-/// How badly each joint slides at a frame, by its drift, 0 ... 1: FigureMarks::alerts.
+/// Each joint's slide at a frame, by its drift, 0 ... 1: FigureMarks::alerts.
 std::vector<float> slideAlerts(const std::vector<SlideFinding>& slides, int joints, int frame);
 
 /// The way of each sliding point over the ground while it should stand, drawn on y = 0. `tracks` of

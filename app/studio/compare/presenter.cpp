@@ -138,7 +138,7 @@ void Presenter::showWarnings() {
   const OriginalPtr& original = session_->document().original();
   Warnings all = original ? original->warnings : Warnings();
   if (original) all.insert(all.end(), original->of_character.begin(), original->of_character.end());
-  views_.warnings->setWarnings(all);
+  views_.warnings->setWarnings(original ? original->path : QString(), all);
 }
 
 /// With what a character that was put on lets be chosen.

@@ -564,6 +564,8 @@ void Library::showAsRead(const ProjectClip& clip, const OriginalClip& original) 
   read.sample_rate_hz = outline.sample_rate_hz;
   read.outline = outline.bones;
   read.skin = outline.skin;
+  for (const Warning& warning : original.warnings)
+    read.notes << QString::fromStdString(warning.text());
   model_->setEntry(entryOf(clip, read));
 }
 
@@ -671,6 +673,7 @@ void Library::readNextOutline() {
       entry.sample_rate_hz = outline.sample_rate_hz;
       entry.outline = outline.bones;
       entry.skin = outline.skin;
+      entry.notes = outline.notes;
       entry.trouble = trouble;
       model_->setEntry(entry);
     }

@@ -203,7 +203,7 @@ TEST(BatchReport, OfThousandsOfClipsIsSmallAndBeginsWithWhatIsSeen) {
   };
   EXPECT_EQ(count("the unit is guessed"), 1u);
   for (const char* filter : {"any visibility", "any verdict", "with warnings", "max over, cm",
-                             "ratio below", "sort(column(\"to the eye\"))"})
+                             "ratio below", "show all", "sort(column(\"to the eye\"))"})
     EXPECT_GT(count(filter), 0u) << filter;
   if (const char* folder = std::getenv("MOCAPRESS_PICTURES"))  // for those who look at pages
     write_text(std::filesystem::path(folder) / "batch-3000.html", page);

@@ -208,6 +208,7 @@ TEST(Report, LeadsWithTheMethodThatShipsAndRecommendsWithPresets) {
   for (const double ratio : {30.0, 120.0})
     for (const char* clip : {"a/09_01.amc", "b/run & <jump>.bvh"})
       rows.push_back(point(clip, "closed-loop", {Target::Kind::Ratio, ratio}, ratio, ratio / 150));
+  rows.push_back(point("b/run & <jump>.bvh", "annealed", {Target::Kind::Ratio, 120}, 120, 0.6));
   for (StudyRow& row : rows) {
     row.settings.weighting = Weighting::Surface;
     if (row.clip.starts_with("a/")) row.measured->frames = 148;
@@ -216,7 +217,8 @@ TEST(Report, LeadsWithTheMethodThatShipsAndRecommendsWithPresets) {
   const std::string html = report_html(Results(rows), {});
   EXPECT_EQ(imbalance(html), "");
   EXPECT_THAT(html, HasSubstr("</b><span>Closed-loop wavelets at "));
-  EXPECT_THAT(html, HasSubstr("smaller than Annealed wavelets at the same error"));
+  EXPECT_THAT(html,
+              HasSubstr("1.50&#215;</b><span>smaller than Annealed wavelets at the same error"));
   EXPECT_THAT(html, HasSubstr("Take <b>Closed-loop wavelets</b>"));
   EXPECT_LT(html.find("What to take"), html.find("How small, at what error"));
   EXPECT_THAT(html, HasSubstr(">Gameplay<"));
