@@ -90,13 +90,13 @@ void compare(const Motion& meant, const Motion& found, const std::vector<std::st
 class Export {
  public:
   Export(const Batch& batch, std::size_t index, const fs::path& folder, const ExportRights& rights,
-         SharedCharacter& character, const Observer<ClipProgress>& observer)
+         SharedCharacters& characters, const Observer<ClipProgress>& observer)
       : batch_(batch),
         item_(batch.items[index]),
         preset_(batch.presets[item_.preset]),
         folder_(folder),
         rights_(rights),
-        character_(character),
+        characters_(characters),
         observer_(observer),
         row_(failed_row(batch, index, "")) {}
 
@@ -154,11 +154,8 @@ class Export {
   MotionFile read() const {
     std::optional<fs::path> skeleton;
     if (!item_.skeleton.empty()) skeleton = item_.skeleton;
-    ReadOptions reading = batch_.reading_of(item_);
-    const std::optional<std::string> character = std::exchange(reading.character, std::nullopt);
-    MotionFile clip = read_motion(item_.input, skeleton, reading);
-    if (character) put_character(*character_.read(*character), *character, clip);
-    return clip;
+    return read_motion_of_many(item_.input, skeleton, batch_.reading_of(item_),
+                               [&](const fs::path& file) { return characters_.read(file); });
   }
 
   void work() {
@@ -326,7 +323,7 @@ class Export {
   const Settings& preset_;
   const fs::path& folder_;
   const ExportRights& rights_;
-  SharedCharacter& character_;
+  SharedCharacters& characters_;
   const Observer<ClipProgress>& observer_;
   BatchRow row_;
 };
@@ -397,9 +394,9 @@ BatchRow failed_row(const Batch& batch, std::size_t index, const std::string& wh
 }
 
 std::optional<BatchRow> export_clip(const Batch& batch, std::size_t index, const fs::path& folder,
-                                    const ExportRights& rights, SharedCharacter& character,
+                                    const ExportRights& rights, SharedCharacters& characters,
                                     const Observer<ClipProgress>& observer) {
-  return Export(batch, index, folder, rights, character, observer).run();
+  return Export(batch, index, folder, rights, characters, observer).run();
 }
 
 }  // namespace mocapress

@@ -8,7 +8,7 @@
 #include "core/base/file_identity.h"
 #include "core/base/progress.h"
 #include "core/batch/row.h"
-#include "core/batch/shared_character.h"
+#include "core/batch/shared_characters.h"
 
 namespace mocapress {
 
@@ -47,7 +47,7 @@ bool still_done(const BatchRow& row, const Batch& batch, const BatchItem& item,
 /// Unset when the observer ended it.
 std::optional<BatchRow> export_clip(const Batch& batch, std::size_t index,
                                     const std::filesystem::path& folder, const ExportRights& rights,
-                                    SharedCharacter& character,
+                                    SharedCharacters& characters,
                                     const Observer<ClipProgress>& observer = {});
 
 }  // namespace mocapress

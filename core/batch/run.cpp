@@ -165,7 +165,7 @@ class Run {
                               .earlier = earlier ? &*earlier : nullptr,
                               .sources = &sources_};
     ClipTime time(options_.clip_seconds);
-    auto row = export_clip(batch_, clip.index, folder_, rights, character_,
+    auto row = export_clip(batch_, clip.index, folder_, rights, characters_,
                            [&](const ClipProgress& progress) {
                              if (time.is_over()) return false;
                              if (!time.without([&] { return control_.may_continue(); }))
@@ -244,7 +244,7 @@ class Run {
   const Observer<BatchProgress>& observer_;
   std::vector<Waiting> queue_;
   std::set<FileIdentity> sources_;
-  SharedCharacter character_;
+  SharedCharacters characters_;
   std::atomic<std::size_t> next_ = 0;
   std::mutex mutex_;  // of what follows, the journal, and the calls out
   BatchCounts counts_;

@@ -6,6 +6,7 @@
 #include <exception>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/base/file.h"
 #include "core/base/json_text.h"
@@ -201,20 +202,65 @@ Character read_character(const path& file) {
   });
 }
 
-void put_character(const path& file, MotionFile& clip) {
-  put_character(read_character(file), file, clip);
+namespace {
+
+/// What the user would wonder about.
+Warnings fit_warnings(const path& file, const Character& character, const Skeleton& skeleton,
+                      const OwnLengths& lengths) {
+  Warnings warnings;
+  const std::vector<std::string> missing =
+      missing_joints(*character.skin, character.skeleton, skeleton);
+  if (!missing.empty())
+    warnings.push_back(
+        {file.string(), 0,
+         "the clip has no joint " + missing.front() +
+             (missing.size() > 1 ? ", nor " + std::to_string(missing.size() - 1) + " more" : "") +
+             ": what hangs there stays in its bind pose"});
+  if (!lengths.bones.empty())
+    warnings.push_back(
+        {file.string(), 0,
+         "has other proportions than the clip, and legs of " +
+             std::to_string(std::lround(100 * lengths.scale)) +
+             " % the length: it is shown with its own bones, and errors are measured "
+             "at the clip's"});
+  return warnings;
 }
 
-void put_character(const Character& character, const path& file, MotionFile& clip) {
-  Skeleton& skeleton = clip.motion.skeleton;
+}  // namespace
+
+std::shared_ptr<const Skin> put_character(const path& file, const Character& character,
+                                          Skeleton& skeleton, Warnings& warnings) {
+  auto bound =
+      std::make_shared<const Skin>(bound_to(*character.skin, character.skeleton, skeleton));
+  measure_on(bound.get(), skeleton);
+  append(fit_warnings(file, character, skeleton, bound->lengths), warnings);
+  append(surface_warnings(file, skeleton), warnings);
+  return bound;
+}
+
+void put_character(const path& file, MotionFile& clip) {
+  const Character character = read_character(file);
   try {
-    clip.skin =
-        std::make_shared<const Skin>(bound_to(*character.skin, character.skeleton, skeleton));
+    clip.skin = put_character(file, character, clip.motion.skeleton, clip.warnings);
   } catch (const Error& error) {
     throw InputError(file.string(), 0, 0, std::string("cannot be put on: ") + error.what());
   }
-  measure_on(clip.skin.get(), skeleton);
-  append(surface_warnings(file, skeleton), clip.warnings);
+}
+
+MotionFile read_motion_of_many(const path& file, const std::optional<path>& skeleton_path,
+                               const ReadOptions& options, const CharacterReader& read) {
+  ReadOptions plain = options;
+  const std::optional<std::string> character = std::exchange(plain.character, std::nullopt);
+  MotionFile clip = read_motion(file, skeleton_path, plain);
+  if (!character) return clip;
+  const auto shared =
+      read ? read(*character) : std::make_shared<const Character>(read_character(*character));
+  try {
+    clip.skin = put_character(*character, *shared, clip.motion.skeleton, clip.warnings);
+  } catch (const Error& error) {
+    clip.warnings.push_back({*character, 0, std::string("is not put on: ") + error.what()});
+  }
+  return clip;
 }
 
 Warnings surface_warnings(const path& file, const Skeleton& skeleton) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -92,10 +93,24 @@ std::vector<std::filesystem::path> files_of_motion(
 Character read_character(const std::filesystem::path& path);
 
 /// Puts a character on the clip in place of its own, if it has one: what it looks like, and what
-/// Weighting::Skin measures. Throws InputError that names the joint that the clip lacks.
+/// Weighting::Skin measures. Says what does not fit. Throws InputError that names a joint that the
+/// clip lacks, where too little of the character would be left.
 void put_character(const std::filesystem::path& character, MotionFile& clip);
-/// The same with a character that was read from `file` before.
-void put_character(const Character& character, const std::filesystem::path& file, MotionFile& clip);
+
+/// The same of a character that was read from `file`. Returns its skin on the joints. Throws Error.
+std::shared_ptr<const Skin> put_character(const std::filesystem::path& file,
+                                          const Character& character, Skeleton& skeleton,
+                                          Warnings& warnings);
+
+/// As read_character(), perhaps parsed before.
+using CharacterReader =
+    std::function<std::shared_ptr<const Character>(const std::filesystem::path& file)>;
+
+/// read_motion() of one of many clips: it keeps what it has where the character does not fit, and
+/// that is a warning. Without `read` a character is parsed for this clip alone.
+MotionFile read_motion_of_many(const std::filesystem::path& path,
+                               const std::optional<std::filesystem::path>& skeleton_path = {},
+                               const ReadOptions& options = {}, const CharacterReader& read = {});
 
 /// What to say where errors are measured elsewhere than on a body around bones: where the mesh of
 /// `file` reaches much further, or no bone has a length.
@@ -112,8 +127,8 @@ std::string motion_bytes(const std::filesystem::path& file, const Motion& motion
 /// source's kind, the unit and root convention that `source` had, unless `options` ask for others.
 /// A glTF has Y up and is in metres, an FBX in centimetres, but where its source was such a file in
 /// another unit. Of `tracks` a .csv and an .fbx have all, a glTF the scales. What had no place is
-/// said. Throws WriteError, also where a file is there and `existing` is Refuse; Error on an unknown
-/// extension.
+/// said. Throws WriteError, also where a file is there and `existing` is Refuse; Error on an
+/// unknown extension.
 Warnings write_motion(const std::filesystem::path& path, const Motion& motion,
                       const std::optional<std::filesystem::path>& skeleton_path = {},
                       const SourceFormat& source = {}, const WriteOptions& options = {},

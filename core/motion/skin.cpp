@@ -6,10 +6,12 @@
 #include <cmath>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <unordered_map>
 
 #include "core/base/error.h"
+#include "core/motion/own_lengths.h"
+#include "core/motion/rig.h"
+#include "core/motion/skin_points.h"
 
 namespace mocapress {
 namespace {
@@ -21,11 +23,7 @@ using Eigen::Vector3d;
 constexpr double kSameDirection = 0.97;  // cosine
 constexpr double kSameAxes = 0.8;        // share of the bones' length that lies the same way
 constexpr double kShortest = 0.1;        // cm, of what has a direction
-
-std::string without_namespace(const std::string& name) {
-  const std::size_t colon = name.rfind(':');
-  return colon == std::string::npos ? name : name.substr(colon + 1);
-}
+constexpr double kLeastCarried = 0.5;    // share of the surface that joints of the clip carry
 
 /// From the joints of one skeleton to those of another; -1: it has none of that name.
 std::vector<int> joints_by_name(const Skeleton& from, const Skeleton& to) {
@@ -39,19 +37,44 @@ std::vector<int> joints_by_name(const Skeleton& from, const Skeleton& to) {
   return joints;
 }
 
-void require_joints(const Skin& skin, const Skeleton& from, const std::vector<int>& joint_in_to) {
-  std::vector<std::string> missing;
-  for (const SkinBone& bone : skin.bones) {
-    const std::string& name = from.joint(bone.joint).name;
-    if (joint_in_to[static_cast<std::size_t>(bone.joint)] < 0 &&
-        std::find(missing.begin(), missing.end(), name) == missing.end())
-      missing.push_back(name);
-  }
+/// Throws Error where joints that `to` lacks carry most of the skin.
+void require_most(const Skin& skin, const Skeleton& from, const Skeleton& to,
+                  const std::vector<int>& joint_in_to) {
+  const auto is_there = [&](int joint) {
+    return joint_in_to[static_cast<std::size_t>(joint)] >= 0;
+  };
+  double carried = 0;
+  const SkinPoints points = points_on(skin);
+  for (const SkinPoint& point : points)
+    for (const SkinPointShare& share : point) carried += is_there(share.joint) ? share.weight : 0;
+  const bool any = std::any_of(skin.bones.begin(), skin.bones.end(),
+                               [&](const SkinBone& bone) { return is_there(bone.joint); });
+  if (any && carried >= kLeastCarried * static_cast<double>(points.size())) return;
+  const std::vector<std::string> missing = missing_joints(skin, from, to);
   if (missing.empty()) return;
   throw Error("the clip has no joint " + missing.front() +
-              (missing.size() > 1 ? ", nor " + std::to_string(missing.size() - 1) +
-                                        " more that the character hangs on"
-                                  : ", which the character hangs on"));
+              (missing.size() > 1 ? ", nor " + std::to_string(missing.size() - 1) + " more" : "") +
+              ": they carry most of the character");
+}
+
+/// Has joints that `to` has carry the whole skin, as it was bound.
+void hold_missing(Skin& skin, const Skeleton& from, const std::vector<int>& joint_in_to) {
+  const std::vector<SkinBone> bones = skin.bones;
+  const auto bone_of = [&](int joint) {
+    return std::find_if(bones.begin(), bones.end(),
+                        [&](const SkinBone& bone) { return bone.joint == joint; });
+  };
+  const auto topmost = std::find_if(bones.begin(), bones.end(), [&](const SkinBone& bone) {
+    return joint_in_to[static_cast<std::size_t>(bone.joint)] >= 0;
+  });
+  for (SkinBone& bone : skin.bones) {
+    // A joint that carries nothing does not say where it was when the skin was bound.
+    int carrier = bone.joint;
+    while (carrier >= 0 &&
+           (joint_in_to[static_cast<std::size_t>(carrier)] < 0 || bone_of(carrier) == bones.end()))
+      carrier = from.joint(carrier).parent;
+    if (carrier != bone.joint) bone = carrier < 0 ? *topmost : *bone_of(carrier);
+  }
 }
 
 /// Whether joints have the same axes in both skeletons: their children lie the same way.
@@ -124,12 +147,13 @@ BoneWeights largest_weights(std::vector<std::pair<std::uint8_t, double>> weights
 }
 
 std::vector<Affine3d> world_from_bind(const Skin& skin, const Pose& pose) {
+  const std::vector<Vector3d> origins = own_origins(skin.lengths, pose);
   std::vector<Affine3d> transforms;
   for (const SkinBone& bone : skin.bones) {
     const auto joint = static_cast<std::size_t>(bone.joint);
     Affine3d world_from_joint = Affine3d::Identity();
     world_from_joint.linear() = pose.world_from_joint[joint];
-    world_from_joint.translation() = pose.origin[joint];
+    world_from_joint.translation() = origins[joint];
     transforms.push_back(world_from_joint * bone.joint_from_bind);
   }
   return transforms;
@@ -150,23 +174,37 @@ std::vector<Vector3d> skinned_positions(const Skin& skin, const Pose& pose) {
   return positions;
 }
 
+std::vector<std::string> missing_joints(const Skin& skin, const Skeleton& from,
+                                        const Skeleton& to) {
+  const std::vector<int> joint_in_to = joints_by_name(from, to);
+  std::vector<std::string> missing;
+  for (const SkinBone& bone : skin.bones) {
+    const std::string& name = from.joint(bone.joint).name;
+    if (joint_in_to[static_cast<std::size_t>(bone.joint)] < 0 &&
+        std::find(missing.begin(), missing.end(), name) == missing.end())
+      missing.push_back(name);
+  }
+  return missing;
+}
+
 Skin bound_to(const Skin& skin, const Skeleton& from, const Skeleton& to) {
   const std::vector<int> joint_in_to = joints_by_name(from, to);
-  require_joints(skin, from, joint_in_to);
-  const bool same_axes = have_same_axes(from, to, joint_in_to);
-  const std::vector<Matrix3d> turns =
-      same_axes ? std::vector<Matrix3d>() : rest_from_bind(skin, from, to, joint_in_to);
+  require_most(skin, from, to, joint_in_to);
   Skin bound = skin;
-  for (SkinBone& bone : bound.bones) {
-    const auto joint = static_cast<std::size_t>(bone.joint);
-    bone.joint = joint_in_to[joint];
-    if (same_axes) continue;
-    // At rest the joints of `to` are turned as the world is.
-    Affine3d from_bind = Affine3d::Identity();
-    from_bind.linear() = turns[joint];
-    from_bind.translation() = -turns[joint] * bone.joint_from_bind.inverse().translation();
-    bone.joint_from_bind = from_bind;
+  hold_missing(bound, from, joint_in_to);
+  if (!have_same_axes(from, to, joint_in_to)) {
+    const std::vector<Matrix3d> turns = rest_from_bind(bound, from, to, joint_in_to);
+    for (SkinBone& bone : bound.bones) {
+      // At rest the joints of `to` are turned as the world is.
+      const Matrix3d& turn = turns[static_cast<std::size_t>(bone.joint)];
+      Affine3d from_bind = Affine3d::Identity();
+      from_bind.linear() = turn;
+      from_bind.translation() = -turn * bone.joint_from_bind.inverse().translation();
+      bone.joint_from_bind = from_bind;
+    }
   }
+  bound.lengths = own_lengths(bound.bones, from, to, joint_in_to);
+  for (SkinBone& bone : bound.bones) bone.joint = joint_in_to[static_cast<std::size_t>(bone.joint)];
   return bound;
 }
 

@@ -29,6 +29,21 @@ struct BoneWeights {
   std::array<float, 4> weights{};
 };
 
+/// A character's own bone lengths on a clip with others. Its joints turn as those of the clip do;
+/// they are where the clip's are in a world that is `scale` times as large, and then further by
+/// what the bones above them are longer or shorter than in that world. So nothing tears, and feet
+/// reach the floor, y = 0.
+struct OwnLengths {
+  struct Bone {
+    int joint;               // of the clip, at the end of the bone
+    int above;               // the joint that the bone begins at; -1: it begins nowhere
+    Eigen::Vector3d longer;  // cm, in the frame of `above`
+  };
+  double scale = 1;  // of the world: length of the legs by that of the clip's
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // cm, on the floor: the world grows around it
+  std::vector<Bone> bones;                           // parents first; empty: the clip's lengths
+};
+
 /// A picture that a mesh has its colours from: a PNG or JPEG as it is in the file.
 struct SkinPicture {
   std::string name;
@@ -54,6 +69,7 @@ struct Skin {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<SkinBone> bones;
   std::vector<std::shared_ptr<const SkinPicture>> pictures;
+  OwnLengths lengths;
 
   bool empty() const { return triangles.empty(); }
 };
@@ -78,7 +94,12 @@ std::vector<Eigen::Vector3d> skinned_positions(const Skin& skin, const Pose& pos
 
 /// The skin on a skeleton that has joints of the same names, whatever stands before a colon in
 /// them. Joints may have other axes, where the rest pose of `to` is about the one in which the skin
-/// was bound (as that of a BVH). Throws Error that names what `to` lacks.
+/// was bound (as that of a BVH). What hangs on joints that `to` lacks stays with the joint above
+/// them, as it was bound. Bones keep their own lengths where these differ. Throws Error that names
+/// what `to` lacks, where that carries most of the skin.
 Skin bound_to(const Skin& skin, const Skeleton& from, const Skeleton& to);
+
+/// Names of the joints in `from` that carry some of the skin and that `to` lacks.
+std::vector<std::string> missing_joints(const Skin& skin, const Skeleton& from, const Skeleton& to);
 
 }  // namespace mocapress

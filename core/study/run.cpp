@@ -30,7 +30,8 @@ class SharedClip {
     const std::lock_guard lock(mutex_);
     if (!clip_ && error_.empty()) {
       try {
-        clip_ = std::make_unique<const LoadedClip>(read_motion(path, plan.skeleton, plan.reading));
+        clip_ = std::make_unique<const LoadedClip>(
+            read_motion_of_many(path, plan.skeleton, plan.reading));
         warnings_ = clip_->warnings();
       } catch (const std::exception& error) {
         error_ = error.what();

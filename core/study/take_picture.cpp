@@ -77,7 +77,7 @@ int worst_frame(const Distortion& distortion) {
 std::optional<Picture> take_picture(const StudyPlan& plan, const std::filesystem::path& path,
                                     const std::vector<std::string>& methods, double ratio,
                                     const Observer<EncodeProgress>& observer) {
-  const LoadedClip clip(read_motion(path, plan.skeleton, plan.reading));
+  const LoadedClip clip(read_motion_of_many(path, plan.skeleton, plan.reading));
   const Skeleton& skeleton = clip.motion().skeleton;
   const int frames = clip.motion().clip.frames();
   Picture picture{.clip = path.string(),

@@ -268,7 +268,7 @@ void Viewport::showFigure(const Parts& parts, const Role& role, const FigureMark
   const std::vector<Capsule> capsules = shape_->posed(*role.tracks, frame, marks);
   if (has_shadow) {
     shadow.setPane(role.placement.pane);
-    shadow.setOffset(offset());
+    shadow.setOffset(as_skin ? aroundSkin() : offset());
     shadow.show(std::span(capsules).last(static_cast<std::size_t>(shape_->partCount())));
   }
   if (as_skin) {
@@ -276,7 +276,7 @@ void Viewport::showFigure(const Parts& parts, const Role& role, const FigureMark
     role.poses(frame, pose);
     skin.setColour(role.skin_colour);
     skin.setPane(role.placement.pane);
-    skin.setOffset(offset());
+    skin.setOffset(skinOffset());
     skin.show(pose, jointCovers(marks, shape_->jointCount(), colours_.alert));
     skin.setGhost(role.placement.ghost);
     skin.setBehind(behindOf(role.placement, 1));
@@ -315,7 +315,7 @@ void Viewport::showPinned() {
       skin.setGhost(placement.ghost);
       skin.setBehind(behind);
       skin.setPane(placement.pane);
-      skin.setOffset(offset());
+      skin.setOffset(skinOffset());
       skin.show(pose, {});
       continue;
     }
@@ -378,6 +378,7 @@ void Viewport::showMarks() {
     if (!shown) marks->hide();
   }
   if (!shown) return;
+  if (hasSkin(compressed_poses_)) scene_->discs().setOffset(aroundSkin());
   scene_->discs().show(footDiscs(contacts_, slides_, *compressed_, frameOf(*compressed_),
                                  kDiscPerSize * shape_->size()));
 }
@@ -419,6 +420,20 @@ QVector3D Viewport::offset() const {
   QVector3D away = landmarkAt(*tracks, 0, root) - landmarkAt(*tracks, frameOf(*tracks), root);
   away.setY(0);
   return away;
+}
+
+QVector3D Viewport::skinOffset() const {
+  return (skin_ ? static_cast<float>(skin_->lengths.scale) : 1.0F) * offset();
+}
+
+QVector3D Viewport::aroundSkin() const {
+  if (!skin_) return offset();
+  const Eigen::MatrixXd& tracks = *leadingTracks();
+  const Eigen::Vector3f centre = skin_->lengths.centre.cast<float>();
+  QVector3D walked = landmarkAt(tracks, frameOf(tracks), shape_->bodyRoot()) -
+                     QVector3D(centre.x(), centre.y(), centre.z());
+  walked.setY(0);
+  return skinOffset() + static_cast<float>(skin_->lengths.scale - 1) * walked;
 }
 
 const Eigen::MatrixXd* Viewport::leadingTracks() const {

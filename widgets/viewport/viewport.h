@@ -165,6 +165,11 @@ class Viewport : public QWidget {
   /// How far everything is moved so that the root stays in its place, cm.
   QVector3D offset() const;
 
+  /// The same for a character whose steps are longer or shorter than the clip's, and for what is
+  /// drawn around it where the clip has it: OwnLengths.
+  QVector3D skinOffset() const;
+  QVector3D aroundSkin() const;
+
   Skeleton skeleton_;
   std::optional<FigureShape> shape_;
   Tracks original_;

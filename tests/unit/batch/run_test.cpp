@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <sstream>
 #include <thread>
@@ -402,6 +403,27 @@ TEST_F(BatchRun, AClipIsReadByItsOwnOptionsWhereItHasAny) {
   item.reading->sample_rate_hz = 25;
   asked.items.replace(1, item);
   EXPECT_EQ(run(asked, {.resumed = true}).counts.kept, 2u);
+}
+
+TEST_F(BatchRun, LeavesACharacterOffClipsThatItDoesNotFitAndSaysSo) {
+  const fs::path samples = fs::path(MOCAPRESS_SOURCE_DIR) / "resources/samples";
+  if (!fs::exists(samples / "character.glb")) GTEST_SKIP() << "no sample character";
+  for (const char* name : {"human.asf", "human_jump.amc"})
+    fs::copy_file(samples / name, folder_ / "in" / name);
+  Batch asked = batch();
+  asked.reading.character = (samples / "character.glb").string();
+  EXPECT_EQ(run(asked).counts.done, 4u);
+  for (const BatchRow& row : rows()) {
+    EXPECT_TRUE(row.done()) << row.error;
+    const bool fits = row.input.ends_with("human_jump.amc");
+    const bool says_not =
+        std::any_of(row.warnings.begin(), row.warnings.end(), [](const std::string& warning) {
+          return warning.find("character.glb: is not put on: the clip has no joint") !=
+                 std::string::npos;
+        });
+    EXPECT_NE(fits, says_not) << row.input;
+    EXPECT_EQ(fits, row.measured->body.skin.has_value()) << row.input;
+  }
 }
 
 TEST_F(BatchRun, ShardsMergedAreAsOneRun) {

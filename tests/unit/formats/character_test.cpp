@@ -108,6 +108,41 @@ TEST_F(Character, IsNotPutOntoJointsOfOtherNames) {
   EXPECT_FALSE(other.skin);
 }
 
+TEST_F(Character, ThatDoesNotFitOneOfManyClipsIsLeftOffAndThatIsSaid) {
+  const auto other = std::filesystem::path(testing::TempDir()) / "of_other_joints.bvh";
+  write_motion(other, test::smooth_motion(10));
+  ReadOptions options;
+  options.character = (folder_ / "character.glb").string();
+  const MotionFile kept = read_motion_of_many(other, {}, options);
+  EXPECT_FALSE(kept.skin);
+  ASSERT_FALSE(kept.warnings.empty());
+  EXPECT_THAT(kept.warnings.back().text(),
+              testing::HasSubstr("character.glb: is not put on: the clip has no joint"));
+  EXPECT_TRUE(read_motion_of_many(folder_ / "human_walk.amc", {}, options).skin);
+  options.character = "gone.glb";
+  EXPECT_THROW(read_motion_of_many(other, {}, options), InputError);
+  std::filesystem::remove(other);
+}
+
+/// As a clip of another body, without its hands.
+TEST_F(Character, SaysWhatTheClipLacksAndThatProportionsDiffer) {
+  MotionFile clip = read_motion(folder_ / "human_walk.amc");
+  Skeleton shorter;
+  for (Joint joint : clip.motion.skeleton.joints()) {
+    joint.offset *= 0.8;
+    if (joint.name == "lhand") joint.name = "mitten";
+    shorter.add(joint);
+  }
+  ASSERT_GE(shorter.find("mitten"), 0);
+  clip.motion.skeleton = shorter;
+  clip.warnings.clear();
+  put_character(folder_ / "character.glb", clip);
+  ASSERT_GE(clip.warnings.size(), 2U);
+  EXPECT_THAT(clip.warnings[0].text(),
+              testing::HasSubstr("character.glb: the clip has no joint lhand: what hangs there"));
+  EXPECT_THAT(clip.warnings[1].text(), testing::HasSubstr("legs of 125 % the length"));
+}
+
 TEST_F(Character, ComesWithoutItsMotion) {
   const auto [skeleton, skin] = read_character(folder_ / "character.fbx");
   EXPECT_EQ(skeleton.joint_count(), 31);

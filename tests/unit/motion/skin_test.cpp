@@ -115,16 +115,49 @@ TEST(Skin, IsBoundToJointsWithOtherAxesByTheirRestPose) {
                 {{0, -10, 2}, {0, -32, 2}, {0, -55, 2}});
 }
 
-TEST(Skin, IsNotBoundToASkeletonWithoutItsJoints) {
-  Skeleton other;
-  Joint shoulder;
-  shoulder.name = "shoulder";
-  other.add(shoulder);
-  try {
-    bound_to(sleeve(), arm(), other);
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("no joint elbow, nor 1 more"));
+/// A mesh on the upper arm and a smaller one on the hand.
+Skin sleeve_and_glove() {
+  Skin skin = sleeve();
+  for (Skin::Vertex& vertex : skin.vertices) vertex.carried_by = {{0}, {1}};
+  skin.vertices[2].in_bind.z() = 12;
+  for (const Eigen::Vector3f& place :
+       {Eigen::Vector3f(55, 0, 0), Eigen::Vector3f(58, 0, 0), Eigen::Vector3f(55, 3, 0)})
+    skin.vertices.push_back({place, {0, 0, 1}, kPlainSkin, {{2}, {1}}});
+  skin.triangles.push_back({3, 4, 5});
+  return skin;
+}
+
+/// As eyes, twist bones and fingers that a clip was recorded without.
+TEST(Skin, StaysAsItWasBoundWhereTheClipLacksAJoint) {
+  Skeleton without_wrist;
+  const Skeleton whole = arm();
+  without_wrist.add(whole.joint(0));
+  without_wrist.add(whole.joint(1));
+  Skin skin = sleeve_and_glove();
+  const Skin bound = bound_to(skin, whole, without_wrist);
+  EXPECT_THAT(missing_joints(skin, whole, without_wrist), ElementsAre("wrist"));
+  const std::vector<Vector3d> places =
+      skinned_positions(bound, pose_of(without_wrist, 0, std::numbers::pi / 2));
+  EXPECT_LT((places[3] - Vector3d(30, 25, 0)).norm(), kPlace);
+  EXPECT_LT((places[5] - Vector3d(27, 25, 0)).norm(), kPlace);
+}
+
+TEST(Skin, IsNotBoundWhereMostOfItWouldHangOnMissingJoints) {
+  Skeleton only_wrist;
+  Joint wrist;
+  wrist.name = "wrist";
+  only_wrist.add(wrist);
+  Skeleton stranger;
+  Joint hips;
+  hips.name = "hips";
+  stranger.add(hips);
+  for (const Skeleton& other : {only_wrist, stranger}) {
+    try {
+      bound_to(sleeve_and_glove(), arm(), other);
+      ADD_FAILURE();
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), HasSubstr("no joint shoulder, nor "));
+    }
   }
 }
 

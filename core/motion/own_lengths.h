@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/motion/skin.h"
+
+namespace mocapress {
+
+/// By how much the bones between joints that carry a skin are longer than those of `to`. `bones`
+/// are those of the skin, with joints of `from`, in the axes of `to`. Without bones where no length
+/// differs.
+OwnLengths own_lengths(const std::vector<SkinBone>& bones, const Skeleton& from, const Skeleton& to,
+                       const std::vector<int>& joint_in_to);
+
+/// Where the joints of a character are in a pose of the clip, cm.
+std::vector<Eigen::Vector3d> own_origins(const OwnLengths& lengths, const Pose& pose);
+
+}  // namespace mocapress
