@@ -228,8 +228,16 @@
         <translation>&amp;Habiller d’un personnage…</translation>
     </message>
     <message>
-        <source>Show the clip with the skin of an FBX or glTF that has joints of its names</source>
-        <translation>Montrer le clip avec la peau d’un FBX ou glTF dont les articulations portent les mêmes noms</translation>
+        <source>Show the clip, and all clips of its rig, with the skin of an FBX or glTF that has joints of its names</source>
+        <translation>Montrer le clip, et tous les clips de son squelette, avec la peau d’un FBX ou glTF dont les articulations portent les mêmes noms</translation>
+    </message>
+    <message>
+        <source>Ta&amp;ke Its Character Off</source>
+        <translation>Retirer son personn&amp;age</translation>
+    </message>
+    <message>
+        <source>Show the clip, and all clips of its rig, as their files say</source>
+        <translation>Montrer le clip, et tous les clips de son squelette, comme leurs fichiers le disent</translation>
     </message>
     <message>
         <source>Angle Scale</source>
@@ -942,8 +950,8 @@
         <translation>Personnage sur tous les clips : %1</translation>
     </message>
     <message>
-        <source>The mesh of an FBX or glTF that is put on every clip: errors are measured on it, and the weighting Skin compresses by it. A clip that lacks one of its joints fails, and says so.</source>
-        <translation>Le maillage d’un FBX ou d’un glTF, mis sur chaque clip : les erreurs y sont mesurées, et la pondération Peau compresse d’après lui. Un clip auquel manque une de ses articulations échoue, et le dit.</translation>
+        <source>The mesh of an FBX or glTF that is put on every clip that it fits: errors are measured on it, and the weighting Skin compresses by it. Other clips keep what they have, and the report says so.</source>
+        <translation>Le maillage d’un FBX ou d’un glTF, mis sur chaque clip auquel il va : les erreurs y sont mesurées, et la pondération Peau compresse d’après lui. Les autres clips gardent ce qu’ils ont, et le rapport le dit.</translation>
     </message>
 </context>
 <context>

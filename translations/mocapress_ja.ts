@@ -228,8 +228,16 @@
         <translation>キャラクターを適用(&amp;H)…</translation>
     </message>
     <message>
-        <source>Show the clip with the skin of an FBX or glTF that has joints of its names</source>
-        <translation>同じ名前の関節を持つ FBX または glTF のスキンでクリップを表示します</translation>
+        <source>Show the clip, and all clips of its rig, with the skin of an FBX or glTF that has joints of its names</source>
+        <translation>このクリップと、同じリグのすべてのクリップを、同じ名前の関節を持つ FBX または glTF のスキンで表示します</translation>
+    </message>
+    <message>
+        <source>Ta&amp;ke Its Character Off</source>
+        <translation>キャラクターを外す(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Show the clip, and all clips of its rig, as their files say</source>
+        <translation>このクリップと、同じリグのすべてのクリップを、それぞれのファイルのとおりに表示します</translation>
     </message>
     <message>
         <source>Angle Scale</source>
@@ -933,8 +941,8 @@
         <translation>すべてのクリップのキャラクター：%1</translation>
     </message>
     <message>
-        <source>The mesh of an FBX or glTF that is put on every clip: errors are measured on it, and the weighting Skin compresses by it. A clip that lacks one of its joints fails, and says so.</source>
-        <translation>すべてのクリップに着せる、FBX または glTF のメッシュ。誤差はその上で測られ、重み付け「スキン」はそれに従って圧縮します。その関節を欠くクリップは失敗し、その旨が示されます。</translation>
+        <source>The mesh of an FBX or glTF that is put on every clip that it fits: errors are measured on it, and the weighting Skin compresses by it. Other clips keep what they have, and the report says so.</source>
+        <translation>合うクリップすべてに着せる、FBX または glTF のメッシュ。誤差はその上で測られ、重み付け「スキン」はそれに従って圧縮します。ほかのクリップは元のままで、レポートにその旨が示されます。</translation>
     </message>
 </context>
 <context>

@@ -12,6 +12,7 @@
 #include "core/formats/motion_file.h"
 #include "core/motion/body.h"
 #include "core/motion/landmarks.h"
+#include "core/motion/rig.h"
 #include "core/motion/skin.h"
 
 namespace mocapress {
@@ -95,6 +96,7 @@ ClipOutline outlineOf(const Motion& motion, const Skin* skin) {
   ClipOutline outline;
   outline.frames = motion.clip.frames();
   outline.sample_rate_hz = motion.clip.sample_rate_hz;
+  outline.rig = rig_of(motion.skeleton);
   if (outline.frames == 0) return outline;
   Clip shown;
   shown.channels = motion.clip.channels.row(outline.frames / 2);

@@ -4,7 +4,9 @@
 #include <QImage>
 #include <QLineF>
 #include <QList>
+#include <QString>
 #include <QStringList>
+#include <string>
 
 #include "core/formats/motion_file.h"
 
@@ -14,6 +16,7 @@ namespace mocapress {
 struct ClipOutline {
   int frames = 0;
   double sample_rate_hz = 0;
+  std::string rig;      // rig_of() its skeleton
   QList<QLineF> bones;  // of a pose, in a square from 0 to 1, y down
   QImage skin;          // of the same pose; null: the clip has none
   QStringList notes;    // what the reader repaired or guessed

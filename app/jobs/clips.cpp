@@ -151,14 +151,15 @@ DecodedPtr measuredAgain(const DecodedClip& decoded, const OriginalClip& origina
 
 Warnings dress(Skeleton& skeleton, const PutCharacter& put, const Skin* own) {
   measure_on(own, skeleton);
-  const auto& [skeleton_of_it, skin] = put.character;
-  if (!skin) return {};
+  if (!put.character.skin) return {};
+  const std::filesystem::path file = put.path.toStdU16String();
   try {
-    const Skin bound = bound_to(*skin, skeleton_of_it, skeleton);
-    measure_on(&bound, skeleton);
-    return surface_warnings(put.path.toStdU16String(), skeleton);
-  } catch (const Error&) {
-    return {};  // It is of other joints: the clip keeps its own.
+    Warnings warnings;
+    put_character(file, put.character, skeleton, warnings);
+    return warnings;
+  } catch (const Error& error) {
+    // The clip keeps its own.
+    return {{file.string(), 0, std::string("is not put on: ") + error.what()}};
   }
 }
 
@@ -166,10 +167,7 @@ OriginalPtr dressed(const OriginalClip& original, const PutCharacter& character)
   OriginalClip result = original;
   Motion motion = original.motion();
   result.of_character = dress(motion.skeleton, character, original.skin.get());
-  if (character.character.skin)
-    result.character = character.path;
-  else
-    result.character.clear();
+  result.character = character.path;
   result.encoder = std::make_shared<const Encoder>(std::move(motion));
   result.encoder->original_tracks();
   result.encoder->contacts();

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "app/jobs/characters.h"
 #include "app/jobs/clip_outline.h"
 #include "core/base/error.h"
 #include "core/batch/row.h"
@@ -28,12 +29,6 @@ using Poses = std::function<void(int frame, Pose& pose)>;
 
 /// World positions as landmark_tracks() gives them: frames x 3 * landmarks, cm.
 using Tracks = std::shared_ptr<const Eigen::MatrixXd>;
-
-/// What was put on clips, and the file it came from.
-struct PutCharacter {
-  Character character;
-  QString path;  // empty: none was
-};
 
 /// A motion as read from a file, ready to be compressed.
 struct OriginalClip {

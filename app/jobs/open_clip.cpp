@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #include "app/jobs/clip_sources.h"
 #include "core/codec/format/source_section.h"
@@ -19,36 +20,28 @@ std::filesystem::path toPath(const QString& path) {
   return path.toStdU16String();
 }
 
-OpenedClip openCompressed(const OpenRequest& request) {
+OpenedClip openCompressed(OpenRequest& request) {
   OpenedMcpr opened = open_mcpr(toPath(request.path));
   const bool together =
       request.original && comparable(request.original->motion(), opened.compressed);
   const OriginalPtr original = together ? request.original : nullptr;
+  if (!original) readCharacterOn(request.characters, opened.compressed.skeleton);
   return {original,
           decodedClip(std::move(opened), original.get(), load_source(toPath(request.path)))};
 }
 
-PutCharacter characterOf(const OpenRequest& request) {
-  PutCharacter put = request.character;
-  if (put.path.isEmpty() || put.character.skin) return put;
-  try {
-    put.character = read_character(toPath(put.path));
-  } catch (const Error&) {
-    // Session::recallCharacter() says why not.
-  }
-  return put;
-}
-
-OriginalPtr readOriginal(const OpenRequest& request) {
+OriginalPtr readOriginal(OpenRequest& request) {
   const ReadOptions reading = request.reading.value_or(ReadOptions());
   const bool is_open = request.original && request.original->path == request.path;
   const SourceNow now =
       lookAt({request.path, request.skeleton, is_open ? request.original->stamp : InputStamp()});
   if (is_open && request.original->reading == reading &&
-      request.original->stamp.hash == now.stamp.hash)
-    return request.original->character == request.character.path
-               ? request.original
-               : dressed(*request.original, characterOf(request));
+      request.original->stamp.hash == now.stamp.hash) {
+    const PutCharacter put =
+        readCharacterOn(request.characters, request.original->motion().skeleton);
+    return request.original->character == put.path ? request.original
+                                                   : dressed(*request.original, put);
+  }
   std::optional<std::filesystem::path> skeleton;
   if (!request.skeleton.isEmpty()) skeleton = toPath(request.skeleton);
   MotionFile file = read_motion(toPath(request.path), skeleton, reading);
@@ -66,17 +59,16 @@ OriginalPtr readOriginal(const OpenRequest& request) {
   original.scalars = std::move(file.tracks);
   // Here, off the GUI thread, and not where they are first shown.
   original.outline = outlineOf(file.motion, original.skin.get());
-  if (const PutCharacter put = characterOf(request); put.character.skin) {
-    original.character = put.path;
-    original.of_character = dress(file.motion.skeleton, put, original.skin.get());
-  }
+  const PutCharacter put = readCharacterOn(request.characters, file.motion.skeleton);
+  original.character = put.path;
+  original.of_character = dress(file.motion.skeleton, put, original.skin.get());
   original.encoder = std::make_shared<const Encoder>(std::move(file.motion));
   original.encoder->original_tracks();
   original.encoder->contacts();
   return std::make_shared<const OriginalClip>(std::move(original));
 }
 
-OpenedClip openOriginal(const OpenRequest& request) {
+OpenedClip openOriginal(OpenRequest& request) {
   const OriginalPtr original = readOriginal(request);
   const bool together =
       request.decoded && comparable(original->motion(), request.decoded->compressed);
@@ -90,7 +82,7 @@ OpenedClip openOriginal(const OpenRequest& request) {
 }
 
 /// The clip as a comparison method leaves it.
-OpenedClip openCompared(const OpenRequest& request, const Job& job) {
+OpenedClip openCompared(OpenRequest& request, const Job& job) {
   const OriginalPtr original = readOriginal(request);
   const CompressionMethod* compression_method = find_compression_method(request.comparison);
   if (!compression_method) throw Error("there is no method \"" + request.comparison + "\"");
@@ -129,8 +121,12 @@ OpenRequest requestOf(const StudyRow& row) {
 }
 
 OpenedClip openClip(const OpenRequest& request, const Job& job) {
-  if (!request.comparison.empty()) return openCompared(request, job);
-  return isCompressedFile(request.path) ? openCompressed(request) : openOriginal(request);
+  OpenRequest with_character = request;
+  OpenedClip opened = !request.comparison.empty()      ? openCompared(with_character, job)
+                      : isCompressedFile(request.path) ? openCompressed(with_character)
+                                                       : openOriginal(with_character);
+  opened.characters = std::move(with_character.characters);
+  return opened;
 }
 
 }  // namespace mocapress

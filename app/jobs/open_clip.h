@@ -23,7 +23,7 @@ struct OpenRequest {
 
   /// By what to compress it; unset: as the last clip was.
   std::optional<EncodeOptions> options;
-  PutCharacter character;  // to put on it; a path alone: it is read, and none if it cannot be
+  Characters characters;               // one of them is put on it, and read where it was not
   std::optional<ReadOptions> reading;  // of a motion; unset: as the clip was read last
   std::string comparison;  // of a motion: the comparison method to show, by `options`; else empty
 };
@@ -32,6 +32,7 @@ struct OpenRequest {
 struct OpenedClip {
   OriginalPtr original;
   DecodedPtr decoded;
+  Characters characters = {};  // of the request, with what was read of them
 };
 
 /// What opens the clip of a row of a study as it is compressed there.

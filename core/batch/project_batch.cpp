@@ -2,6 +2,7 @@
 #include "core/batch/project_batch.h"
 
 #include <algorithm>
+#include <map>
 
 #include "core/base/error.h"
 #include "core/batch/format_options_json.h"
@@ -48,7 +49,24 @@ std::size_t index_of(const Settings& settings, std::vector<Settings>& presets) {
   return index;
 }
 
-void add_clip(Batch& batch, const Json& json, const fs::path& folder, std::string_view pattern) {
+/// By the rigs of clips; that of "" is on all others. An older project had one for all.
+std::map<std::string, std::string> characters_in(const Json& json, const fs::path& folder) {
+  std::map<std::string, std::string> characters;
+  characters.emplace("", path_at(json, "character", folder));
+  if (const auto by_rig = json.find("characters"); by_rig != json.end())
+    for (const auto& [rig, path] : by_rig->items())
+      characters[rig] = path_at(*by_rig, rig.c_str(), folder);
+  return characters;
+}
+
+/// Empty: the clip has its own.
+std::string character_on(const Json& clip, const std::map<std::string, std::string>& characters) {
+  const auto found = characters.find(clip.value("rig", ""));
+  return found == characters.end() ? characters.at("") : found->second;
+}
+
+void add_clip(Batch& batch, const Json& json, const fs::path& folder,
+              const std::map<std::string, std::string>& characters, std::string_view pattern) {
   const std::string path = path_at(json, "path", folder);
   if (path.empty()) throw Error("has a clip without a path");
   std::size_t preset = 0;
@@ -61,6 +79,11 @@ void add_clip(Batch& batch, const Json& json, const fs::path& folder, std::strin
   if (const auto reading = json.find("reading"); reading != json.end()) {
     item.reading = format_options(*reading);
     item.reading->character = batch.reading.character;
+  }
+  if (const std::string character = character_on(json, characters);
+      !character.empty() && !batch.reading.character) {
+    if (!item.reading) item.reading = batch.reading;
+    item.reading->character = character;
   }
   item.review = review_from(json);
   batch.items.replace(last, item);
@@ -82,11 +105,9 @@ void add_project(Batch& batch, const std::string& file, const std::string& text,
       throw Error("is not a project");
     if (json.value("version", 0) > kNewestProject)
       throw Error("was saved by a newer version of Mocapress");
-    if (const std::string character = path_at(json, "character", folder);
-        !character.empty() && !batch.reading.character)
-      batch.reading.character = character;
+    const std::map<std::string, std::string> characters = characters_in(json, folder);
     if (const auto clips = json.find("clips"); clips != json.end())
-      for (const Json& clip : *clips) add_clip(batch, clip, folder, pattern);
+      for (const Json& clip : *clips) add_clip(batch, clip, folder, characters, pattern);
   } catch (const Json::exception& error) {
     throw InputError(file, 0, 0, std::string("is not a project: ") + error.what());
   } catch (const Error& error) {

@@ -491,15 +491,51 @@ TEST_F(BatchInTheStudio, PutsItsCharacterOnEveryClip) {
   EXPECT_EQ(session_.settings().character, dressed.character);
 }
 
-TEST_F(BatchInTheStudio, TakesOverTheCharacterThatClipsWereTunedOn) {
-  session_.addTuned({{path("clip0.bvh"), {}, {}}}, {});
+TEST_F(BatchInTheStudio, KeepsTheCharacterThatEachClipWasTunedOn) {
+  const std::string samples = MOCAPRESS_SOURCE_DIR "/resources/samples/";
+  if (!QFile::exists(QString::fromStdString(samples + "character.glb"))) GTEST_SKIP();
+  const auto tuned = [&](const char* clip, const std::optional<std::string>& character) {
+    return TunedClip{QString::fromStdString(samples + clip), {}, {}, {.character = character}};
+  };
+  const auto reading = [&](int row) {
+    return session_.queue()->clips()[static_cast<std::size_t>(row)].reading;
+  };
+  const std::string human = samples + "character.glb";
+  session_.addTuned({tuned("human_walk.amc", human), tuned("human_run.amc", {})});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session_.queue()->rowCount() == 2; }, kPatience));
   EXPECT_TRUE(session_.settings().character.isEmpty());
-  session_.addTuned({{path("clip0.bvh"), {}, {}}}, path("hero.glb"));
-  EXPECT_EQ(session_.settings().character, path("hero.glb"));
-  session_.addTuned({{path("clip1.bvh"), {}, {}}}, path("other.glb"));
-  EXPECT_EQ(session_.settings().character, path("hero.glb"));
-  session_.undo();
-  EXPECT_TRUE(session_.settings().character.isEmpty());
+  EXPECT_EQ(reading(0).character, human);
+  EXPECT_FALSE(reading(1).character);
+
+  const QDir folder(QString::fromStdString(samples));
+  const RememberedBatch moved =
+      batchFrom(toJson(session_.remembered(), folder), QDir(QStringLiteral("/elsewhere")));
+  EXPECT_EQ(moved.clips[0].reading.character, "/elsewhere/character.glb");
+
+  session_.setSettings({.folder = path("out")});
+  session_.setCommon(
+      {.name = "rough", .weighting = Weighting::Skin, .target = {Target::Kind::Error, 2}});
+  session_.start();
+  ASSERT_TRUE(waitForEnd());
+  EXPECT_EQ(count(ClipState::Done), 1);
+  EXPECT_EQ(count(ClipState::Failed), 1);
+}
+
+/// Clips of several rigs in one queue.
+TEST_F(BatchInTheStudio, LeavesACharacterOffClipsThatItDoesNotFitAndSaysSo) {
+  const QString samples = QStringLiteral(MOCAPRESS_SOURCE_DIR "/resources/samples/");
+  if (!QFile::exists(samples + QStringLiteral("character.glb"))) GTEST_SKIP() << "no character";
+  addClips(1);
+  session_.setSettings(
+      {.character = samples + QStringLiteral("character.glb"), .folder = path("out")});
+  QStringList warnings;
+  QObject::connect(&session_, &BatchSession::exported, &session_, [&](int, const BatchStep& step) {
+    for (const std::string& warning : step.warnings) warnings << QString::fromStdString(warning);
+  });
+  session_.start();
+  ASSERT_TRUE(waitForEnd());
+  EXPECT_EQ(count(ClipState::Done), 1);
+  EXPECT_EQ(warnings.filter(QStringLiteral("character.glb: is not put on")).size(), 1);
 }
 
 TEST_F(BatchInTheStudio, WhileItRunsClipsAreRefusedAloud) {

@@ -32,6 +32,25 @@ class CharacterSession : public testing::Test {
     ASSERT_TRUE(opened.wait(kPatience));
   }
 
+  void put(const char* name) {
+    QSignalSpy put(&session_, &Session::characterPut);
+    session_.putCharacter(sample(name));
+    ASSERT_TRUE(put.wait(kPatience));
+  }
+
+  /// A clip of another rig that has all that the sample character hangs on, and a tail.
+  QString clipOfAnotherRig() const {
+    MotionFile walk = read_motion(sample("human_walk.amc").toStdU16String());
+    Joint tail;
+    tail.name = "tail";
+    tail.parent = 0;
+    tail.offset = {0, 0, -20};
+    walk.motion.skeleton.add(tail);
+    const QString path = folder_.filePath(QStringLiteral("tail.amc"));
+    write_motion(path.toStdU16String(), walk.motion);
+    return path;
+  }
+
   QTemporaryDir folder_;
   Session session_;
   Document& document_ = session_.document();
@@ -54,7 +73,7 @@ TEST_F(CharacterSession, PutsACharacterOnAClipWithoutOne) {
   const SkinBone& bone = document_.skin()->bones.front();
   EXPECT_LT(bone.joint, document_.skeleton()->joint_count());
 
-  // It stays for the next clip with such joints, and not for others.
+  // It stays for the next clip of the rig, and not for others.
   open(sample("human_run.amc"));
   EXPECT_TRUE(document_.skin());
   const QString other = folder_.filePath(QStringLiteral("other.bvh"));
@@ -73,6 +92,76 @@ TEST_F(CharacterSession, PuttingOneOnIsUndone) {
   EXPECT_TRUE(document_.character().path.isEmpty());
   session_.history()->redo();
   EXPECT_TRUE(document_.skin());
+}
+
+TEST_F(CharacterSession, BelongsToTheClipsOfARig) {
+  open(clipOfAnotherRig());
+  ASSERT_FALSE(document_.skin());
+  open(sample("human_walk.amc"));
+  put("character.glb");
+  // It would fit, but nobody put it on this one.
+  open(clipOfAnotherRig());
+  EXPECT_FALSE(document_.skin());
+  EXPECT_TRUE(document_.character().path.isEmpty());
+  put("character.fbx");
+  ASSERT_TRUE(document_.skin());
+  // The other rig keeps its own.
+  open(sample("human_run.amc"));
+  EXPECT_EQ(QFileInfo(document_.character().path).fileName(), QStringLiteral("character.glb"));
+  open(clipOfAnotherRig());
+  EXPECT_EQ(QFileInfo(document_.character().path).fileName(), QStringLiteral("character.fbx"));
+}
+
+TEST_F(CharacterSession, PuttingOneOnIsUndoneAfterAnotherClipWasOpen) {
+  open(sample("human_walk.amc"));
+  put("character.glb");
+  open(sample("human_run.amc"));
+  EXPECT_TRUE(document_.skin());
+  open(sample("human_walk.amc"));
+  ASSERT_TRUE(session_.history()->canUndo());
+  session_.history()->undo();
+  EXPECT_FALSE(document_.skin());
+  session_.history()->redo();
+  EXPECT_TRUE(document_.skin());
+}
+
+TEST_F(CharacterSession, IsTakenOffAndThatIsUndone) {
+  open(sample("human_walk.amc"));
+  put("character.glb");
+  session_.takeCharacterOff();
+  EXPECT_FALSE(document_.skin());
+  open(sample("human_run.amc"));
+  EXPECT_FALSE(document_.skin());
+  open(sample("human_walk.amc"));
+  session_.history()->undo();
+  EXPECT_TRUE(document_.skin());
+}
+
+TEST_F(CharacterSession, SaysWhatTheClipLacksAndKeepsItsOwnBones) {
+  MotionFile walk = read_motion(sample("human_walk.amc").toStdU16String());
+  Skeleton shorter;
+  for (Joint joint : walk.motion.skeleton.joints()) {
+    joint.offset *= 0.8;
+    if (joint.name == "lhand") joint.name = "mitten";
+    shorter.add(joint);
+  }
+  walk.motion.skeleton = shorter;
+  const QString path = folder_.filePath(QStringLiteral("shorter.amc"));
+  write_motion(path.toStdU16String(), walk.motion);
+  open(path);
+  put("character.glb");
+  ASSERT_TRUE(document_.skin());
+  EXPECT_NEAR(document_.skin()->lengths.scale, 1.25, 0.01);
+  // It walks from where the clip begins.
+  Pose pose;
+  document_.original()->poses()(0, pose);
+  EXPECT_NEAR(document_.skin()->lengths.centre.x(), pose.origin[0].x(), 1e-6);
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return document_.original()->of_character.size() >= 2; }, kPatience));
+  EXPECT_NE(document_.original()->of_character[0].message.find("no joint lhand"),
+            std::string::npos);
+  EXPECT_NE(document_.original()->of_character[1].message.find("other proportions"),
+            std::string::npos);
 }
 
 TEST_F(CharacterSession, SaysWhereItsMeshReachesFarFromTheBones) {
@@ -169,16 +258,45 @@ TEST_F(CharacterSession, ComesBackWithItsProject) {
   EXPECT_EQ(session.document().options().weighting, Weighting::Skin);
   EXPECT_TRUE(session.document().skeleton()->skin());
 
+  // The clips go into a batch with it.
+  const std::vector<TunedClip> tuned = library.tuned({});
+  ASSERT_EQ(tuned.size(), 1u);
+  EXPECT_EQ(tuned[0].reading.character,
+            QFileInfo(sample("character.glb")).absoluteFilePath().toStdString());
+
   // Another project has none.
   ASSERT_TRUE(library.startNew());
   EXPECT_TRUE(session.document().character().path.isEmpty());
   EXPECT_TRUE(library.showsSkin());
 }
 
+/// As of a project that was saved when all its clips had one character.
+TEST_F(CharacterSession, OfAnOlderProjectIsOnTheClipsItFits) {
+  const QString project = folder_.filePath(QStringLiteral("walkers.mocapress"));
+  Project kept;
+  kept.characters = {{"", sample("character.glb")}};
+  kept.clips = {{.path = sample("human_walk.amc")}};
+  kept.current = kept.clips[0].path;
+  writeProject(project, kept);
+  LibraryModel model;
+  Library library(&session_, &model);
+  QSignalSpy settled(&session_, &Session::settled);
+  ASSERT_TRUE(library.open(project));
+  ASSERT_TRUE(settled.wait(kPatience));
+  EXPECT_TRUE(document_.skin());
+  const QString other = folder_.filePath(QStringLiteral("other.bvh"));
+  write_motion(other.toStdU16String(), test::smooth_motion(40));
+  open(other);
+  EXPECT_FALSE(document_.skin());
+  ASSERT_EQ(document_.original()->of_character.size(), 1u);
+  EXPECT_NE(document_.original()->of_character[0].message.find("is not put on: the clip has no"),
+            std::string::npos);
+}
+
 TEST_F(CharacterSession, WhoseFileIsGoneIsSaidOnceAndStaysTheProjects) {
   const QString project = folder_.filePath(QStringLiteral("walkers.mocapress"));
   Project kept;
-  kept.character = folder_.filePath(QStringLiteral("gone.glb"));
+  kept.characters = {{"", folder_.filePath(QStringLiteral("gone.glb"))}};
   kept.clips = {{.path = sample("human_walk.amc")}};
   kept.current = kept.clips[0].path;
   writeProject(project, kept);
@@ -191,7 +309,9 @@ TEST_F(CharacterSession, WhoseFileIsGoneIsSaidOnceAndStaysTheProjects) {
   ASSERT_EQ(failed.count(), 1);
   EXPECT_TRUE(failed.front().front().toString().contains(QStringLiteral("gone.glb")));
   EXPECT_FALSE(document_.skin());
-  EXPECT_EQ(library.project().character, kept.character);
+  EXPECT_EQ(library.project().characters, kept.characters);
+  open(sample("human_run.amc"));
+  EXPECT_EQ(failed.count(), 1);
 }
 
 TEST_F(CharacterSession, SaysInOneSentenceWhichJointsAClipLacks) {

@@ -57,16 +57,27 @@ TEST(ProjectFile, RemembersHowEachClipIsToBeRead) {
   EXPECT_EQ(back.clips[1].reading, ReadOptions());
 }
 
-TEST(ProjectFile, RemembersTheCharacterAndWhetherItIsShown) {
+TEST(ProjectFile, RemembersTheCharacterOfEachRigAndWhetherItIsShown) {
   const QDir folder(QStringLiteral("/motions"));
   Project project;
   EXPECT_TRUE(parseProject(projectText(project, folder), folder).shows_skin);
-  project.character = QStringLiteral("/motions/knight.fbx");
+  project.characters = {{"aa", QStringLiteral("/motions/knight.fbx")}, {"bb", QString()}};
+  project.clips = {{.path = QStringLiteral("/motions/walk.bvh"), .rig = "aa"}};
   project.shows_skin = false;
   const Project moved =
       parseProject(projectText(project, folder), QDir(QStringLiteral("/elsewhere")));
-  EXPECT_EQ(moved.character, QStringLiteral("/elsewhere/knight.fbx"));
+  const CharacterFiles characters{{"aa", QStringLiteral("/elsewhere/knight.fbx")},
+                                  {"bb", QString()}};
+  EXPECT_EQ(moved.characters, characters);
+  EXPECT_EQ(moved.clips.at(0).rig, "aa");
   EXPECT_FALSE(moved.shows_skin);
+}
+
+TEST(ProjectFile, WithOneCharacterForAllClipsStillOpens) {
+  const Project project = parseProject(
+      R"({"format": "mocapress-project", "version": 1, "character": "knight.fbx", "clips": []})",
+      QDir(QStringLiteral("/motions")));
+  EXPECT_EQ(characterFile(project.characters, "aa"), QStringLiteral("/motions/knight.fbx"));
 }
 
 TEST(ProjectFile, OfBeforeThereWerePinsStillOpens) {

@@ -29,8 +29,10 @@ void CharacterChoice::setPath(const QString& path) {
   file_->setText(path.isEmpty() ? tr("Each clip's own") : QFileInfo(path).fileName());
   file_->setAccessibleName(tr("Character on all clips: %1").arg(file_->text()));
   const QString why = tr(
-      "The mesh of an FBX or glTF that is put on every clip: errors are measured on it, and the "
-      "weighting Skin compresses by it. A clip that lacks one of its joints fails, and says so.");
+      "The mesh of an FBX or glTF that is put on every clip that it fits: errors are measured on "
+      "it, and the weighting Skin compresses by it. Other clips keep what they have, and the "
+      "report "
+      "says so.");
   file_->setToolTip(path.isEmpty() ? QStringLiteral("<p>%1</p>").arg(why)
                                    : QStringLiteral("<p>%1</p><p>%2</p>")
                                          .arg(QDir::toNativeSeparators(path).toHtmlEscaped(), why));

@@ -8,7 +8,7 @@ class QToolButton;
 
 namespace mocapress {
 
-/// The file of a character that is put on every clip, or none.
+/// The file of a character that is put on every clip that it fits, or none.
 class CharacterChoice : public QWidget {
   Q_OBJECT
 

@@ -9,12 +9,6 @@
 namespace mocapress {
 namespace {
 
-Json toJson(const ReadOptions& reading) {
-  Json json = Json::object();
-  put(json, reading);
-  return json;
-}
-
 /// Relative to the folder, so that a project can be moved with its files. Empty stays empty.
 std::string relative(const QString& path, const QDir& folder) {
   return path.isEmpty() ? std::string() : folder.relativeFilePath(path).toStdString();
@@ -29,11 +23,18 @@ QString absoluteAt(const Json& json, const char* key, const QDir& folder) {
   return path.isEmpty() ? path : QDir::cleanPath(folder.absoluteFilePath(path));
 }
 
+Json toJson(ReadOptions reading, const QDir& folder) {
+  if (reading.character) reading.character = relative(*reading.character, folder);
+  Json json = Json::object();
+  put(json, reading);
+  return json;
+}
+
 Json toJson(const QueuedClip& clip, const QDir& folder) {
   Json json{{"path", relative(clip.source.path, folder)},
             {"folder", clip.source.folder},
             {"skeleton", relative(clip.skeleton, folder)},
-            {"reading", toJson(clip.reading)},
+            {"reading", toJson(clip.reading, folder)},
             {"left_out", clip.left_out},
             {"preset", clip.own ? to_json(*clip.own) : Json()}};
   put(json, clip.review);
@@ -46,6 +47,8 @@ QueuedClip clipFrom(const Json& json, const QDir& folder) {
   clip.source.folder = json.at("folder").get<std::string>();
   clip.skeleton = absoluteAt(json, "skeleton", folder).toStdString();
   clip.reading = format_options(json.at("reading"));
+  if (clip.reading.character)
+    clip.reading.character = absoluteAt(json.at("reading"), "character", folder).toStdString();
   clip.review = review_from(json);
   clip.left_out = json.at("left_out").get<bool>();
   if (const Json& own = json.at("preset"); !own.is_null()) clip.own = preset_from(own);

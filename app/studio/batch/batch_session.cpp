@@ -35,7 +35,7 @@ bool namesJoints(const Settings& preset) {
 Motion motionOf(const TunedClip& clip) {
   std::optional<std::filesystem::path> skeleton;
   if (!clip.skeleton.isEmpty()) skeleton = pathOf(clip.skeleton);
-  return read_motion(pathOf(clip.path), skeleton, clip.reading).motion;
+  return read_motion_of_many(pathOf(clip.path), skeleton, clip.reading).motion;
 }
 
 /// As it waits in the queue. A clip that cannot be read is found out by the batch.
@@ -148,12 +148,8 @@ void BatchSession::addClips(const QStringList& paths) {
 }
 
 /// What settings name may not be in the files any more.
-void BatchSession::addTuned(const std::vector<TunedClip>& clips, const QString& character) {
+void BatchSession::addTuned(const std::vector<TunedClip>& clips) {
   if (refused()) return;
-  if (BatchSettings dressed = settings_; dressed.character.isEmpty()) {
-    dressed.character = character;
-    setSettings(dressed);
-  }
   to_fit_.insert(to_fit_.end(), clips.begin(), clips.end());
   fitting_.start(
       [clips = to_fit_](const Job&) {
@@ -326,7 +322,7 @@ Batch BatchSession::batch() const {
     item.review = clip.review;
     if (clip.reading != ReadOptions()) {
       item.reading = clip.reading;
-      item.reading->character = batch.reading.character;
+      if (batch.reading.character) item.reading->character = batch.reading.character;
     }
     batch.items.replace(batch.items.size() - 1, item);
   }

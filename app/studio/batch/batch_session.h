@@ -65,10 +65,10 @@ class BatchSession : public QObject {
   /// Files, and folders for all clips below them. While it runs, none: noted().
   void addClips(const QStringList& paths);
 
-  /// Clips with the settings they were tuned by, which lock them; without any: as all others. The
-  /// character they were tuned on is put on all clips, unless one is already. While it runs, none:
+  /// Clips with the settings they were tuned by, which lock them; without any: as all others. Each
+  /// keeps the character it was tuned on, unless the batch has one for all. While it runs, none:
   /// noted().
-  void addTuned(const std::vector<TunedClip>& clips, const QString& character = {});
+  void addTuned(const std::vector<TunedClip>& clips);
 
   PresetShelf* presets() const { return presets_; }
 

@@ -2,10 +2,12 @@
 #include "app/studio/document/document.h"
 
 #include <QFileInfo>
+#include <utility>
 
 #include "app/studio/document/named_settings.h"
 #include "app/studio/document/settings_field.h"
 #include "core/codec/encode/track_encoder.h"
+#include "core/motion/forward_kinematics.h"
 
 namespace mocapress {
 namespace {
@@ -102,7 +104,11 @@ Importance Document::importanceIn(const Skeleton& next) const {
   return carriedOver(options().importance, skeleton(), next);
 }
 
-void Document::setClip(OriginalPtr original, DecodedPtr decoded, const QString& saved_path) {
+void Document::setClip(OriginalPtr original, DecodedPtr decoded, const QString& saved_path,
+                       const Characters& read) {
+  for (auto& [rig, put] : characters_)
+    if (const auto found = read.find(rig); found != read.end() && found->second.path == put.path)
+      put = found->second;
   ClipSettings& now = tuning_.now();
   // Without a clip it names no joint: nobody would know whose these are.
   if (original || !decoded)
@@ -235,19 +241,33 @@ Poses Document::shownPoses() const {
 
 void Document::findSkin() {
   skin_ = ownSkin();
-  const auto& [skeleton_of_it, skin] = character_.character;
-  if (!skin || !skeleton()) return;
+  const auto& [skeleton_of_it, skin] = character().character;
+  if (!skin) return;
   try {
-    skin_ = std::make_shared<const Skin>(bound_to(*skin, skeleton_of_it, *skeleton()));
+    Skin bound = bound_to(*skin, skeleton_of_it, *skeleton());
+    bound.lengths.centre = start();
+    skin_ = std::make_shared<const Skin>(std::move(bound));
   } catch (const Error&) {
     // It is of other joints: the clip keeps its own.
   }
 }
 
-void Document::setCharacter(const PutCharacter& character) {
-  character_ = character;
+/// Where the clip begins, on the floor.
+Eigen::Vector3d Document::start() const {
+  const Clip& clip = original_ ? original_->motion().clip : decoded_->clip;
+  Pose pose;
+  compute_pose(*skeleton(), clip.channels.row(0), pose);
+  return {pose.origin[0].x(), 0, pose.origin[0].z()};
+}
+
+void Document::setCharacters(const Characters& characters) {
+  characters_ = characters;
   findSkin();
   emit skinChanged();
+}
+
+PutCharacter Document::character() const {
+  return skeleton() ? characterOn(characters_, *skeleton()) : PutCharacter();
 }
 
 const Footskate* Document::shownFootskate() const {

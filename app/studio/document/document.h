@@ -103,8 +103,9 @@ class Document : public QObject {
   const CurveSelection& curves() const { return curves_; }
   int currentJoint() const;  // -1: none, or not in this skeleton
 
-  /// Another clip, or the same with its other half.
-  void setClip(OriginalPtr original, DecodedPtr decoded, const QString& saved_path);
+  /// Another clip, or the same with its other half, and what was read of characters for it.
+  void setClip(OriginalPtr original, DecodedPtr decoded, const QString& saved_path,
+               const Characters& read = {});
 
   void setDecoded(DecodedPtr decoded, bool final);
 
@@ -128,9 +129,12 @@ class Document : public QObject {
 
   void setUncorrected(bool uncorrected);
 
-  /// It is on all clips that have its joints, now and to come. Empty: each has its own again.
-  void setCharacter(const PutCharacter& character);
-  const PutCharacter& character() const { return character_; }
+  /// Each is on all clips of its rig, now and to come.
+  void setCharacters(const Characters& characters);
+  const Characters& characters() const { return characters_; }
+
+  /// What is put on the clip that is open.
+  PutCharacter character() const;
 
   void setCurves(const CurveSelection& curves);
   void setCurrentJoint(int joint);
@@ -153,6 +157,7 @@ class Document : public QObject {
  private:
   std::shared_ptr<const Skin> ownSkin() const { return original_ ? original_->skin : nullptr; }
   void findSkin();
+  Eigen::Vector3d start() const;
   void leaveMissingSkin();
 
   Importance importanceIn(const Skeleton& next) const;
@@ -168,7 +173,7 @@ class Document : public QObject {
   mutable OriginalPtr coded_original_;
   mutable double coded_error_ = 0;
   bool touched_ = false;
-  PutCharacter character_;
+  Characters characters_;
   std::shared_ptr<const Skin> skin_;
   Tuning tuning_;
   bool uncorrected_ = false;

@@ -14,6 +14,7 @@
 #include "core/codec/decode/track_decoding.h"
 #include "core/formats/motion_file.h"
 #include "core/motion/landmarks.h"
+#include "core/motion/rig.h"
 #include "core/motion/surface_points.h"
 
 namespace mocapress {
@@ -71,9 +72,8 @@ void Session::closeClip() {
 
 void Session::close() {
   dressing_.abandon();
-  recalled_character_.clear();
   closeClip();
-  document_.setCharacter({});
+  document_.setCharacters({});
 }
 
 bool Session::isOpen(const QString& path) const {
@@ -132,8 +132,7 @@ void Session::readBy(const ReadOptions& reading, std::function<void()> then) {
 
 void Session::start(OpenRequest request, std::function<void()> then) {
   if (!request.reading && reading_memory_) request.reading = reading_memory_(request.path);
-  request.character =
-      recalled_character_.isEmpty() ? document_.character() : PutCharacter{{}, recalled_character_};
+  request.characters = document_.characters();
   emit opening(request.path);
   opening_.start([request](const Job& job) { return openClip(request, job); },
                  [this, request, then = std::move(then)](const OpenedClip& opened) {
@@ -159,7 +158,8 @@ void Session::show(const OpenedClip& opened, const OpenRequest& request) {
   if (request.options) document_.loadOptions(*request.options);
   // Asked before the clip is there: from then on its settings are those of the document.
   const std::optional<NamedSettings> remembered = rememberedOf(opened, request);
-  document_.setClip(opened.original, opened.decoded, saved_path);
+  const Characters before = document_.characters();
+  document_.setClip(opened.original, opened.decoded, saved_path, opened.characters);
   if (remembered) document_.loadSettings(settingsFor(*remembered, opened.original->motion()));
   if (again && past_->joints == document_.skeleton()->joint_count()) {
     past_->figures.clear();
@@ -176,6 +176,10 @@ void Session::show(const OpenedClip& opened, const OpenRequest& request) {
   else
     compressor_.request(document_.options());
   wear();
+  for (const auto& [rig, put] : document_.characters())
+    if (const auto known = before.find(rig);
+        known != before.end() && known->second.trouble != put.trouble)
+      emit characterFailed(put.trouble);
 }
 
 /// What was done to the clip that is open is there again when it is opened again.
@@ -372,41 +376,60 @@ void Session::exportMotion(const QString& path) {
 }
 
 void Session::putCharacter(const QString& path) {
-  readCharacter(path, [this](const PutCharacter& put) {
-    const auto& [character, file] = put;
-    try {
-      if (document_.skeleton())  // else nothing says that it does not fit
-        bound_to(*character.skin, character.skeleton, *document_.skeleton());
-    } catch (const Error& error) {
-      return emit characterFailed(QStringLiteral("%1: %2").arg(QFileInfo(file).fileName(),
-                                                               QString::fromUtf8(error.what())));
-    }
-    history()->push(new EditStep(
-        tr("Character"), [this, put] { setCharacter(put); },
-        [this, before = document_.character()] { setCharacter(before); }));
-    emit characterPut(file);
-  });
+  dressing_.start(
+      [path = absolute(path)](const Job&) {
+        return PutCharacter{read_character(path.toStdU16String()), path, {}};
+      },
+      [this](const PutCharacter& put) {
+        if (!document_.skeleton()) return;  // it was closed meanwhile
+        try {
+          bound_to(*put.character.skin, put.character.skeleton, *document_.skeleton());
+        } catch (const Error& error) {
+          return emit characterFailed(QStringLiteral("%1: %2").arg(
+              QFileInfo(put.path).fileName(), QString::fromUtf8(error.what())));
+        }
+        changeCharacter(put);
+        emit characterPut(put.path);
+      },
+      [this](const QString& message) { emit characterFailed(message); });
 }
 
-void Session::recallCharacter(const QString& path) {
-  recalled_character_ = absolute(path);
-  readCharacter(path, [this](const PutCharacter& put) { setCharacter(put); });
+void Session::takeCharacterOff() {
+  if (!document_.character().path.isEmpty()) changeCharacter({});
 }
 
-void Session::setCharacter(const PutCharacter& character) {
-  recalled_character_.clear();
-  document_.setCharacter(character);
+void Session::changeCharacter(const PutCharacter& character) {
+  const std::string rig = rig_of(*document_.skeleton());
+  std::optional<PutCharacter> before;
+  if (const auto found = document_.characters().find(rig); found != document_.characters().end())
+    before = found->second;
+  history()->push(new EditStep(
+      tr("Character"), [this, rig, character] { setCharacter(rig, character); },
+      [this, rig, before] { setCharacter(rig, before); }));
+}
+
+void Session::recallCharacters(const CharacterFiles& files) {
+  Characters characters;
+  for (const auto& [rig, file] : files) characters[rig].path = file;
+  document_.setCharacters(characters);
+}
+
+void Session::setCharacter(const std::string& rig, const std::optional<PutCharacter>& character) {
+  Characters characters = document_.characters();
+  if (character)
+    characters[rig] = *character;
+  else
+    characters.erase(rig);
+  document_.setCharacters(characters);
   wear();
 }
 
 void Session::wear() {
   wearing_.abandon();
   const OriginalPtr original = document_.original();
-  const PutCharacter& character = document_.character();
+  const PutCharacter character = document_.character();
   // What is being opened gets it there, or once it is open.
-  if (!original || opening_.busy() || !recalled_character_.isEmpty() ||
-      original->character == character.path)
-    return;
+  if (!original || opening_.busy() || original->character == character.path) return;
   struct Worn {
     OriginalPtr original;
     DecodedPtr decoded;
@@ -433,18 +456,6 @@ void Session::wear() {
         stands ? emit settled() : compressor_.request(document_.options());
       },
       [this](const QString& message) { emit characterFailed(message); });
-}
-
-void Session::readCharacter(const QString& path, std::function<void(const PutCharacter&)> then) {
-  dressing_.start(
-      [path = absolute(path)](const Job&) {
-        return PutCharacter{read_character(path.toStdU16String()), path};
-      },
-      std::move(then),
-      [this](const QString& message) {
-        recalled_character_.clear();
-        emit characterFailed(message);
-      });
 }
 
 }  // namespace mocapress

@@ -108,11 +108,15 @@ class Session : public QObject {
   /// unit and axes of its source.
   void exportMotion(const QString& path);
 
-  /// Puts what another file's figure looks like on the joints of this clip. Can be undone.
+  /// Puts what another file's figure looks like on the joints of this clip, and on all clips of its
+  /// rig. Can be undone.
   void putCharacter(const QString& path);
 
-  /// Has it again as a project has it: on the clips that have its joints.
-  void recallCharacter(const QString& path);
+  /// These clips look as their files say. Can be undone.
+  void takeCharacterOff();
+
+  /// Has them again as a project has them. They are read once a clip needs them.
+  void recallCharacters(const CharacterFiles& files);
 
   /// An answer is on its way, or a better one.
   bool busy() const { return compressor_.busy() || wearing_.busy(); }
@@ -161,11 +165,12 @@ class Session : public QObject {
   void readAs(const QString& step, const ReadOptions& reading);
   void readBy(const ReadOptions& reading, std::function<void()> then = {});
 
-  void setCharacter(const PutCharacter& character);
+  /// Unset: the rig has none of its own.
+  void setCharacter(const std::string& rig, const std::optional<PutCharacter>& character);
+  void changeCharacter(const PutCharacter& character);
 
   /// Measures on the document's character what is open; sees to it that nothing else is.
   void wear();
-  void readCharacter(const QString& path, std::function<void(const PutCharacter&)> then);
 
   /// `then`: once it is open.
   void start(OpenRequest request, std::function<void()> then = {});
@@ -191,7 +196,6 @@ class Session : public QObject {
   JobRunner exporting_;
   JobRunner dressing_;
   JobRunner wearing_;
-  QString recalled_character_;  // on its way; empty: none is
 };
 
 }  // namespace mocapress

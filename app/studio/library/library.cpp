@@ -7,6 +7,7 @@
 #include <QHash>
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "app/jobs/batch_runner.h"
 #include "app/studio/document/edit_step.h"
@@ -150,7 +151,7 @@ Library::Library(Session* session, LibraryModel* model, QObject* parent)
   connect(session, &Session::opened, this,
           [this](const OpenRequest& request) { noteOpened(request.path, request.skeleton); });
   connect(&session->document(), &Document::optionsChanged, this, &Library::noteSettings);
-  connect(&session->document(), &Document::skinChanged, this, &Library::noteCharacter);
+  connect(&session->document(), &Document::skinChanged, this, &Library::noteCharacters);
   connect(session, &Session::settled, this, &Library::noteOutcome);
   connect(session, &Session::openFailed, this, &Library::noteOpenFailed);
   connect(&folder_search_, &FolderSearch::found, this, &Library::add);
@@ -178,7 +179,7 @@ void Library::enter() {
   readNextOutline();
   emit currentChanged();
   checkFiles();
-  if (!project_.character.isEmpty()) session_->recallCharacter(project_.character);
+  session_->recallCharacters(project_.characters);
   if (const int row = currentRow(); row >= 0) openClip(row);
 }
 
@@ -504,7 +505,10 @@ std::vector<TunedClip> Library::tuned(const std::vector<int>& rows) const {
     const bool wanted =
         rows.empty() || std::count(rows.begin(), rows.end(), static_cast<int>(row)) > 0;
     const ProjectClip& clip = project_.clips[row];
-    if (wanted) clips.push_back({clip.path, clip.skeleton, clip.settings, clip.reading});
+    if (!wanted) continue;
+    clips.push_back({clip.path, clip.skeleton, clip.settings, clip.reading});
+    if (const QString file = characterFile(project_.characters, clip.rig); !file.isEmpty())
+      clips.back().reading.character = file.toStdString();
   }
   return clips;
 }
@@ -550,6 +554,7 @@ void Library::noteOpened(const QString& path, const QString& skeleton) {
     clip->missing = false;
     clip->reading = original->reading;
     clip->stamp = original->stamp;
+    clip->rig = original->outline.rig;
     bindVerdict(*clip);
     if (is_other) showAsRead(*clip, *original);
   }
@@ -612,10 +617,10 @@ void Library::noteSettings() {
 }
 
 /// One whose file is gone stays the project's: it may be back another day.
-void Library::noteCharacter() {
-  const QString& path = session_->document().character().path;
-  if (path == project_.character) return;
-  project_.character = path;
+void Library::noteCharacters() {
+  CharacterFiles files = filesOf(session_->document().characters());
+  if (files == project_.characters) return;
+  project_.characters = std::move(files);
   touch();
 }
 
@@ -677,6 +682,8 @@ void Library::readNextOutline() {
       entry.trouble = trouble;
       model_->setEntry(entry);
     }
+    if (ProjectClip* now = project_.find(path); now && !outline.rig.empty())
+      if (std::exchange(now->rig, outline.rig) != outline.rig) touch();
     // The runner is busy until its delivery has returned.
     QMetaObject::invokeMethod(this, &Library::readNextOutline, Qt::QueuedConnection);
   };

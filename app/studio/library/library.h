@@ -128,7 +128,7 @@ class Library : public KeptProject {
   void putBack(const ClipsByRow& clips);
   void noteOpened(const QString& path, const QString& skeleton);
   void noteSettings();
-  void noteCharacter();
+  void noteCharacters();
   void noteOutcome();
   void show(const ProjectClip& clip);
   void showRows(const std::vector<int>& rows);

@@ -103,6 +103,7 @@ Json toJson(const ProjectClip& clip, const QDir& folder) {
   if (clip.settings) put(json, *clip.settings);
   if (clip.outcome) json["outcome"] = toJson(*clip.outcome);
   if (clip.review != ClipReview()) put(json, clip.review);
+  if (!clip.rig.empty()) json["rig"] = clip.rig;
   if (!clip.stamp.hash.empty()) json["files"] = toJson(clip.stamp);
   for (const Pin& pin : clip.pins) json["pins"].push_back(toJson(pin));
   return json;
@@ -122,10 +123,22 @@ ProjectClip clipFrom(const Json& json, const QDir& folder) {
   if (json.contains("settings")) clip.settings = namedSettingsFrom(json["settings"]);
   if (json.contains("outcome")) clip.outcome = outcomeFrom(json["outcome"]);
   clip.review = review_from(json);
+  clip.rig = valueAt<std::string>(json, "rig");
   if (json.contains("files")) clip.stamp = stampFrom(json["files"]);
   for (const Json& pin : valueAt<Json>(json, "pins"))
     if (pin.contains("settings")) clip.pins.push_back(pinFrom(pin));
   return clip;
+}
+
+/// An older project had one character for all clips.
+CharacterFiles charactersFrom(const Json& json, const QDir& folder) {
+  CharacterFiles characters;
+  if (const QString all = absoluteAt(json, "character", folder); !all.isEmpty())
+    characters.emplace(std::string(), all);
+  const auto by_rig = valueAt<Json>(json, "characters");
+  for (const auto& [rig, path] : by_rig.items())
+    characters.emplace(rig, absoluteAt(by_rig, rig.c_str(), folder));
+  return characters;
 }
 
 Project projectFrom(const Json& json, const QDir& folder) {
@@ -134,7 +147,7 @@ Project projectFrom(const Json& json, const QDir& folder) {
     throw Error("the project was saved by a newer version of Mocapress");
   Project project;
   project.current = absoluteAt(json, "current", folder);
-  project.character = absoluteAt(json, "character", folder);
+  project.characters = charactersFrom(json, folder);
   project.shows_skin = json.value("show_skin", true);
   for (const Json& clip : valueAt<Json>(json, "clips"))
     project.clips.push_back(clipFrom(clip, folder));
@@ -176,8 +189,8 @@ QByteArray projectText(const Project& project, const QDir& folder) {
   Json json{{"format", kFormat}, {"version", kVersion}, {"clips", Json::array()}};
   if (!project.current.isEmpty())
     json["current"] = folder.relativeFilePath(project.current).toStdString();
-  if (!project.character.isEmpty())
-    json["character"] = folder.relativeFilePath(project.character).toStdString();
+  for (const auto& [rig, path] : project.characters)
+    json["characters"][rig] = path.isEmpty() ? "" : folder.relativeFilePath(path).toStdString();
   if (!project.shows_skin) json["show_skin"] = false;
   for (const ProjectClip& clip : project.clips) json["clips"].push_back(toJson(clip, folder));
   if (project.batch) json["batch"] = toJson(*project.batch, folder);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/jobs/characters.h"
 #include "app/studio/batch/batch_memory.h"
 #include "app/studio/document/named_settings.h"
 #include "core/batch/row.h"
@@ -23,6 +24,7 @@ struct ProjectClip {
   std::optional<Outcome> outcome;
   ClipReview review;
   std::vector<Pin> pins;
+  std::string rig;       // rig_of() its joints as they were read last; empty: they never were
   InputStamp stamp;      // of its files as they were found last; no hash: they never were
   bool missing = false;  // they are gone, by what is known now; not kept
 };
@@ -37,8 +39,8 @@ Staleness outdated(const ProjectClip& clip);
 
 /// Clips that belong together.
 struct Project {
-  QString current;    // path of the clip that is open; empty: none
-  QString character;  // path of what was put on the clips; empty: each has its own
+  QString current;            // path of the clip that is open; empty: none
+  CharacterFiles characters;  // what was put on the clips, by their rigs
   bool shows_skin = true;
   std::vector<ProjectClip> clips;
   std::optional<RememberedBatch> batch;  // unset: none was begun

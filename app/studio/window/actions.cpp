@@ -86,7 +86,11 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
       Texts::tr("Read the open motion again with another unit, up axis, rate or root"));
   actions.put_character = make(window, Texts::tr("Put a C&haracter on It…"));
   actions.put_character->setToolTip(
-      Texts::tr("Show the clip with the skin of an FBX or glTF that has joints of its names"));
+      Texts::tr("Show the clip, and all clips of its rig, with the skin of an FBX or glTF that has "
+                "joints of its names"));
+  actions.take_character_off = make(window, Texts::tr("Ta&ke Its Character Off"));
+  actions.take_character_off->setToolTip(
+      Texts::tr("Show the clip, and all clips of its rig, as their files say"));
   actions.batch = make(window, Texts::tr("&Batch Export…"), Qt::CTRL | Qt::Key_E);
   actions.batch->setToolTip(Texts::tr("Compress many clips, verify each, and report on all"));
   actions.export_library = make(window, Texts::tr("Batch Export of the &Library…"));
@@ -145,8 +149,8 @@ RecentMenus addMenus(QMainWindow* window, const Actions& actions,
   QMenu* file = window->menuBar()->addMenu(Texts::tr("&File"));
   file->addAction(actions.open);
   recent.files = file->addMenu(Texts::tr("Open &Recent"));
-  file->addActions(
-      {actions.open_sample, actions.compare, actions.import_options, actions.put_character});
+  file->addActions({actions.open_sample, actions.compare, actions.import_options,
+                    actions.put_character, actions.take_character_off});
   file->addSeparator();
   file->addActions({actions.new_project, actions.open_project});
   recent.projects = file->addMenu(Texts::tr("Recent Projec&ts"));

@@ -27,6 +27,7 @@ struct Actions {
   QAction* export_motion = nullptr;
   QAction* import_options = nullptr;
   QAction* put_character = nullptr;
+  QAction* take_character_off = nullptr;
   QAction* batch = nullptr;
   QAction* export_library = nullptr;
   QAction* add_clips = nullptr;

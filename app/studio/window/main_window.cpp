@@ -133,6 +133,7 @@ void MainWindow::connectFileActions() {
   connect(actions_.export_motion, &QAction::triggered, files_, &ClipFiles::exportMotion);
   connect(actions_.import_options, &QAction::triggered, files_, &ClipFiles::chooseImportOptions);
   connect(actions_.put_character, &QAction::triggered, files_, &ClipFiles::chooseCharacter);
+  connect(actions_.take_character_off, &QAction::triggered, session_, &Session::takeCharacterOff);
   connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
   connect(actions_.add_clips, &QAction::triggered, library_views_, &LibraryViews::addClips);
   connect(actions_.add_folder, &QAction::triggered, library_views_, &LibraryViews::addFolder);
@@ -212,6 +213,7 @@ void MainWindow::updateTitle() {
   actions_.export_motion->setEnabled(document.decoded() != nullptr);
   actions_.import_options->setEnabled(document.original() != nullptr);
   actions_.put_character->setEnabled(document.skeleton() != nullptr);
+  actions_.take_character_off->setEnabled(!document.character().path.isEmpty());
   actions_.view.skin->setEnabled(document.skin() != nullptr);
   actions_.switch_slot->setEnabled(document.original() != nullptr);
   actions_.copy_slot->setEnabled(document.original() != nullptr);

@@ -102,7 +102,7 @@ void ToolWindows::showBatch() {
 void ToolWindows::exportClips(const std::vector<int>& rows) {
   if (!batch_) makeBatch();
   bringToFront(batch_);
-  batch_->session()->addTuned(library_->tuned(rows), library_->project().character);
+  batch_->session()->addTuned(library_->tuned(rows));
 }
 
 void ToolWindows::close() {

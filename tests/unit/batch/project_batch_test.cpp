@@ -48,11 +48,23 @@ TEST(ProjectBatch, GivesEachClipItsOwnSettingsAndTheOthersThePreset) {
   EXPECT_EQ(tuned.review.source_hash, "aa");
   EXPECT_EQ(tuned.reading->sample_rate_hz, 30);
   EXPECT_EQ(tuned.reading->character, "work/hero.glb");
-  EXPECT_EQ(batch.reading.character, "work/hero.glb");
+  EXPECT_EQ(batch.items[1].reading->character, "work/hero.glb");
   EXPECT_EQ(batch.items[1].preset, 0u);
   EXPECT_EQ(batch.items[1].output, "b");
   EXPECT_EQ(batch.items[2].output, "far/c");
   EXPECT_EQ(batch.presets[batch.items[2].preset].name, "Project");
+}
+
+TEST(ProjectBatch, PutsCharactersOnTheClipsOfTheirRigs) {
+  const Batch batch = batch_of(
+      R"({"format": "mocapress-project", "version": 1,
+          "characters": {"aa": "xbot.glb", "bb": "", "": "all.glb"},
+          "clips": [{"path": "a.bvh", "rig": "aa"}, {"path": "b.bvh", "rig": "bb"},
+                    {"path": "c.bvh", "rig": "cc"}, {"path": "d.bvh"}]})");
+  EXPECT_EQ(batch.items[0].reading->character, "work/xbot.glb");
+  EXPECT_EQ(batch.items[1].reading, std::nullopt);
+  EXPECT_EQ(batch.items[2].reading->character, "work/all.glb");
+  EXPECT_EQ(batch.items[3].reading->character, "work/all.glb");
 }
 
 TEST(ProjectBatch, SaysWhatIsWrongWithAProject) {

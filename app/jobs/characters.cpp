@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/jobs/characters.h"
+
+#include "core/base/error.h"
+#include "core/formats/motion_file.h"
+#include "core/motion/rig.h"
+
+namespace mocapress {
+namespace {
+
+/// What is said of the rig, else what is said of all others.
+template <typename ByRig>
+auto entryOf(ByRig& characters, const std::string& rig) {
+  const auto found = characters.find(rig);
+  return found == characters.end() ? characters.find(std::string()) : found;
+}
+
+}  // namespace
+
+PutCharacter characterOn(const Characters& characters, const Skeleton& skeleton) {
+  const auto found = entryOf(characters, rig_of(skeleton));
+  return found == characters.end() ? PutCharacter() : found->second;
+}
+
+PutCharacter readCharacterOn(Characters& characters, const Skeleton& skeleton) {
+  const auto found = entryOf(characters, rig_of(skeleton));
+  if (found == characters.end()) return {};
+  PutCharacter& put = found->second;
+  if (put.path.isEmpty() || put.character.skin || !put.trouble.isEmpty()) return put;
+  try {
+    put.character = read_character(put.path.toStdU16String());
+  } catch (const Error& error) {
+    put.trouble = QString::fromUtf8(error.what());
+  }
+  return put;
+}
+
+CharacterFiles filesOf(const Characters& characters) {
+  CharacterFiles files;
+  for (const auto& [rig, put] : characters) files.emplace(rig, put.path);
+  return files;
+}
+
+QString characterFile(const CharacterFiles& files, const std::string& rig) {
+  const auto found = entryOf(files, rig);
+  return found == files.end() ? QString() : found->second;
+}
+
+}  // namespace mocapress
