@@ -55,7 +55,7 @@ void ResidentSignals::unpack_rows(int band, int first, int end, const Columns& c
                            .widths = at<std::uint8_t>(entry.offset),
                            .steps = steps(),
                            .stride = columns.stride,
-                           .row_bytes = entry.present,
+                           .row_bytes = static_cast<std::ptrdiff_t>(entry.present),
                            .groups = groups < group_count() ? groups : group_count(),
                            .rows = end - first,
                            .gain = gain<float>(band)});

@@ -2,9 +2,9 @@
 #include "core/runtime/format/coded_motion.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
+#include "core/runtime/format/bit_pattern.h"
 #include "core/runtime/format/learned_priors.h"
 #include "core/runtime/format/range_decoder.h"
 
@@ -20,7 +20,7 @@ mcpr_result decode_coefficients(const Bytes& coded, const SignalNeighbours* neig
                                 const QuantisedView& view, const CoderNotes& notes, float& scale,
                                 const Bytes& learned) {
   Cursor head = coded.cursor();
-  scale = std::bit_cast<float>(std::uint32_t{head.read<std::uint16_t>()} << 16);
+  scale = bit_pattern<float>(std::uint32_t{head.read<std::uint16_t>()} << 16);
   if (head.failed() || !std::isfinite(scale) || scale <= 0)
     return failure(MCPR_INVALID, coded.offset, "the scale of steps is not a positive number");
   std::fill_n(view.step_exponent, view.signal_count, 0);

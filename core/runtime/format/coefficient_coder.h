@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdlib>
 #include <utility>
 
 #include "core/runtime/format/bands.h"
+#include "core/runtime/format/bit_pattern.h"
 #include "core/runtime/format/coefficient_model.h"
 #include "core/runtime/format/coefficient_priors.h"
 #include "core/runtime/format/memory.h"
@@ -231,7 +231,7 @@ class CoefficientCoder {
 
   /// Of v > 0, rounded down.
   static int half_octaves_of(float v) {
-    return static_cast<int>(std::bit_cast<std::uint32_t>(v) >> 22) - 2 * 127;
+    return static_cast<int>(bit_pattern<std::uint32_t>(v) >> 22) - 2 * 127;
   }
 
   /// Whole numbers in the terms of the contexts: three are 0 ... 15, the last 0 ... 31.

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 
+#include "core/runtime/format/bit_pattern.h"
 #include "core/runtime/format/digit_coder.h"
 #include "core/runtime/format/file_sections.h"
 #include "core/runtime/format/joint_bytes.h"
@@ -84,7 +84,7 @@ class RunCoder {
   /// Codes a value as a reference to a recent one, or in full.
   template <typename Bits>
   void code_value(Bits& bits, DigitCoder& coder, float& value) {
-    auto pattern = std::bit_cast<std::uint32_t>(value);
+    auto pattern = bit_pattern<std::uint32_t>(value);
     std::int32_t place = 0;
     while (place < kRecent && recent_[static_cast<std::size_t>(place)] != pattern) ++place;
     place = coder.code(bits, place);
@@ -101,7 +101,7 @@ class RunCoder {
     }
     for (auto i = static_cast<std::size_t>(place); i > 0; --i) recent_[i] = recent_[i - 1];
     recent_[0] = pattern;
-    value = std::bit_cast<float>(pattern);
+    value = bit_pattern<float>(pattern);
     if (!std::isfinite(value)) bits.refuse();
   }
 

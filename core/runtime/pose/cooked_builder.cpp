@@ -111,7 +111,7 @@ std::uint64_t CookedBuilder::lay_out(CookedBlock& block, CookedBlock& tables, st
   lay_out_joints(tables, head);
   lay_out_rotors(tables, head);
   if (auto* const parts = tables.reserve_for<CookedPart>(head.parts, head.part_table))
-    std::ranges::copy(columns_.parts(), parts);
+    std::copy_n(columns_.parts().begin(), columns_.parts().size(), parts);
   if (head.loop == LoopKind::Follows) {
     const int columns = kGroup * columns_.row_groups();
     if (auto* const kinds =
@@ -225,10 +225,10 @@ void CookedBuilder::lay_out_joints(CookedBlock& tables, mcpr_cooked& head) {
       bases[c] = static_cast<float>(columns_.column(first_gathered + c).base);
   head.moving_axes = static_cast<std::uint16_t>(columns_.moving().size());
   if (auto* const moving = tables.reserve_for<MovingAxis>(head.moving_axes, head.moving))
-    std::ranges::copy(columns_.moving(), moving);
+    std::copy_n(columns_.moving().begin(), columns_.moving().size(), moving);
   head.added_columns = static_cast<std::uint16_t>(columns_.added().size());
   if (auto* const added = tables.reserve_for<AddedColumn>(head.added_columns, head.added))
-    std::ranges::copy(columns_.added(), added);
+    std::copy_n(columns_.added().begin(), columns_.added().size(), added);
   head.other_turns = static_cast<std::uint16_t>(columns_.turns().size());
   auto* turns = tables.reserve_for<OtherTurn>(head.other_turns, head.turns);
   for (const CookedColumns::Turn& placed : columns_.turns()) {

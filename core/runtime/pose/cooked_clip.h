@@ -10,6 +10,7 @@
 #include <cstring>
 
 #include "core/runtime/format/bands.h"
+#include "core/runtime/format/bit_pattern.h"
 #include "core/runtime/format/end_poses.h"
 #include "core/runtime/format/kinds.h"
 #include "core/runtime/format/segment_layout.h"
@@ -108,7 +109,7 @@ constexpr std::uint64_t scale_bytes(bool wide_samples, std::uint64_t columns) {
 
 /// Extends the upper half of a float to a float.
 inline float from_upper_half(std::uint16_t half) {
-  return std::bit_cast<float>(std::uint32_t{half} << 16);
+  return bit_pattern<float>(std::uint32_t{half} << 16);
 }
 
 /// Offset of a table, in bytes from `mcpr_cooked::tables`. Clips of a bank may share tables.

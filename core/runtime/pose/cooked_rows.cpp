@@ -2,11 +2,12 @@
 #include "core/runtime/pose/cooked_rows.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <span>
+
+#include "core/runtime/format/bit_pattern.h"
 
 namespace mocapress::runtime {
 namespace {
@@ -53,7 +54,7 @@ constexpr std::uint64_t entries_for(std::int32_t value) {
 
 /// The upper half of a float, rounded to the nearest or, with `up`, upwards.
 std::uint16_t upper_half(double value, bool up) {
-  const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
+  const auto bits = bit_pattern<std::uint32_t>(static_cast<float>(value));
   return static_cast<std::uint16_t>((bits + (up ? 0xFFFFU : 0x8000U)) >> 16);
 }
 

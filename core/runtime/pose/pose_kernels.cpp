@@ -2,10 +2,10 @@
 #include "core/runtime/pose/pose_kernels.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 #include <utility>
 
+#include "core/runtime/format/bit_pattern.h"
 #include "core/runtime/format/interpolation.h"
 
 namespace mocapress::runtime::plain_poses {
@@ -192,8 +192,7 @@ RowPair pair_of(const std::byte* bundle, int bit) {
 /// The bits of floats minus a constant.
 Wholes bits_less(const Floats& floats, std::uint32_t less) {
   Wholes out;
-  for (int i = 0; i < kGroup; ++i)
-    out.lane[i] = std::bit_cast<std::uint32_t>(floats.lane[i]) - less;
+  for (int i = 0; i < kGroup; ++i) out.lane[i] = bit_pattern<std::uint32_t>(floats.lane[i]) - less;
   return out;
 }
 
