@@ -38,6 +38,8 @@ const std::map<std::string, RoomRules> kRooms = {
      {{kCInterface, "core/runtime/format", "core/runtime/decode"}, false, true}},
     {"core/runtime/bank", {{kCInterface, "core/runtime/format", "core/runtime/pose"}, false, true}},
     {"core/runtime", {{"core/runtime"}, false, true}},
+    // A program over the interface, as an engine's.
+    {"core/runtime/web", {{kCInterface}, false, true}},
     {"core/motion", {{"core/base", "core/runtime"}}},
     {"core/formats", {{"core/base", "core/motion", "core/runtime"}}},
     {"core/wavelet", {{"core/base", "core/runtime"}}},

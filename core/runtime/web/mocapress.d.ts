@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// Plays .mcpr files and .mcpk banks. Lengths are in centimetres, times in seconds; right-handed, y up.
+
+/** A file or a call that cannot be used. The message is one sentence. */
+export class MocapressError extends Error {}
+
+/** The address of the WebAssembly file for this machine: with SIMD, or without. */
+export function defaultModule(): URL;
+
+/**
+ * Makes an instance. Instances share nothing; a worker makes its own. `mocapress_cooked.wasm` is less than half as
+ * large and plays cooked banks only.
+ */
+export function createMocapress(
+  source?: URL | string | BufferSource | WebAssembly.Module,
+): Promise<Mocapress>;
+
+export class Mocapress {
+  private constructor();
+  /** Opens the bytes of a .mcpr file, which are not needed afterwards. */
+  openClip(bytes: ArrayBuffer | ArrayBufferView, name?: string): Clip;
+  /** Opens the bytes of a .mcpk bank, and checks all of them. */
+  openBank(bytes: ArrayBuffer | ArrayBufferView): Bank;
+}
+
+export class Bank {
+  private constructor();
+  /** The clips' names, sorted by bytes. */
+  readonly names: string[];
+  /** Cooked clips are sampled as they lie; those of packed banks are decoded when opened. */
+  readonly isCooked: boolean;
+  openClip(name: string): Clip;
+  tags(name: string): string[];
+  /** Frees the bank. Dispose of clips of a cooked bank before it. */
+  dispose(): void;
+}
+
+export interface Joint {
+  name: string;
+  /** Index of the parent, which comes before its children; -1: a root. */
+  parent: number;
+  offset: number[];
+  /** The tip of a joint without children; undefined where the clip has none. */
+  endSite: number[] | undefined;
+}
+
+export interface Track {
+  kind: 'property' | 'morphWeight' | 'scaleX' | 'scaleY' | 'scaleZ';
+  /** The joint or mesh node that the track belongs to; empty: the clip. */
+  node: string;
+  name: string;
+  /** Holds the value of the earlier frame between two frames. */
+  steps: boolean;
+}
+
+export interface SampleOptions {
+  /** Goes on in the next cycle after the end. Only for clips with `loopFrames`. */
+  loop?: boolean;
+  /** Finest bands of detail to leave out, 0 to 4, for characters far away. */
+  bandsLeftOut?: number;
+}
+
+/** Samples one clip for one character; it is fastest when time goes on steadily. */
+export class Player {
+  private constructor();
+  readonly clip: Clip;
+  /**
+   * The pose at an instant: eight floats a joint, the quaternion w x y z to its parent's space, its origin x y z in
+   * that space, and 0. A view that the next call of this module may change.
+   */
+  sample(seconds: number, options?: SampleOptions): Float32Array;
+  /** World positions of all joints, three floats each. */
+  positions(seconds: number, options?: SampleOptions): Float32Array;
+  dispose(): void;
+}
+
+export class Clip {
+  private constructor();
+  readonly name: string;
+  readonly sampleRate: number;
+  readonly frames: number;
+  /** Frames in a cycle of a loop; 0: the clip is no loop. */
+  readonly loopFrames: number;
+  /** Seconds from the first frame to the last. */
+  readonly duration: number;
+  readonly joints: Joint[];
+  readonly tracks: Track[];
+  /** A player for another character. */
+  createPlayer(): Player;
+  /** As Player.sample(), with a player of the clip's own. */
+  sample(seconds: number, options?: SampleOptions): Float32Array;
+  positions(seconds: number, options?: SampleOptions): Float32Array;
+  /**
+   * Whole frames: seven floats a joint, frame after frame, as sample() without the 0. They are the motion that was
+   * measured when the file was written; frames of a cooked bank are sampled.
+   */
+  decode(first?: number, count?: number): Float32Array;
+  /** One value a track. A view that the next call may change. */
+  sampleTracks(seconds: number): Float32Array;
+  /** Frees the clip and its players. */
+  dispose(): void;
+}
+
+/** World positions of a pose with `stride` floats a joint. */
+export function worldPositions(joints: Joint[], pose: Float32Array, stride?: number): Float32Array;

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: MIT
+// Plays .mcpr files and .mcpk banks of Mocapress in a page, a worker or Node. See mocapress.d.ts.
+
+/** A module of one instruction that only machines with SIMD128 know. */
+const simdProbe = new Uint8Array([
+  0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
+]);
+
+const trackKinds = ['property', 'morphWeight', 'scaleX', 'scaleY', 'scaleZ'];
+
+export class MocapressError extends Error {
+  name = 'MocapressError';
+}
+
+/** The file that plays everything here: with SIMD where the machine has it. */
+export function defaultModule() {
+  return WebAssembly.validate(simdProbe)
+    ? new URL('./mocapress.wasm', import.meta.url)
+    : new URL('./mocapress_plain.wasm', import.meta.url);
+}
+
+async function moduleBytes(source) {
+  if (!(source instanceof URL) && typeof source !== 'string') return source;
+  if (new URL(source, import.meta.url).protocol === 'file:' && typeof process !== 'undefined') {
+    const { readFile } = await import(/* webpackIgnore: true */ /* @vite-ignore */ 'node:fs/promises');
+    return readFile(new URL(source, import.meta.url));
+  }
+  const response = await fetch(source);
+  if (!response.ok) throw new MocapressError(`${source}: the server answers ${response.status}`);
+  return response.arrayBuffer();
+}
+
+export async function createMocapress(source = defaultModule()) {
+  const module =
+    source instanceof WebAssembly.Module ? source : await WebAssembly.compile(await moduleBytes(source));
+  const noticeOfGrowth = { emscripten_notify_memory_growth() {} };
+  const instance = await WebAssembly.instantiate(module, { env: noticeOfGrowth });
+  instance.exports._initialize?.();
+  return new Mocapress(instance.exports);
+}
+
+export class Mocapress {
+  #exports;
+
+  constructor(exports) {
+    this.#exports = exports;
+  }
+
+  openClip(bytes, name = '') {
+    const memory = this.#copy(bytes);
+    try {
+      return new Clip(this.#exports, this.#decoder('web_open')(memory, bytes.byteLength), name);
+    } finally {
+      this.#exports.web_free(memory);
+    }
+  }
+
+  openBank(bytes) {
+    const memory = this.#copy(bytes);
+    const bank = this.#exports.web_open_bank(memory, bytes.byteLength);
+    if (bank === 0) {
+      this.#exports.web_free(memory);
+      throw lastError(this.#exports);
+    }
+    return new Bank(this.#exports, bank);
+  }
+
+  /** Copies bytes to where the runtime reads them. */
+  #copy(bytes) {
+    const view = ArrayBuffer.isView(bytes)
+      ? new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength)
+      : new Uint8Array(bytes);
+    const memory = this.#exports.web_allocate(view.length);
+    if (memory === 0) throw new MocapressError('there is not enough memory for the file');
+    new Uint8Array(this.#exports.memory.buffer, memory, view.length).set(view);
+    return memory;
+  }
+
+  #decoder(name) {
+    return decoderOf(this.#exports, name);
+  }
+}
+
+export class Bank {
+  #exports;
+  #bank;
+  #numbers = new Map();
+
+  constructor(exports, bank) {
+    this.#exports = exports;
+    this.#bank = bank;
+    for (let i = 0; i < exports.web_bank_clips(bank); ++i)
+      this.#numbers.set(textAt(exports, exports.web_bank_name(bank, i)), i);
+    this.names = [...this.#numbers.keys()];
+    this.isCooked = exports.web_bank_is_cooked(bank) !== 0;
+  }
+
+  openClip(name) {
+    const open = this.isCooked ? this.#exports.web_open_cooked : decoderOf(this.#exports, 'web_open_packed');
+    return new Clip(this.#exports, open(this.#bank, this.#number(name)), name);
+  }
+
+  tags(name) {
+    const number = this.#number(name);
+    const tags = [];
+    for (let tag; (tag = this.#exports.web_bank_tag(this.#bank, number, tags.length)) !== 0; )
+      tags.push(textAt(this.#exports, tag));
+    return tags;
+  }
+
+  dispose() {
+    this.#exports.web_free(this.#bank);  // the bank is its bytes
+    this.#bank = 0;
+  }
+
+  #number(name) {
+    if (this.#bank === 0) throw new MocapressError('the bank was disposed of');
+    const number = this.#numbers.get(name);
+    if (number === undefined) throw new MocapressError(`the bank has no clip ${name}`);
+    return number;
+  }
+}
+
+export class Clip {
+  #exports;
+  #clip;
+  #players = new Set();
+  #own;
+
+  constructor(exports, clip, name) {
+    if (clip === 0) throw lastError(exports);
+    this.#exports = exports;
+    this.#clip = clip;
+    this.name = name;
+    const dimensions = new Float64Array(exports.memory.buffer, exports.web_dimensions(clip), 5);
+    const [sampleRate, frames, joints, loopFrames, tracks] = dimensions;
+    this.sampleRate = sampleRate;
+    this.frames = frames;
+    this.loopFrames = loopFrames;
+    this.duration = (frames - 1) / sampleRate;
+    this.joints = Array.from({ length: joints }, (_, j) => this.#joint(j));
+    this.tracks = Array.from({ length: tracks }, (_, t) => this.#track(t));
+  }
+
+  createPlayer() {
+    const player = new Player(this.#exports, this.#open(), this, () => this.#players.delete(player));
+    this.#players.add(player);
+    return player;
+  }
+
+  sample(seconds, options) {
+    this.#own ??= this.createPlayer();
+    return this.#own.sample(seconds, options);
+  }
+
+  positions(seconds, options) {
+    this.#own ??= this.createPlayer();
+    return this.#own.positions(seconds, options);
+  }
+
+  decode(first = 0, count = this.frames - first) {
+    const clip = this.#open();
+    if (!(first >= 0 && count >= 0 && first + count <= this.frames))
+      throw new MocapressError(`the clip has ${this.frames} frames, not ${first} to ${first + count - 1}`);
+    const values = 7 * this.joints.length * count;
+    if (!this.#exports.web_is_decoded?.(clip)) return this.#sampledFrames(first, count);
+    const memory = this.#exports.web_allocate(4 * values);
+    try {
+      if (memory === 0) throw new MocapressError('there is not enough memory for the frames');
+      if (this.#exports.web_decode(clip, first, count, memory) === 0) throw lastError(this.#exports);
+      return new Float32Array(this.#exports.memory.buffer, memory, values).slice();
+    } finally {
+      this.#exports.web_free(memory);
+    }
+  }
+
+  sampleTracks(seconds) {
+    const frame = Math.min(Math.max(seconds * this.sampleRate, 0), this.frames - 1);
+    const values = this.#exports.web_sample_tracks(this.#open(), frame);
+    if (values === 0) throw lastError(this.#exports);
+    return new Float32Array(this.#exports.memory.buffer, values, this.tracks.length);
+  }
+
+  dispose() {
+    for (const player of [...this.#players]) player.dispose();
+    if (this.#clip !== 0) this.#exports.web_close(this.#clip);
+    this.#clip = 0;
+    this.#own = undefined;
+  }
+
+  #open() {
+    if (this.#clip === 0) throw new MocapressError('the clip was disposed of');
+    return this.#clip;
+  }
+
+  #joint(number) {
+    const record = this.#exports.web_joint(this.#clip, number);
+    if (record === 0) throw lastError(this.#exports);
+    const view = new DataView(this.#exports.memory.buffer, record, 36);
+    const vector = (at) => [0, 4, 8].map((i) => view.getFloat32(at + i, true));
+    return {
+      name: textAt(this.#exports, view.getUint32(0, true)),
+      parent: view.getInt32(4, true),
+      offset: vector(8),
+      endSite: view.getInt32(20, true) !== 0 ? vector(24) : undefined,
+    };
+  }
+
+  #track(number) {
+    const record = this.#exports.web_track(this.#clip, number);
+    if (record === 0) throw lastError(this.#exports);
+    const [kind, node, name, steps] = new Uint32Array(this.#exports.memory.buffer, record, 4);
+    return {
+      kind: trackKinds[kind],
+      node: textAt(this.#exports, node),
+      name: textAt(this.#exports, name),
+      steps: steps !== 0,
+    };
+  }
+
+  #sampledFrames(first, count) {
+    const joints = this.joints.length;
+    const out = new Float32Array(7 * joints * count);
+    for (let i = 0, to = 0; i < count; ++i) {
+      const pose = this.sample((first + i) / this.sampleRate);
+      for (let j = 0; j < joints; ++j, to += 7) out.set(pose.subarray(8 * j, 8 * j + 7), to);
+    }
+    return out;
+  }
+}
+
+export class Player {
+  #exports;
+  #player;
+  #forget;
+  #positions;
+
+  constructor(exports, clip, owner, forget) {
+    this.#exports = exports;
+    this.#player = exports.web_play(clip);
+    this.#forget = forget;
+    this.clip = owner;
+    if (this.#player === 0) throw lastError(exports);
+  }
+
+  sample(seconds, { loop = false, bandsLeftOut = 0 } = {}) {
+    if (this.#player === 0) throw new MocapressError('the player was disposed of');
+    const pose = this.#exports.web_sample(this.#player, seconds, loop ? 1 : 0, bandsLeftOut);
+    if (pose === 0) throw lastError(this.#exports);
+    return new Float32Array(this.#exports.memory.buffer, pose, 8 * this.clip.joints.length);
+  }
+
+  positions(seconds, options) {
+    return worldPositions(this.clip.joints, this.sample(seconds, options), 8);
+  }
+
+  dispose() {
+    if (this.#player !== 0) this.#exports.web_stop(this.#player);
+    this.#player = 0;
+    this.#forget();
+  }
+}
+
+export function worldPositions(joints, pose, stride = 7) {
+  const rotations = new Float64Array(4 * joints.length);
+  const positions = new Float32Array(3 * joints.length);
+  for (let j = 0; j < joints.length; ++j) {
+    const p = joints[j].parent;
+    const [w, x, y, z, tx, ty, tz] = pose.subarray(stride * j, stride * j + 7);
+    if (p < 0) {
+      rotations.set([w, x, y, z], 4 * j);
+      positions.set([tx, ty, tz], 3 * j);
+      continue;
+    }
+    const [a, b, c, d] = rotations.subarray(4 * p, 4 * p + 4);
+    rotations.set(
+      [
+        a * w - b * x - c * y - d * z,
+        a * x + b * w + c * z - d * y,
+        a * y - b * z + c * w + d * x,
+        a * z + b * y - c * x + d * w,
+      ],
+      4 * j,
+    );
+    // v' = v + 2 q x (q x v + a v)
+    const ux = c * tz - d * ty + a * tx;
+    const uy = d * tx - b * tz + a * ty;
+    const uz = b * ty - c * tx + a * tz;
+    positions[3 * j] = positions[3 * p] + tx + 2 * (c * uz - d * uy);
+    positions[3 * j + 1] = positions[3 * p + 1] + ty + 2 * (d * ux - b * uz);
+    positions[3 * j + 2] = positions[3 * p + 2] + tz + 2 * (b * uy - c * ux);
+  }
+  return positions;
+}
+
+function decoderOf(exports, name) {
+  if (exports[name] === undefined)
+    throw new MocapressError('this module plays cooked banks only: mocapress.wasm plays the others');
+  return exports[name];
+}
+
+function lastError(exports) {
+  return new MocapressError(textAt(exports, exports.web_error()));
+}
+
+/** The text that ends with a zero. */
+function textAt(exports, address) {
+  const bytes = new Uint8Array(exports.memory.buffer);
+  return new TextDecoder().decode(bytes.subarray(address, bytes.indexOf(0, address)));
+}

@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: MIT
+// The face of the runtime for mocapress.js: functions of numbers and addresses, which a WebAssembly
+// module can export. MOCAPRESS_COOKED_ALONE leaves out what decodes .mcpr files and packed banks.
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+
+#include "core/runtime/mocapress_runtime.h"
+
+namespace {
+
+// mocapress.js reads these structs at their byte offsets.
+struct Dimensions {
+  double sample_rate;
+  double frames;
+  double joints;
+  double loop_frames;
+  double tracks;
+};
+struct JointRecord {
+  const char* name;
+  std::int32_t parent;
+  float offset[3];
+  std::int32_t has_end_site;
+  float end_site[3];
+};
+struct TrackRecord {
+  std::int32_t kind;
+  const char* node;
+  const char* name;
+  std::int32_t steps;
+};
+
+/// A sentence about the last call that failed. Each thread has a module of its own.
+char last_error[256];
+
+void set_error(const char* message) {
+  std::strncpy(last_error, message, sizeof last_error - 1);
+}
+
+bool succeeded(const mcpr_result& result) {
+  if (result.status == MCPR_OK) return true;
+  set_error(result.message);
+  return false;
+}
+
+constexpr const char* kNoMemory = "there is not enough memory for the clip";
+
+/// Memory as the runtime wants it.
+class Memory {
+ public:
+  Memory() = default;
+  Memory(const Memory&) = delete;
+  Memory& operator=(const Memory&) = delete;
+  ~Memory() { std::free(data_); }
+
+  /// Once.
+  bool reserve(std::size_t bytes) {
+    size_ = (bytes / MCPR_ALIGNMENT + 1) * MCPR_ALIGNMENT;
+    data_ = std::aligned_alloc(MCPR_ALIGNMENT, size_);
+    if (data_ == nullptr) set_error(kNoMemory);
+    return data_ != nullptr;
+  }
+  void* data() const { return data_; }
+  std::size_t size() const { return size_; }
+  float* floats() const { return static_cast<float*>(data_); }
+
+ private:
+  void* data_ = nullptr;
+  std::size_t size_ = 0;
+};
+
+constexpr mcpr_track_request kAllTracks = {};
+
+/// A clip that is cooked, or was cooked here.
+class Clip {
+ public:
+  /// Reads a clip by `inspect` and `read`, which know whether it is a file or in a packed bank.
+  template <typename Inspect, typename Read>
+  bool open(const Inspect& inspect, const Read& read) {
+    Memory scratch;
+    mcpr_info info;
+    std::size_t bytes = 0;
+    if (!succeeded(inspect(&info)) || !scratch.reserve(info.read_bytes) ||
+        !succeeded(read(scratch.data(), info.read_bytes, &bytes)) || !resident_.reserve(bytes) ||
+        !succeeded(mcpr_build(scratch.data(), info.read_bytes, resident_.data(), bytes, &clip_)))
+      return false;
+    const mcpr_clip_info described = mcpr_clip_describe(clip_);
+    dimensions_.sample_rate = described.sample_rate;
+    dimensions_.frames = described.frames;
+    dimensions_.joints = described.joints;
+    dimensions_.loop_frames = described.loop_frames;
+    return cook() && prepare_tracks();
+  }
+
+  /// Opens a clip of a cooked bank, which is sampled where it lies.
+  bool open_cooked(const mcpk_bank* bank, std::uint32_t number) {
+    bank_ = bank;
+    number_ = number;
+    if (!succeeded(mcpk_cooked(bank, number, &cooked_))) return false;
+    const mcpr_cooked_info described = mcpr_cooked_describe(cooked_);
+    dimensions_.sample_rate = described.sample_rate;
+    dimensions_.frames = described.frames;
+    dimensions_.joints = described.joints;
+    dimensions_.loop_frames = described.loop_frames;
+    return prepare_tracks();
+  }
+
+  const mcpr_cooked* cooked() const { return cooked_; }
+  const Dimensions& dimensions() const { return dimensions_; }
+
+  const JointRecord* joint(std::uint32_t number) {
+    mcpr_joint joint;
+    if (!succeeded(clip_ != nullptr ? mcpr_clip_joint(clip_, number, &joint)
+                                    : mcpk_joint(bank_, number_, number, &joint)))
+      return nullptr;
+    joint_.name = joint.name;
+    joint_.parent = joint.parent;
+    std::memcpy(joint_.offset, joint.offset, sizeof joint.offset);
+    joint_.has_end_site = joint.has_end_site;
+    std::memcpy(joint_.end_site, joint.end_site, sizeof joint.end_site);
+    return &joint_;
+  }
+
+  const TrackRecord* track(std::uint32_t number) {
+    mcpr_track track;
+    if (!succeeded(mcpr_track_describe(tracks_, number, &track))) return nullptr;
+    track_ = {track.kind, track.node, track.name, track.steps};
+    return &track_;
+  }
+
+  const float* sample_tracks(double frame) {
+    return succeeded(mcpr_track_moment(tracks_, &kAllTracks, frame, track_values_.floats(),
+                                       track_scratch_.data(), track_scratch_.size()))
+               ? track_values_.floats()
+               : nullptr;
+  }
+
+#ifndef MOCAPRESS_COOKED_ALONE
+  bool is_decoded() const {
+    return clip_ != nullptr;
+  }
+
+  /// Frames as MCPR_LOCAL gives them.
+  bool decode(std::uint32_t first, std::uint32_t count, float* out) const {
+    mcpr_request request = {};
+    request.output = MCPR_LOCAL;
+    request.apply_ik = 1;
+    Memory scratch;
+    return scratch.reserve(mcpr_scratch_bytes(clip_, &request)) &&
+           succeeded(mcpr_decode_frames(clip_, &request, first, count, out, scratch.data(),
+                                        scratch.size()));
+  }
+#endif
+
+ private:
+  bool cook() {
+    mcpr_cook_options options = {};
+    options.apply_ik = 1;
+    const std::size_t scratch_bytes = mcpr_cook_scratch_bytes(clip_, &options);
+    Memory scratch;
+    std::size_t bytes = 0;
+    return scratch.reserve(scratch_bytes) &&
+           succeeded(mcpr_cook_size(clip_, &options, scratch.data(), scratch_bytes, &bytes)) &&
+           block_.reserve(bytes) &&
+           succeeded(mcpr_cook(clip_, &options, scratch.data(), scratch_bytes, block_.data(), bytes,
+                               &cooked_));
+  }
+
+  bool prepare_tracks() {
+    tracks_ = mcpr_cooked_tracks(cooked_);
+    dimensions_.tracks = mcpr_track_count(tracks_);
+    return track_values_.reserve(sizeof(float) * mcpr_track_count(tracks_)) &&
+           track_scratch_.reserve(mcpr_track_scratch_bytes(tracks_, &kAllTracks));
+  }
+
+  const mcpr_clip* clip_ = nullptr;  // null: the clip is one of a cooked bank
+  const mcpk_bank* bank_ = nullptr;
+  std::uint32_t number_ = 0;
+  const mcpr_cooked* cooked_ = nullptr;
+  const mcpr_tracks* tracks_ = nullptr;
+  Dimensions dimensions_ = {};
+  JointRecord joint_ = {};
+  TrackRecord track_ = {};
+  Memory resident_;
+  Memory block_;
+  Memory track_values_;
+  Memory track_scratch_;
+};
+
+/// One character that plays a clip.
+class Player {
+ public:
+  bool play(const mcpr_cooked* cooked, std::size_t joints) {
+    const std::size_t bytes = mcpr_cursor_bytes(cooked);
+    return pose_.reserve(sizeof(mcpr_transform) * joints) && memory_.reserve(bytes) &&
+           succeeded(mcpr_make_cursor(cooked, memory_.data(), bytes, &cursor_));
+  }
+
+  /// One mcpr_transform a joint.
+  const float* sample(double seconds, bool loops, std::uint32_t bands_left_out) {
+    mcpr_sample_request request = {};
+    request.unit = MCPR_SECONDS;
+    request.wrap = loops ? MCPR_LOOP : MCPR_CLAMP;
+    request.bands_left_out = bands_left_out;
+    return succeeded(mcpr_sample_next(cursor_, &request, seconds, pose_.floats())) ? pose_.floats()
+                                                                                   : nullptr;
+  }
+
+ private:
+  mcpr_cursor* cursor_ = nullptr;
+  Memory memory_;
+  Memory pose_;
+};
+
+template <typename T>
+void destroy(T* object) {
+  object->~T();
+  std::free(object);
+}
+
+/// A new object if `open` succeeds on it, else null.
+template <typename T, typename Open>
+T* made(const Open& open) {
+  void* const memory = std::malloc(sizeof(T));
+  if (memory == nullptr) {
+    set_error(kNoMemory);
+    return nullptr;
+  }
+  T* const object = new (memory) T;
+  if (open(*object)) return object;
+  destroy(object);
+  return nullptr;
+}
+
+}  // namespace
+
+#define MOCAPRESS_EXPORT extern "C" __attribute__((visibility("default"), used))
+
+// A null pointer is a failure, of which web_error() tells the reason.
+
+MOCAPRESS_EXPORT const char* web_error() {
+  return last_error;
+}
+
+MOCAPRESS_EXPORT void* web_allocate(std::size_t bytes) {
+  return std::aligned_alloc(MCPR_ALIGNMENT, (bytes / MCPR_ALIGNMENT + 1) * MCPR_ALIGNMENT);
+}
+
+MOCAPRESS_EXPORT void web_free(void* memory) {
+  std::free(memory);
+}
+
+/// The bank's bytes stay where they are while it or a clip of it is in use.
+MOCAPRESS_EXPORT const mcpk_bank* web_open_bank(const void* memory, std::size_t size) {
+  const mcpk_bank* bank = nullptr;
+  return succeeded(mcpk_open(memory, size, 1, &bank)) ? bank : nullptr;
+}
+
+MOCAPRESS_EXPORT std::uint32_t web_bank_clips(const mcpk_bank* bank) {
+  return mcpk_describe(bank).clips;
+}
+
+MOCAPRESS_EXPORT int web_bank_is_cooked(const mcpk_bank* bank) {
+  return mcpk_describe(bank).is_cooked;
+}
+
+MOCAPRESS_EXPORT const char* web_bank_name(const mcpk_bank* bank, std::uint32_t number) {
+  static char name[MCPK_NAME_BYTES];
+  return mcpk_name(bank, number, name) > 0 ? name : nullptr;
+}
+
+/// Null after the last tag.
+MOCAPRESS_EXPORT const char* web_bank_tag(const mcpk_bank* bank, std::uint32_t clip,
+                                          std::uint32_t number) {
+  return mcpk_tag(bank, clip, number);
+}
+
+MOCAPRESS_EXPORT Clip* web_open_cooked(const mcpk_bank* bank, std::uint32_t number) {
+  return made<Clip>([&](Clip& clip) { return clip.open_cooked(bank, number); });
+}
+
+#ifndef MOCAPRESS_COOKED_ALONE
+
+/// The file is not needed afterwards.
+MOCAPRESS_EXPORT Clip* web_open(const void* file, std::size_t size) {
+  return made<Clip>([&](Clip& clip) {
+    return clip.open([&](mcpr_info* info) { return mcpr_inspect(file, size, nullptr, info); },
+                     [&](void* scratch, std::size_t bytes, std::size_t* resident_bytes) {
+                       return mcpr_read(file, size, nullptr, scratch, bytes, resident_bytes);
+                     });
+  });
+}
+
+MOCAPRESS_EXPORT Clip* web_open_packed(const mcpk_bank* bank, std::uint32_t number) {
+  return made<Clip>([&](Clip& clip) {
+    return clip.open([&](mcpr_info* info) { return mcpk_inspect(bank, number, nullptr, info); },
+                     [&](void* scratch, std::size_t bytes, std::size_t* resident_bytes) {
+                       return mcpk_read(bank, number, nullptr, scratch, bytes, resident_bytes);
+                     });
+  });
+}
+
+/// 0 for a clip of a cooked bank, which has no frames to decode: it is sampled.
+MOCAPRESS_EXPORT int web_is_decoded(const Clip* clip) {
+  return clip->is_decoded() ? 1 : 0;
+}
+
+/// Writes seven floats a joint and frame. 0 is a failure.
+MOCAPRESS_EXPORT int web_decode(const Clip* clip, std::uint32_t first, std::uint32_t count,
+                                float* out) {
+  return clip->decode(first, count, out) ? 1 : 0;
+}
+
+#endif
+
+/// Its players are closed before it.
+MOCAPRESS_EXPORT void web_close(Clip* clip) {
+  destroy(clip);
+}
+
+MOCAPRESS_EXPORT const Dimensions* web_dimensions(const Clip* clip) {
+  return &clip->dimensions();
+}
+
+MOCAPRESS_EXPORT const JointRecord* web_joint(Clip* clip, std::uint32_t number) {
+  return clip->joint(number);
+}
+
+MOCAPRESS_EXPORT const TrackRecord* web_track(Clip* clip, std::uint32_t number) {
+  return clip->track(number);
+}
+
+/// One float a track.
+MOCAPRESS_EXPORT const float* web_sample_tracks(Clip* clip, double frame) {
+  return clip->sample_tracks(frame);
+}
+
+MOCAPRESS_EXPORT Player* web_play(const Clip* clip) {
+  return made<Player>([&](Player& player) {
+    return player.play(clip->cooked(), static_cast<std::size_t>(clip->dimensions().joints));
+  });
+}
+
+MOCAPRESS_EXPORT void web_stop(Player* player) {
+  destroy(player);
+}
+
+/// Eight floats a joint.
+MOCAPRESS_EXPORT const float* web_sample(Player* player, double seconds, int loops,
+                                         std::uint32_t bands_left_out) {
+  return player->sample(seconds, loops != 0, bands_left_out);
+}
