@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Plays clips of Mocapress on characters of three.js. Joints find bones by name: the character is the one that the
+// motion was made for, or has its bones with the same rest poses. `scale` is in units of the scene for a centimetre;
+// 0.01, the default, is for glTF's metres.
+import type { AnimationClip, Loader, LoadingManager, Object3D, Skeleton } from 'three';
+import type { Clip } from './mocapress.js';
+
+export interface ScaleOptions {
+  scale?: number;
+}
+
+/** Loads .mcpr files and .mcpk banks. */
+export class MocapressLoader extends Loader<MocapressMotion> {
+  constructor(manager?: LoadingManager);
+  /** Where the WebAssembly is, or what it is; without a call, beside the module. */
+  setModule(source: URL | string | BufferSource | WebAssembly.Module): this;
+  load(
+    url: string,
+    onLoad: (motion: MocapressMotion) => void,
+    onProgress?: (event: ProgressEvent) => void,
+    onError?: (error: unknown) => void,
+  ): void;
+  /** WebAssembly is compiled in the background, so the first call takes a moment. */
+  parse(bytes: ArrayBuffer, name?: string): Promise<MocapressMotion>;
+}
+
+/** The clips of a file or a bank. Clips are opened when first asked for; no name is the first clip's. */
+export class MocapressMotion {
+  private constructor();
+  readonly names: string[];
+  clip(name?: string): Clip;
+  /** The clip as keyframes: for the bones of `root`, or for bones named as its joints. */
+  animation(name?: string, root?: Object3D, options?: ScaleOptions): AnimationClip;
+  /** All clips as keyframes, made anew at each call. For large banks, ask for single ones. */
+  readonly animations: AnimationClip[];
+  /** Bones for a clip without a character. */
+  createSkeleton(name?: string, options?: ScaleOptions): Skeleton;
+  /** Frees the file. AnimationClips stay. */
+  dispose(): void;
+}
+
+export interface MixerOptions extends ScaleOptions {
+  /** Begins again after the end; loops go on in the next cycle. True by default. */
+  loop?: boolean;
+  bandsLeftOut?: number;
+  timeScale?: number;
+}
+
+/** Poses one character by a clip at any instant, without keyframes: about 5 us and a few KB each. */
+export class MocapressMixer {
+  constructor(root: Object3D, clip: Clip, options?: MixerOptions);
+  readonly root: Object3D;
+  readonly clip: Clip;
+  readonly time: number;
+  timeScale: number;
+  loop: boolean;
+  bandsLeftOut: number;
+  /** Goes on by so many seconds times `timeScale`, and poses the character. */
+  update(seconds: number): this;
+  setTime(seconds: number): this;
+  dispose(): void;
+}
+
+/** A clip as keyframes, one a frame, as decoded. */
+export function toAnimationClip(clip: Clip, root?: Object3D, options?: ScaleOptions): AnimationClip;

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+// The npm package in a headless Chromium, on pages from localhost: node --test web_test.mjs, started by tests/web/run,
+// which says where things are. Pictures of what the pages show go to the folder WEB_PICTURES.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { createServer } from 'node:http';
+import { tmpdir } from 'node:os';
+import { extname, join, normalize } from 'node:path';
+import { after, before, test } from 'node:test';
+import { gzipSync } from 'node:zlib';
+
+const source = join(import.meta.dirname, '../..');
+const { WEB_PROGRAM, WEB_NATIVE_POSES, WEB_PACKAGE, WEB_NODE, WEB_PICTURES } = process.env;
+const { chromium } = createRequire(join(WEB_NODE, 'package.json'))('playwright-core');
+const { worldPositions } = await import(join(WEB_PACKAGE, 'mocapress.js'));
+const corpus = process.env.MOCAPRESS_CORPUS ?? join(source, '../shared/corpus');
+const files = mkdtempSync(join(tmpdir(), 'mocapress-web-'));
+const character = join(source, 'resources/samples/character.glb');
+
+const types = {
+  '.html': 'text/html',
+  '.js': 'text/javascript',
+  '.wasm': 'application/wasm',
+  '.json': 'application/json',
+};
+const roots = { package: WEB_PACKAGE, node_modules: join(WEB_NODE, 'node_modules'), files };
+
+const server = createServer((request, response) => {
+  const path = normalize(decodeURIComponent(new URL(request.url, 'http://localhost').pathname));
+  const [, first, ...rest] = path.split('/');
+  const file = roots[first] ? join(roots[first], ...rest) : join(import.meta.dirname, path);
+  if (!existsSync(file)) return response.writeHead(404).end();
+  response.writeHead(200, { 'content-type': types[extname(file)] ?? 'application/octet-stream' });
+  response.end(readFileSync(file));
+});
+
+let browser;
+let page;
+const pageErrors = [];
+
+const mocapress = (...words) => execFileSync(WEB_PROGRAM, words, { stdio: ['ignore', 'pipe', 'pipe'] });
+const native = (name, instants) =>
+  JSON.parse(execFileSync(WEB_NATIVE_POSES, [join(files, name), String(instants)], { maxBuffer: 1 << 28 }));
+const largestDifference = (a, b) => {
+  assert.equal(a.length, b.length);
+  return a.reduce((most, value, i) => Math.max(most, Math.abs(value - b[i])), 0);
+};
+const inPage = (name, ...values) => page.evaluate(([name, values]) => window.page[name](...values), [name, values]);
+
+/** A copy of a .glb whose skeleton hangs on a node that is turned and scaled, as exporters of Mixamo's characters do. */
+function withArmature(glb) {
+  const jsonBytes = glb.readUInt32LE(12);
+  const json = JSON.parse(glb.subarray(20, 20 + jsonBytes).toString());
+  const joints = new Set(json.skins.flatMap((skin) => skin.joints));
+  const below = new Set([...joints].flatMap((joint) => json.nodes[joint].children ?? []));
+  const tops = [...joints].filter((joint) => !below.has(joint));
+  const armature = json.nodes.length;
+  const replaced = (list) => [...(list ?? []).filter((node) => !tops.includes(node))];
+  for (const node of json.nodes)
+    if (node.children?.some((child) => tops.includes(child))) node.children = [...replaced(node.children), armature];
+  for (const scene of json.scenes)
+    if (scene.nodes.some((node) => tops.includes(node))) scene.nodes = [...replaced(scene.nodes), armature];
+  json.nodes.push({ name: 'Armature', children: tops, rotation: [-0.5, 0.5, 0.5, 0.5], scale: [0.5, 0.5, 0.5] });
+  let text = JSON.stringify(json);
+  text += ' '.repeat((4 - (text.length % 4)) % 4);
+  const head = Buffer.from(glb.subarray(0, 20));
+  const rest = glb.subarray(20 + jsonBytes);
+  head.writeUInt32LE(20 + text.length + rest.length, 8);
+  head.writeUInt32LE(text.length, 12);
+  return Buffer.concat([head, Buffer.from(text), rest]);
+}
+
+/** Compresses a character's own motion, and puts the character beside it. */
+function prepare(model, bytes) {
+  const path = join(files, model);
+  writeFileSync(path, bytes);
+  mocapress('compress', path, '-o', path.replace(/\.[^.]*$/, '.mcpr'));
+}
+
+before(async () => {
+  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
+  mkdirSync(WEB_PICTURES, { recursive: true });
+  prepare('character.glb', readFileSync(character));
+  for (const clip of ['human_walk', 'human_run', 'human_jump'])
+    mocapress('compress', join(source, `resources/samples/${clip}.amc`), '-o', join(files, `${clip}.mcpr`));
+  const clips = ['human_jump', 'human_run', 'human_walk'].map((clip) => join(files, `${clip}.mcpr`));
+  mocapress('bank', 'make', join(files, 'packed.mcpk'), ...clips);
+  mocapress('bank', 'make', join(files, 'cooked.mcpk'), ...clips, '--cooked');
+  mocapress('bank', 'make', join(files, 'character.mcpk'), join(files, 'character.mcpr'), '--cooked');
+  browser = await chromium.launch({
+    executablePath: process.env.WEB_CHROMIUM ?? '/usr/bin/chromium',
+    args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
+  });
+  page = await browser.newPage({ viewport: { width: 1280, height: 720 } });
+  page.on('pageerror', (error) => pageErrors.push(String(error)));
+  await page.goto(`http://127.0.0.1:${server.address().port}/page.html`);
+  await page.waitForFunction(() => window.page);
+});
+
+after(async () => {
+  await browser?.close();
+  server.close();
+  rmSync(files, { recursive: true });
+});
+
+test('the package has all files, and the cooked player is below 60 KB', () => {
+  const listed = JSON.parse(execFileSync('npm', ['pack', '--dry-run', '--json'], { cwd: WEB_PACKAGE }));
+  const names = listed[0].files.map((file) => file.path).sort();
+  assert.deepEqual(names, [
+    'LICENSE',
+    'README.md',
+    'mocapress.d.ts',
+    'mocapress.js',
+    'mocapress.wasm',
+    'mocapress_cooked.wasm',
+    'mocapress_plain.wasm',
+    'mocapress_three.d.ts',
+    'mocapress_three.js',
+    'package.json',
+  ]);
+  for (const name of readdirSync(WEB_PACKAGE).filter((name) => name.endsWith('.wasm')))
+    console.log(`${name}: ${gzipSync(readFileSync(join(WEB_PACKAGE, name)), { level: 9 }).length} bytes gzipped`);
+  assert.ok(gzipSync(readFileSync(join(WEB_PACKAGE, 'mocapress_cooked.wasm')), { level: 9 }).length < 60_000);
+});
+
+test('the module leaves no globals', async () => {
+  assert.equal(await inPage('leavesNoGlobals'), true);
+});
+
+test('every module samples the poses of the native runtime', async () => {
+  const expected = native('human_walk.mcpr', 300);
+  for (const module of ['', 'package/mocapress_plain.wasm']) {
+    const { poses, usPlaying, usRandom } = await inPage('poses', module, 'files/human_walk.mcpr', expected.seconds);
+    assert.ok(largestDifference(poses, expected.poses) < 1e-3);
+    console.log(
+      `${module || 'package/mocapress.wasm'}: ${usPlaying.toFixed(2)} us a pose playing, ${usRandom.toFixed(2)} random; ` +
+        `native ${expected.us_playing} and ${expected.us_random}`,
+    );
+  }
+});
+
+test('banks give the poses of their clips, packed and cooked', async () => {
+  const expected = native('human_run.mcpr', 100);
+  for (const [module, bank] of [
+    ['', 'packed'],
+    ['', 'cooked'],
+    ['package/mocapress_cooked.wasm', 'cooked'],
+  ]) {
+    const made = await inPage('posesOfBank', module, `files/${bank}.mcpk`, 'human_run', expected.seconds);
+    assert.deepEqual(made.names, ['human_jump', 'human_run', 'human_walk']);
+    assert.ok(largestDifference(made.poses, expected.poses) < 1e-3, `${module} ${bank}`);
+  }
+});
+
+test('a worker samples the same poses', async () => {
+  const expected = native('human_walk.mcpr', 20);
+  const poses = await inPage('posesInWorker', '/files/human_walk.mcpr', expected.seconds);
+  assert.ok(largestDifference(poses, expected.poses) < 1e-3);
+});
+
+test('damaged files are refused in one sentence', async () => {
+  const whole = readFileSync(join(files, 'human_walk.mcpr'));
+  const flipped = Buffer.from(whole);
+  flipped[whole.length >> 1] ^= 1;
+  for (const bytes of [[], [1, 2, 3], whole.subarray(0, 500), flipped])
+    assert.match(await inPage('refusal', [...bytes]), /^MocapressError: [^.]+$/);
+});
+
+const ofCorpus = (path) => [path.replace(/^.*\/|\.[^.]*$/g, ''), join(corpus, path)];
+const rigs = [
+  ['character', character],
+  ['armature', character, withArmature],
+  ofCorpus('gltf/character_meshopt.glb'),
+  ofCorpus('strangers/g_base.gltf'),
+  ofCorpus('strangers/g_twochars.gltf'),
+];
+for (const [name, file, changed] of rigs)
+  test(`bones of ${name} are where the native runtime has its joints`, { skip: !existsSync(file) }, async () => {
+    const model = name + extname(file);
+    prepare(model, (changed ?? ((bytes) => bytes))(readFileSync(file)));
+    const expected = native(`${name}.mcpr`, 60);
+    const { sampled, keyframes } = await inPage(
+      'positions',
+      `files/${model}`,
+      `files/${name}.mcpr`,
+      expected.joints.map((joint) => joint.name),
+      expected.seconds,
+    );
+    // A mixer has the poses of a cursor, which differ from decoded ones by up to 2e-3 cm; at frames keyframes are decoded.
+    const ofMixer = largestDifference(sampled, positionsOfPoses(expected));
+    const ofKeyframes = largestDifference(atFrames(keyframes, expected), atFrames(expected.positions, expected));
+    console.log(`${name}: MocapressMixer ${ofMixer.toExponential(1)} cm, AnimationClip ${ofKeyframes.toExponential(1)} cm`);
+    assert.ok(ofMixer < 1e-3);
+    assert.ok(ofKeyframes < 1e-3);
+  });
+
+function positionsOfPoses({ joints, poses, seconds }) {
+  const all = Float32Array.from(poses);
+  const stride = 8 * joints.length;
+  return seconds.flatMap((_, i) => [...worldPositions(joints, all.subarray(stride * i, stride * (i + 1)), 8)]);
+}
+
+/** The positions at instants that are frames. */
+function atFrames(positions, { seconds, joints, sample_rate }) {
+  const isFrame = (second) => Math.abs(second * sample_rate - Math.round(second * sample_rate)) < 1e-3;
+  return positions.filter((_, i) => isFrame(seconds[Math.floor(i / (3 * joints.length))]));
+}
+
+test('a crowd of 200 is sampled within a frame of 60 a second', async () => {
+  const one = await inPage('crowd', 'files/character.glb', 'files/character.mcpr', 1, 1);
+  await page.screenshot({ path: join(WEB_PICTURES, 'character.png') });
+  await page.evaluate(() => document.querySelector('canvas').remove());
+  const all = await inPage('crowd', 'files/character.glb', 'files/character.mcpk', 200, 5);
+  await page.screenshot({ path: join(WEB_PICTURES, 'crowd.png') });
+  console.log('one character', one, '200 characters', all);
+  assert.ok(one.triangles > 1000 && all.triangles > 200 * 1000);
+  assert.ok(all.msOfSampling < 1000 / 60);
+});
+
+test('the page had no error', () => assert.deepEqual(pageErrors, []));
