@@ -23,6 +23,7 @@
 #include "core/batch/queue_json.h"
 #include "core/batch/slurm_script.h"
 #include "core/formats/text_writer.h"
+#include "core/report/review_page.h"
 
 namespace mocapress::cli {
 namespace {
@@ -55,6 +56,7 @@ struct BatchCommand {
   std::vector<std::string> formats = {"mcpr"};
   std::string bank;
   bool learn = false;
+  bool review = false;
   std::string names = kUsualNames;
   std::string shard = "1/1";
   int jobs = 0;
@@ -95,6 +97,8 @@ struct BatchCommand {
     for (const std::string& format : formats)
       if (std::count(batch.formats.begin(), batch.formats.end(), *output_format(format)) == 0)
         batch.formats.push_back(*output_format(format));
+    if (review && !has_review_viewer()) throw CLI::ValidationError("--review", kNoReviewViewer);
+    if (review) batch.formats.push_back(OutputFormat::Review);
     if (!bank.empty()) batch.bank = bank_form(bank);
     batch.learn = learn;
     try {
@@ -274,6 +278,9 @@ void add_batch(CLI::App& app) {
   command->add_option("--format", call->formats, "Output formats, comma-separated [mcpr]")
       ->delimiter(',')
       ->check(CLI::IsMember({"mcpr", "bvh", "amc", "csv", "glb", "fbx"}));
+  command->add_flag("--review", call->review,
+                    "Also write NAME.review.js of each clip, which report.html shows in three "
+                    "dimensions: original and compressed");
   CLI::Option* const bank =
       command
           ->add_option("--bank", call->bank,

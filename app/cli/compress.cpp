@@ -10,15 +10,19 @@
 #include "app/cli/preset_arguments.h"
 #include "app/cli/report.h"
 #include "app/cli/standard_streams.h"
+#include "core/base/file.h"
 #include "core/base/file_identity.h"
 #include "core/base/staged_file.h"
+#include "core/batch/review_clip.h"
 #include "core/batch/verification.h"
 #include "core/codec/encode/track_encoder.h"
 #include "core/codec/format/source_section.h"
 #include "core/codec/methods/comparison_method.h"
 #include "core/codec/methods/compression_method.h"
 #include "core/formats/text_cursor.h"
+#include "core/metrics/rate.h"
 #include "core/mocapress/encode_options.h"
+#include "core/report/review_page.h"
 
 namespace mocapress::cli {
 namespace {
@@ -37,6 +41,7 @@ struct Compress {
   std::string input_format;  // of standard input
   MotionInput source;
   std::string output;
+  std::string review;  // a page to write
   Settings settings{.target = {}};
   Effort effort = Effort::Default;
   CorrectionArguments correction;
@@ -66,6 +71,8 @@ struct Compress {
       throw CLI::ValidationError("an .amc from standard input needs --skeleton");
     if (writes_stream() && json)
       throw CLI::ValidationError("--json", "would mix with the clip on standard output");
+    if (!review.empty() && !has_review_viewer())
+      throw CLI::ValidationError("--review", kNoReviewViewer);
     if (!output.empty() && !writes_stream() &&
         !equals_ignoring_case(std::filesystem::path(output).extension().string(), ".mcpr"))
       throw CLI::ValidationError(
@@ -75,6 +82,7 @@ struct Compress {
   MotionFile read_source() const {
     if (!reads_stream()) {
       if (!output.empty() && !writes_stream()) refuse_source(output, source.files(input));
+      if (!review.empty()) refuse_source(review, source.files(input));
       return source.read_file(input);
     }
     MotionFile file = read_motion_bytes("standard input." + input_format, read_standard_input(),
@@ -100,6 +108,7 @@ struct Compress {
     Compression made = encoder.compress(*find_compression_method(asked.method), options);
     made.file = with_tracks(with_source(made.file, file.source), file.tracks, asked.track_error);
     Verification found = write(made.file, encoder.wavelets(), *options.contacts);
+    made.decoded = std::move(found.decoded);
     const Report report{
         .input = input,
         .original = &encoder.wavelets().motion(),
@@ -120,13 +129,26 @@ struct Compress {
         .iterations = made.iterations,
         .encode_seconds = made.seconds,
         .tracks = track_figures(file.tracks, made.file)};
+    if (!review.empty()) write_review(report, encoder, made);
     json ? print(to_json(report)) : print(report);
+  }
+
+  void write_review(const Report& report, const MethodEncoder& encoder,
+                    const Compression& made) const {
+    const Clip& original = encoder.wavelets().motion().clip;
+    const std::vector<std::string> facts =
+        review_facts(report.method, compression_ratio(original, report.motion_bytes),
+                     report.distortion, report.visibility);
+    const std::string title = reads_stream() ? "standard input" : input;
+    const Clip* const unplayed = report.verified_by == "runtime" ? nullptr : &made.decoded;
+    const std::string script = review_clip(title, encoder.wavelets(), made.file, unplayed);
+    write_text(review, review_page(title, facts, script));
   }
 
   /// Measures what the disk gives back, before that takes the place of anything.
   Verification write(const std::vector<std::byte>& file, const Encoder& original,
                      const std::vector<ContactSpan>& spans) const {
-    const VerificationRequest request{.contacts = spans};
+    const VerificationRequest request{.contacts = spans, .motion = !review.empty()};
     if (output.empty() || writes_stream()) {
       Verification found = verify(file, original, request);
       if (writes_stream())
@@ -189,6 +211,10 @@ void add_compress(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--seed", call->settings.seed,
                       "Seed of the annealing: same seed, same bytes");
+  command
+      ->add_option("--review", call->review,
+                   "Write a page that shows original and compressed motion in a browser")
+      ->type_name("PAGE.html");
   command->add_flag("--json", call->json, "Print one JSON object");
   command->callback([call] { call->run(); });
 }

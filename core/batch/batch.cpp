@@ -11,14 +11,15 @@
 #include "core/base/fnv1a.h"
 #include "core/base/path_kind.h"
 #include "core/formats/clip_files.h"
+#include "core/report/review_page.h"
 
 namespace mocapress {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 6> kFormatNames = {"mcpr", "bvh", "amc",
-                                                          "csv",  "glb", "fbx"};
+constexpr std::array<std::string_view, 7> kFormatNames = {"mcpr", "bvh", "amc",      "csv",
+                                                          "glb",  "fbx", "review.js"};
 
 /// "walks", for "../walks", "walks/", and "." in walks.
 std::string name_of_folder(const fs::path& folder) {
@@ -143,6 +144,9 @@ void check(const Batch& batch) {
     throw Error("a bank is made of .mcpr files, which are not among the formats");
   if (batch.learn && batch.bank != runtime::BankForm::Packed)
     throw Error("only a packed bank is coded by what its clips teach");
+  if (std::ranges::find(batch.formats, OutputFormat::Review) != batch.formats.end() &&
+      !has_review_viewer())
+    throw Error(kNoReviewViewer);
 }
 
 void mark_collisions(Batch& batch) {

@@ -16,13 +16,14 @@
 namespace mocapress {
 
 /// What is made of a clip. All but the first are the motion as it comes out of the .mcpr.
-enum class OutputFormat { Mcpr, Bvh, Amc, Csv, Glb, Fbx };
+enum class OutputFormat { Mcpr, Bvh, Amc, Csv, Glb, Fbx, Review };
 
-inline constexpr std::array<OutputFormat, 6> kOutputFormats = {
-    OutputFormat::Mcpr, OutputFormat::Bvh, OutputFormat::Amc,
-    OutputFormat::Csv,  OutputFormat::Glb, OutputFormat::Fbx};
+inline constexpr std::array<OutputFormat, 7> kOutputFormats = {
+    OutputFormat::Mcpr, OutputFormat::Bvh, OutputFormat::Amc,   OutputFormat::Csv,
+    OutputFormat::Glb,  OutputFormat::Fbx, OutputFormat::Review};
 
-/// "mcpr", "bvh", "amc" (with its .asf beside it), "csv", "glb", "fbx": the extension too.
+/// "mcpr", "bvh", "amc" (with its .asf beside it), "csv", "glb", "fbx", "review.js" (what the
+/// report's viewer shows): the extension too.
 std::string_view name(OutputFormat format);
 
 /// Unset when it is none of them.

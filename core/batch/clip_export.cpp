@@ -11,6 +11,7 @@
 #include "core/base/number_text.h"
 #include "core/base/path_kind.h"
 #include "core/base/staged_file.h"
+#include "core/batch/review_clip.h"
 #include "core/batch/verification.h"
 #include "core/codec/decode/track_decoding.h"
 #include "core/codec/encode/track_encoder.h"
@@ -25,6 +26,7 @@
 #include "core/formats/gltf_writer.h"
 #include "core/mocapress/encode_options.h"
 #include "core/report/loaded_clip.h"
+#include "core/report/review_page.h"
 
 namespace mocapress {
 namespace {
@@ -183,11 +185,22 @@ class Export {
       files.push_back(std::move(mcpr));
     }
     for (const OutputFormat format : formats)
-      if (format != OutputFormat::Mcpr)
+      if (format == OutputFormat::Review)
+        stage_file(kReviewExtension, bytes_of(review_of(clip, made)), files);
+      else if (format != OutputFormat::Mcpr)
         stage(format, {clip.motion().skeleton, made.decoded}, tracks_of(made.file), clip.source(),
               files);
     report(ClipProgress::Stage::Verifying, 0.95);
     put_in_place(files);
+  }
+
+  std::string review_of(const LoadedClip& clip, const Compression& made) const {
+    const Clip* const unplayed = row_.verified_by == "runtime" ? nullptr : &made.decoded;
+    return review_clip(item_.output, clip.encoder().wavelets(), made.file, unplayed,
+                       [&](const EncodeProgress&) {
+                         report(ClipProgress::Stage::Verifying, 0.9);
+                         return true;
+                       });
   }
 
   EncodeOptions options_for(const Motion& motion) const {
@@ -239,7 +252,8 @@ class Export {
                            .up = writing.up.value_or(source.up)};
     switch (format) {
       case OutputFormat::Mcpr:
-        return;  // staged already
+      case OutputFormat::Review:
+        return;  // staged by work()
       case OutputFormat::Csv:
         return stage_file(".csv", bytes_of(csv_text(exported, tracks)), files);
       case OutputFormat::Bvh: {

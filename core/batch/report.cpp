@@ -12,6 +12,7 @@
 #include "core/codec/methods/compression_method.h"
 #include "core/report/markup.h"
 #include "core/report/report_style.h"
+#include "core/report/review_page.h"
 
 namespace mocapress {
 
@@ -72,7 +73,8 @@ struct Totals {
   std::size_t visible = 0;
   std::size_t borderline = 0;
   std::size_t not_visible = 0;
-  std::size_t stale = 0;  // verdicts
+  std::size_t stale = 0;     // verdicts
+  std::size_t reviewed = 0;  // clips that the page can show
   double raw_bytes = 0;
   double motion_bytes = 0;
   double worst_eps_cm = 0;
@@ -88,6 +90,7 @@ struct Totals {
       return;
     }
     ++done;
+    reviewed += std::ranges::find(row.formats, OutputFormat::Review) != row.formats.end();
     if (row.measured->seen) count(row);
     raw_bytes += static_cast<double>(row.measured->raw_bytes);
     motion_bytes += static_cast<double>(row.measured->motion_bytes);
@@ -347,7 +350,7 @@ std::string notes() {
 }  // namespace
 
 void write_batch_html(std::ostream& out, const BatchRows& rows, std::size_t waiting,
-                      const ReportStamp& stamp) {
+                      const ReportStamp& stamp, std::span<const std::byte> viewer) {
   Totals totals;
   rows([&](const BatchRow& row) { totals.add(row); });
   out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><meta "
@@ -360,12 +363,15 @@ void write_batch_html(std::ostream& out, const BatchRows& rows, std::size_t wait
              element("h1", "", "Batch export") + muted(escaped(stamp.program + ", " + stamp.time)))
       << tiles(totals, waiting) << '\n';
   if (totals.failed > 0) write_failures(out, rows);
+  const bool has_viewer = totals.reviewed > 0 && !viewer.empty();
+  if (has_viewer) out << review_section(viewer) << '\n';
   out << pictures(totals) << '\n';
   if (totals.done > 0) write_clips(out, rows);
   if (!totals.most_seen.empty()) write_sights(out, totals);
   if (totals.warned > 0) write_warnings(out, rows);
   out << notes() << "</main>";
-  if (totals.done > 0) out << element("script", "", kReportScript);
+  if (totals.done > 0)
+    out << element("script", "", kReportScript + (has_viewer ? review_buttons() : ""));
   out << "</body></html>\n";
 }
 

@@ -3,9 +3,11 @@
 
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 
 #include "core/batch/row.h"
+#include "core/report/review_viewer.h"
 
 namespace mocapress {
 
@@ -20,7 +22,9 @@ void write_batch_report(const std::filesystem::path& folder, const std::string& 
                         const BatchRows& rows, std::size_t waiting);
 
 /// The page alone, needing nothing else: totals, what failed, the worst frames drawn, every clip.
+/// The viewer, if there is one, shows clips that were written for it (OutputFormat::Review).
 void write_batch_html(std::ostream& out, const BatchRows& rows, std::size_t waiting,
-                      const ReportStamp& stamp);
+                      const ReportStamp& stamp,
+                      std::span<const std::byte> viewer = review_viewer());
 
 }  // namespace mocapress

@@ -6,6 +6,7 @@
 
 #include "core/base/file.h"
 #include "core/batch/queue_json.h"
+#include "core/report/review_page.h"
 #include "tests/support/svg_frame.h"
 #include "tests/system/command.h"
 #include "tests/system/sample_clips.h"
@@ -56,6 +57,18 @@ TEST_F(ReportFiles, OfAStudyAreWellFormedAndTheirPicturesFillTheirFrames) {
   }
   if (!has_xmllint()) GTEST_SKIP() << "needs xmllint";
   EXPECT_EQ(complaints(file("out") / "report.html"), "");
+}
+
+TEST_F(ReportFiles, WithoutTheViewerAReviewIsRefusedBeforeAnythingIsWritten) {
+  if (has_review_viewer()) GTEST_SKIP() << "this build has the viewer: tests/run web tests it";
+  for (const Outcome& outcome :
+       {mocapress({"compress", file("clips") / "clip_100.bvh", "--review", file("page.html")}),
+        mocapress({"batch", file("clips"), "-o", file("out"), "--review"})}) {
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("built without the viewer of review pages"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(file("page.html")));
+  EXPECT_FALSE(std::filesystem::exists(file("out")));
 }
 
 TEST_F(ReportFiles, OfAQueueCarryItsVerdictsAndNotes) {

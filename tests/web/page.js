@@ -99,6 +99,29 @@ const page = {
     return { sampled, keyframes };
   },
 
+  /** Weights of morph targets, by a MocapressMixer, and by three.js playing an AnimationClip. */
+  async morphs(modelUrl, motionUrl, seconds) {
+    const model = await loadCharacter(modelUrl);
+    const motion = await new MocapressLoader().loadAsync(motionUrl);
+    const weights = () => {
+      const all = [];
+      model.traverse((mesh) => all.push(...(mesh.morphTargetInfluences ?? [])));
+      return all;
+    };
+    const sampling = new MocapressMixer(model, motion.clip(), { loop: false });
+    const sampled = seconds.flatMap((second) => {
+      sampling.setTime(second);
+      return weights();
+    });
+    const playing = new THREE.AnimationMixer(model);
+    playing.clipAction(motion.animation(undefined, model)).play();
+    const keyframes = seconds.flatMap((second) => {
+      playing.setTime(second);
+      return weights();
+    });
+    return { sampled, keyframes };
+  },
+
   /** Shows a crowd for some seconds; returns frames a second and milliseconds of sampling a frame. */
   async crowd(characterUrl, motionUrl, count, seconds) {
     const character = await loadCharacter(characterUrl);

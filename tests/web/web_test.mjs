@@ -3,7 +3,7 @@
 // which says where things are. Pictures of what the pages show go to the folder WEB_PICTURES.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
@@ -73,10 +73,10 @@ function withArmature(glb) {
 }
 
 /** Compresses a character's own motion, and puts the character beside it. */
-function prepare(model, bytes) {
+function prepare(model, bytes, ...options) {
   const path = join(files, model);
   writeFileSync(path, bytes);
-  mocapress('compress', path, '-o', path.replace(/\.[^.]*$/, '.mcpr'));
+  mocapress('compress', path, '-o', path.replace(/\.[^.]*$/, '.mcpr'), ...options);
 }
 
 before(async () => {
@@ -207,6 +207,21 @@ function atFrames(positions, { seconds, joints, sample_rate }) {
   const isFrame = (second) => Math.abs(second * sample_rate - Math.round(second * sample_rate)) < 1e-3;
   return positions.filter((_, i) => isFrame(seconds[Math.floor(i / (3 * joints.length))]));
 }
+
+const morphCube = join(corpus, 'gltf/AnimatedMorphCube.gltf');
+test('weights of morph targets are the same sampled and as keyframes', { skip: !existsSync(morphCube) }, async () => {
+  copyFileSync(join(corpus, 'gltf/AnimatedMorphCube.bin'), join(files, 'AnimatedMorphCube.bin'));
+  prepare('AnimatedMorphCube.gltf', readFileSync(morphCube), '--target-error', '0.5');
+  const seconds = [0, 0.5, 1, 1.5, 2, 3];
+  const { sampled, keyframes } = await inPage(
+    'morphs',
+    'files/AnimatedMorphCube.gltf',
+    'files/AnimatedMorphCube.mcpr',
+    seconds,
+  );
+  assert.ok(Math.max(...sampled) > 0.5 && Math.min(...sampled) < 0.1, String(sampled));
+  assert.ok(largestDifference(sampled, keyframes) < 1e-3);
+});
 
 test('a crowd of 200 is sampled within a frame of 60 a second', async () => {
   const one = await inPage('crowd', 'files/character.glb', 'files/character.mcpr', 1, 1);

@@ -46,7 +46,7 @@ export interface MixerOptions extends ScaleOptions {
   timeScale?: number;
 }
 
-/** Poses one character by a clip at any instant, without keyframes: about 5 us and a few KB each. */
+/** Poses one character by a clip at any instant, without keyframes. It takes a few KB beside the clip. */
 export class MocapressMixer {
   constructor(root: Object3D, clip: Clip, options?: MixerOptions);
   readonly root: Object3D;

@@ -229,7 +229,9 @@ function bindWeights(root, tracks) {
   tracks.forEach((track, number) => {
     if (track.kind !== 'morphWeight') return;
     named(track.node)?.traverse((mesh) => {
-      const target = mesh.morphTargetDictionary?.[track.name];
+      // A target without a name is target_0 in the clip, and 0 in three.js.
+      const targets = mesh.morphTargetDictionary ?? {};
+      const target = targets[track.name] ?? targets[track.name.replace(/^target_/, '')];
       if (target !== undefined) bound.push({ number, mesh, target });
     });
   });

@@ -39,6 +39,7 @@ class BatchRun : public test::BatchTest {
 TEST_F(BatchRun, MakesTheFilesOfEveryClipAndMeasuresWhatItWrote) {
   Batch asked = batch();
   asked.formats = {kOutputFormats.begin(), kOutputFormats.end()};
+  std::erase(asked.formats, OutputFormat::Review);  // not every build has the viewer
   const BatchOutcome outcome = run(asked);
   EXPECT_TRUE(outcome.complete);
   EXPECT_EQ(outcome.counts.done, 3u);
@@ -164,6 +165,25 @@ TEST_F(BatchRun, AJournalInUseSaysWhoHasItAndIsTakenOverFromAnotherComputerAlone
   EXPECT_EQ(resumed(true), "done");
 }
 
+TEST_F(BatchRun, PutsWhatTheViewerShowsBesideTheReport) {
+  Batch asked = batch();
+  asked.formats = {OutputFormat::Mcpr, OutputFormat::Review};
+  fs::create_directories(out());
+  {
+    // Not run_batch_in(), which builds without the viewer refuse.
+    Journal journal(out() / "batch.jsonl", asked, {}, Journal::Start::New);
+    BatchControl control;
+    run_batch(asked, out(), journal, {}, control);
+  }
+  ASSERT_EQ(rows().size(), 3u);
+  for (const BatchRow& row : rows()) {
+    ASSERT_EQ(row.files.size(), 2u) << row.error;
+    EXPECT_EQ(row.files[1].name, row.output + ".review.js");
+    EXPECT_THAT(read_text(out() / row.files[1].name),
+                testing::StartsWith("mocapressReview(\"" + row.output + "\", \""));
+  }
+}
+
 TEST_F(BatchRun, EveryReportSaysWhichProgramMadeItAndWhen) {
   run(batch());
   for (const char* name : {"report.csv", "report.json", "report.html"}) {
@@ -210,6 +230,27 @@ TEST(BatchReport, OfThousandsOfClipsIsSmallAndBeginsWithWhatIsSeen) {
     write_text(std::filesystem::path(folder) / "batch-3000.html", page);
   EXPECT_EQ(count("what the eye sees over time"), 24u);
   EXPECT_LT(page.find("take_2234: what the eye sees"), page.find("take_1000: what the eye sees"));
+}
+
+TEST(BatchReport, OfThousandsOfClipsWithTheLargestViewerIsBelowThreeMegabytes) {
+  const BatchRows rows = [](const auto& visit) {
+    for (std::size_t i = 0; i < 3000; ++i) {
+      BatchRow row = seen_row(i, 2);
+      row.formats = {OutputFormat::Mcpr, OutputFormat::Review};
+      row.files = {{row.output + ".mcpr", 3000, "1"}, {row.output + ".review.js", 9000, "2"}};
+      visit(row);
+    }
+  };
+  const auto page = [&](std::span<const std::byte> viewer) {
+    std::ostringstream out;
+    write_batch_html(out, rows, 0, {"Mocapress 1", "2026-11-26T14:05:00Z"}, viewer);
+    return out.str();
+  };
+  const std::vector<std::byte> viewer(kLargestViewer, std::byte{7});
+  const std::string with_viewer = page(viewer);
+  EXPECT_LT(with_viewer.size(), 3'000'000u);
+  EXPECT_THAT(with_viewer, HasSubstr("id=\"review\""));
+  EXPECT_THAT(page({}), Not(HasSubstr("review\"")));
 }
 
 TEST_F(BatchRun, AVerdictIsStaleInEveryReportWhenTheClipOrTheSettingsChanged) {

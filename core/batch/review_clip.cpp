@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "core/batch/review_clip.h"
+
+#include "core/codec/format/container.h"
+#include "core/codec/methods/compression_method.h"
+#include "core/report/markup.h"
+#include "core/report/review_page.h"
+
+namespace mocapress {
+namespace {
+
+std::vector<std::byte> nearly_lossless(const Encoder& encoder,
+                                       const Observer<EncodeProgress>& observer) {
+  EncodeOptions options;
+  options.method = Method::ClosedLoop;
+  options.target = {Target::Kind::Error, 0.01};
+  options.effort = Effort::Draft;
+  options.figures_only = true;
+  return write_container(encoder.encode(options, observer).compressed);
+}
+
+}  // namespace
+
+std::string review_clip(std::string_view name, const Encoder& original,
+                        std::span<const std::byte> file, const Clip* decoded,
+                        const Observer<EncodeProgress>& observer) {
+  const std::vector<std::byte> before = nearly_lossless(original, observer);
+  if (decoded == nullptr) return review_script(name, before, file);
+  const Encoder after({original.motion().skeleton, *decoded});
+  return review_script(name, before, nearly_lossless(after, observer));
+}
+
+std::vector<std::string> review_facts(std::string_view method, double ratio,
+                                      const Distortion& distortion, const Visibility& visibility) {
+  return {std::string(method_title(method)), ratio_text(ratio),
+          "at most " + format_significant(distortion.max.cm) + " cm off",
+          "to the eye " + std::string(mocapress::name(visibility.sight()))};
+}
+
+}  // namespace mocapress

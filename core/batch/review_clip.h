@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/codec/encode/encoder.h"
+
+namespace mocapress {
+
+/// The script by which a review page shows a compressed clip, see review_script(). Pages play what
+/// engines play: the original is coded to 0.01 cm, and so is `decoded`, the motion of a `file` that
+/// the runtime does not play. Null: it plays it.
+std::string review_clip(std::string_view name, const Encoder& original,
+                        std::span<const std::byte> file, const Clip* decoded,
+                        const Observer<EncodeProgress>& observer = {});
+
+/// What a page of one clip says about it.
+std::vector<std::string> review_facts(std::string_view method, double ratio,
+                                      const Distortion& distortion, const Visibility& visibility);
+
+}  // namespace mocapress

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "core/report/review_page.h"
+
+#include <nlohmann/json.hpp>
+
+#include "core/base/base64.h"
+#include "core/base/json_text.h"
+#include "core/report/markup.h"
+#include "core/report/report_style.h"
+#include "core/report/review_script.h"
+
+namespace mocapress {
+namespace {
+
+std::string_view text_of(std::span<const std::byte> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// JSON that may stand in a script of a page: without what ends one.
+std::string in_script(const Json& json) {
+  std::string text;
+  for (const char letter : dumped(json))
+    if (letter == '<' || letter == '>' || letter == '&')
+      text += letter == '<' ? "\\u003c" : letter == '>' ? "\\u003e" : "\\u0026";
+    else
+      text += letter;
+  return text;
+}
+
+}  // namespace
+
+bool has_review_viewer() {
+  return !review_viewer().empty();
+}
+
+std::string review_script(std::string_view name, std::span<const std::byte> original,
+                          std::span<const std::byte> compressed) {
+  return "mocapressReview(" + in_script(Json(std::string(name))) + ", \"" +
+         base64_of(text_of(original)) + "\",\n\"" + base64_of(text_of(compressed)) + "\");\n";
+}
+
+std::string review_section(std::span<const std::byte> viewer) {
+  return element("style", "", kReviewStyle) +
+         element("section",
+                 attribute("id", "review") + attribute("class", "review") +
+                     attribute("hidden", "hidden"),
+                 "") +
+         "<!-- Mocapress and three.js, MIT: both licences stand on top of the script that this "
+         "text unpacks to (base64, gzip). -->" +
+         element("script", attribute("id", "viewer") + attribute("type", "text/plain"),
+                 base64_of(text_of(viewer))) +
+         element("script", "", kReviewScript);
+}
+
+std::string review_buttons() {
+  return kReviewButtons;
+}
+
+std::string review_page(std::string_view name, const std::vector<std::string>& facts,
+                        const std::string& script, std::span<const std::byte> viewer) {
+  Json told = Json::array();
+  std::string list;
+  for (const std::string& fact : facts) {
+    told.push_back(fact);
+    list += element("li", "", escaped(fact));
+  }
+  const std::string show =
+      "showClip(" + in_script(Json(std::string(name))) + ", " + in_script(told) + ");";
+  return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><meta "
+         "name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>" +
+         element("title", "", escaped(name)) + element("style", "", kReportStyle) +
+         "</head><body><main>" +
+         element("noscript", "",
+                 element("h1", "", escaped(name)) + element("ul", "", list) +
+                     element("p", "", "The viewer needs JavaScript.")) +
+         review_section(viewer) + element("script", "", script) + element("script", "", show) +
+         "</main></body></html>\n";
+}
+
+}  // namespace mocapress

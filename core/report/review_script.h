@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace mocapress {
+
+/// Unpacks the viewer when the first clip is asked for, and clips from the page or from scripts
+/// beside it. Neither < nor & may stand here: pages are XML, too.
+inline constexpr const char* kReviewScript = R"(
+const mocapressClips = new Map();
+function mocapressReview(name, original, compressed) {
+  mocapressClips.set(name, { name, original, compressed });
+}
+function runScript(fill) {
+  return new Promise(function (resolve, reject) {
+    const script = document.createElement("script");
+    script.onload = resolve;
+    script.onerror = function () { reject(new Error(script.src + " cannot be loaded")); };
+    fill(script);
+    document.head.append(script);
+  });
+}
+let viewerScript;
+function loadViewer() {
+  const text = document.getElementById("viewer").textContent;
+  const packed = Uint8Array.from(atob(text.trim()), function (letter) { return letter.charCodeAt(0); });
+  const unpacked = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Response(unpacked).text().then(function (code) {
+    const url = URL.createObjectURL(new Blob([code], { type: "text/javascript" }));
+    return runScript(function (script) { script.src = url; });
+  });
+}
+async function showClip(name, facts) {
+  const section = document.getElementById("review");
+  section.hidden = false;
+  section.scrollIntoView();
+  try {
+    if (!mocapressClips.has(name)) {
+      const path = name.split("/").map(encodeURIComponent).join("/") + ".review.js";
+      await runScript(function (script) { script.src = path; });
+    }
+    viewerScript = viewerScript || loadViewer();
+    await viewerScript;
+    await mocapressViewer.show(section, Object.assign({ facts }, mocapressClips.get(name)));
+  } catch (error) {
+    section.textContent = name + " cannot be shown: " + error.message;
+  }
+}
+)";
+
+/// A button in each row of the clips; what the row says goes with the clip.
+inline constexpr const char* kReviewButtons = R"(
+const heads = Array.from(table.tHead.rows[0].cells, function (head) { return head.textContent; });
+const told = ["preset", "ratio", "max", "to the eye", "verdict", "note"];
+for (const row of body.rows) {
+  const name = row.cells[0].textContent;
+  const button = document.createElement("button");
+  button.textContent = "View";
+  button.onclick = function () {
+    const facts = told.map(function (head) {
+      const cell = row.cells[heads.indexOf(head)];
+      const unit = head === "max" ? " cm" : "";
+      return cell.textContent.length > 1 ? head + " " + cell.textContent + unit : "";
+    });
+    showClip(name, facts.filter(Boolean));
+  };
+  row.cells[0].append(" ", button);
+}
+)";
+
+/// Its style.
+inline constexpr const char* kReviewStyle = R"css(
+.review canvas { display: block; width: 100%; height: min(64vh, 720px); border-radius: 10px; outline: none; }
+.review canvas.strip { height: 44px; border-radius: 4px; margin-top: 8px; background: var(--page); cursor: pointer; }
+.review input { width: 100%; margin: 6px 0; accent-color: var(--accent); }
+.review .buttons { display: flex; flex-wrap: wrap; gap: 6px; }
+.review button, td button, th button { font: inherit; font-size: 13px; padding: 2px 10px; color: var(--ink);
+  background: var(--card); border: 1px solid var(--rule); border-radius: 6px; cursor: pointer; }
+.review .status { margin: 8px 0 0; font-variant-numeric: tabular-nums; }
+@media print { .review { display: none; } }
+)css";
+
+}  // namespace mocapress

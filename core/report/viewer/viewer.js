@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: MIT
+// The viewer of review pages: original and compressed motion of one clip, in three dimensions. `build` bundles it with
+// three.js and the runtime's WebAssembly; pages call mocapressViewer.show().
+import * as THREE from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { createMocapress, worldPositions } from '../../runtime/web/mocapress.js';
+import wasm from 'mocapress.wasm.gz';
+import { errorColour, findWorstFrames, measure } from './errors.js';
+import { Figure } from './figure.js';
+
+const modes = ['Overlay', 'Side by side', 'Wipe'];
+const grey = new THREE.Color(0x9aa3ad);
+const accent = new THREE.Color(0xd8543f);
+
+const unpacked = (bytes) =>
+  new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
+const bytesOf = (base64) => Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+let mocapress;
+
+/** Joints and ends of bones over all frames, in metres. */
+async function load(base64) {
+  mocapress ??= unpacked(wasm).then(createMocapress);
+  const clip = (await mocapress).openClip(bytesOf(base64));
+  const ends = clip.joints.flatMap(({ name, endSite }, parent) => (endSite ? [{ name, parent, endSite }] : []));
+  const points = [...clip.joints, ...ends];
+  const frames = clip.decode();
+  const stride = 7 * clip.joints.length;
+  const pose = new Float32Array(7 * points.length);
+  ends.forEach(({ endSite }, i) => pose.set([1, 0, 0, 0, ...endSite], stride + 7 * i));
+  const positions = Array.from({ length: clip.frames }, (_, frame) => {
+    pose.set(frames.subarray(stride * frame, stride * (frame + 1)));
+    return worldPositions(points, pose).map((cm) => cm / 100);
+  });
+  const { sampleRate, duration } = clip;
+  clip.dispose();
+  return { points, positions, sampleRate, duration, frames: positions.length };
+}
+
+function element(name, properties = {}, ...children) {
+  const made = Object.assign(document.createElement(name), properties);
+  made.append(...children);
+  return made;
+}
+
+class Viewer {
+  #original;
+  #compressed;
+  #errors;
+  #worst;
+  #frame = 0;
+  #mode = 0;
+  #colours = true;
+  #follows = true;
+  #swapped = false;
+  #playing = false;
+  #before = 0;
+  #drawn = false;
+  #centre = new THREE.Vector3();
+
+  constructor(container) {
+    this.canvas = element('canvas', { tabIndex: 0 });
+    this.strip = element('canvas', { className: 'strip', height: 44 });
+    this.time = element('input', { type: 'range', min: 0, step: 1, value: 0 });
+    this.time.setAttribute('aria-label', 'Frame');
+    this.title = element('h2');
+    this.facts = element('p', { className: 'muted' });
+    this.status = element('p', { className: 'status' });
+    this.buttons = element('div', { className: 'buttons' });
+    container.replaceChildren(this.title, this.facts, this.canvas, this.strip, this.time, this.buttons, this.status);
+
+    this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, antialias: true, preserveDrawingBuffer: true });
+    this.renderer.setPixelRatio(devicePixelRatio);
+    this.camera = new THREE.PerspectiveCamera(38, 1, 0.05, 200);
+    this.controls = new OrbitControls(this.camera, this.canvas);
+    this.controls.addEventListener('change', () => this.#ask());
+    this.scene = new THREE.Scene();
+    const isDark = matchMedia('(prefers-color-scheme: dark)').matches;
+    this.scene.background = new THREE.Color(isDark ? 0x1b1e22 : 0xeceef0);
+    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x8a8378, 2.2));
+    const sun = new THREE.DirectionalLight(0xffffff, 1.8);
+    sun.position.set(3, 6, 4);
+    this.floor = new THREE.GridHelper(40, 40, 0xbac0c5, 0xbac0c5);
+    this.scene.add(sun, this.floor);
+
+    this.#addButtons();
+    this.time.oninput = () => this.seek(Number(this.time.value));
+    this.strip.onpointerdown = (event) =>
+      this.seek(Math.round((event.offsetX / this.strip.clientWidth) * (this.#original.frames - 1)));
+    container.onkeydown = (event) => this.#press(event);
+    new ResizeObserver(() => this.#resize()).observe(this.canvas);
+  }
+
+  async show({ name, original, compressed, facts = [] }) {
+    this.#play(false);
+    this.title.textContent = name;
+    this.facts.textContent = facts.join(' · ');
+    this.status.textContent = 'Loading';
+    [this.#original, this.#compressed] = await Promise.all([load(original), load(compressed)]);
+    for (const figure of [this.before, this.after]) figure?.remove();
+    this.before = new Figure(this.scene, this.#original.points);
+    this.after = new Figure(this.scene, this.#compressed.points);
+    this.#errors = measure(this.#original, this.#compressed);
+    this.#worst = findWorstFrames(this.#errors.ofFrames, this.#original.sampleRate);
+    this.time.max = this.#original.frames - 1;
+    this.#drawStrip();
+    this.resetCamera();
+    this.seek(this.#worst[0] ?? 0);
+  }
+
+  seek(frame) {
+    this.#frame = Math.min(Math.max(frame, 0), this.#original.frames - 1);
+    const whole = Math.round(this.#frame);
+    this.time.value = whole;
+    const { ofPoints, ofFrames, largest } = this.#errors;
+    const count = this.#original.points.length;
+    const errors = ofPoints.subarray(count * whole, count * (whole + 1));
+    const worst = errors.indexOf(Math.max(...errors));
+    const moved = this.#follow();
+    this.floor.position.set(Math.round(this.#centre.x), 0, Math.round(this.#centre.z));
+    const apart = this.#mode === 1 ? 0.55 : 0;
+    const sideways = new THREE.Vector3(1, 0, 0).applyQuaternion(this.camera.quaternion).setY(0).normalize();
+    this.before.pose(this.#original.positions[whole], sideways.clone().multiplyScalar(-apart));
+    this.after.pose(this.#compressed.positions[whole], sideways.clone().multiplyScalar(apart));
+    this.before.colour(() => grey);
+    this.after.colour((point) => (this.#colours ? errorColour(errors[point] / largest) : accent));
+    this.before.setOpacity(this.#mode === 0 ? 0.35 : 1);
+    this.status.textContent =
+      `Frame ${whole} of ${this.#original.frames}, ${(whole / this.#original.sampleRate).toFixed(2)} s. ` +
+      `${this.#original.points[worst].name} is ${(100 * ofFrames[whole]).toFixed(3)} cm off. ` +
+      `The lightest colour is ${(100 * largest).toFixed(2)} cm.`;
+    this.#drawStrip();
+    if (moved) this.controls.update();
+    this.#ask();
+  }
+
+  resetCamera() {
+    const box = new THREE.Box3();
+    const point = new THREE.Vector3();
+    const positions = this.#original.positions[0];
+    for (let i = 0; i < positions.length; i += 3) box.expandByPoint(point.fromArray(positions, i));
+    const size = Math.max(box.getSize(point).length(), 0.1);
+    box.getCenter(this.#centre);
+    this.controls.target.copy(this.#centre);
+    this.camera.position.copy(this.#centre).add(point.set(0.9, 0.35, 1.1).multiplyScalar(1.3 * size));
+    this.controls.update();
+  }
+
+  #addButtons() {
+    const add = (text, key, act) => {
+      const button = element('button', { textContent: text, title: `Key: ${key}`, onclick: act });
+      this.buttons.append(button);
+    };
+    add('Play', 'space', () => this.#play(!this.#playing));
+    modes.forEach((text, mode) => add(text, mode + 1, () => this.#setMode(mode)));
+    add('Swap', 'X', () => this.#swap());
+    add('Colour by error', 'E', () => this.#toggleColours());
+    add('Follow', 'F', () => this.#toggleFollow());
+    add('Worst frame before', 'Shift+N', () => this.#toWorst(-1));
+    add('Next worst frame', 'N', () => this.#toWorst(1));
+    add('Reset camera', 'R', () => this.resetCamera());
+  }
+
+  /** The keys of the studio. */
+  #press(event) {
+    if (event.ctrlKey || event.metaKey || event.altKey || !this.#original) return;
+    const step = event.shiftKey ? 10 : 1;
+    const actions = {
+      ' ': () => this.#play(!this.#playing),
+      1: () => this.#setMode(0),
+      2: () => this.#setMode(1),
+      3: () => this.#setMode(2),
+      x: () => this.#swap(),
+      e: () => this.#toggleColours(),
+      f: () => this.#toggleFollow(),
+      n: () => this.#toWorst(event.shiftKey ? -1 : 1),
+      r: () => this.resetCamera(),
+      arrowleft: () => this.#stopAt(Math.round(this.#frame) - step),
+      arrowright: () => this.#stopAt(Math.round(this.#frame) + step),
+      home: () => this.#stopAt(0),
+      end: () => this.#stopAt(this.#original.frames - 1),
+    };
+    const act = actions[event.key.toLowerCase()];
+    if (!act) return;
+    event.preventDefault();
+    act();
+  }
+
+  #setMode(mode) {
+    this.#mode = mode;
+    this.seek(this.#frame);
+  }
+
+  #swap() {
+    this.#swapped = !this.#swapped;
+    this.seek(this.#frame);
+  }
+
+  #toggleColours() {
+    this.#colours = !this.#colours;
+    this.seek(this.#frame);
+  }
+
+  #toggleFollow() {
+    this.#follows = !this.#follows;
+  }
+
+  #stopAt(frame) {
+    this.#play(false);
+    this.seek(frame);
+  }
+
+  #play(playing) {
+    this.#playing = playing;
+    this.buttons.firstChild.textContent = playing ? 'Pause' : 'Play';
+    this.#before = performance.now();
+    this.#ask();
+  }
+
+  /** Worst frames are in the order of their error. */
+  #toWorst(step) {
+    const at = this.#worst.indexOf(Math.round(this.#frame));
+    const next = at < 0 ? 0 : (at + step + this.#worst.length) % this.#worst.length;
+    this.#stopAt(this.#worst[next] ?? 0);
+  }
+
+  /** Moves camera and target with the body. */
+  #follow() {
+    if (!this.#follows) return false;
+    const positions = this.#original.positions[Math.round(this.#frame)];
+    const centre = new THREE.Vector3(positions[0], this.#centre.y, positions[2]);
+    const way = centre.clone().sub(this.#centre);
+    if (way.lengthSq() === 0) return false;
+    this.#centre.copy(centre);
+    this.camera.position.add(way);
+    this.controls.target.add(way);
+    return true;
+  }
+
+  #resize() {
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    if (width === 0 || height === 0) return;
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    if (this.#errors) this.#drawStrip();
+    this.#ask();
+  }
+
+  /** The error of each frame, with the shown one marked. */
+  #drawStrip() {
+    const { strip } = this;
+    const { ofFrames } = this.#errors;
+    strip.width = Math.max(strip.clientWidth, 1);
+    const context = strip.getContext('2d');
+    const most = Math.max(...ofFrames, 1e-6);
+    for (let x = 0; x < strip.width; ++x) {
+      const first = Math.floor((x / strip.width) * ofFrames.length);
+      const last = Math.max(first + 1, Math.floor(((x + 1) / strip.width) * ofFrames.length));
+      const error = Math.max(...ofFrames.subarray(first, last));
+      context.fillStyle = errorColour(error / this.#errors.largest).getStyle();
+      const height = (error / most) * (strip.height - 4);
+      context.fillRect(x, strip.height - height, 1, height);
+    }
+    context.fillStyle = accent.getStyle();
+    context.fillRect((this.#frame / Math.max(ofFrames.length - 1, 1)) * (strip.width - 2), 0, 2, strip.height);
+  }
+
+  #ask() {
+    if (this.#drawn) return;
+    this.#drawn = true;
+    requestAnimationFrame((now) => {
+      this.#drawn = false;
+      if (!this.#errors) return;
+      if (this.#playing) {
+        const next = this.#frame + ((now - this.#before) / 1000) * this.#original.sampleRate;
+        this.#before = now;
+        this.seek(next > this.#original.frames - 1 ? 0 : next);
+      }
+      this.#draw();
+    });
+  }
+
+  #draw() {
+    const { renderer, scene, camera } = this;
+    const [first, second] = this.#swapped ? [this.after, this.before] : [this.before, this.after];
+    renderer.setScissorTest(this.#mode === 2);
+    if (this.#mode !== 2) {
+      first.visible = second.visible = true;
+      renderer.render(scene, camera);
+      return;
+    }
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    [first, second].forEach((figure, side) => {
+      first.visible = figure === first;
+      second.visible = figure === second;
+      renderer.setScissor((side * width) / 2, 0, width / 2, height);
+      renderer.render(scene, camera);
+    });
+  }
+}
+
+let viewer;
+
+/** Shows a clip in `container`: base64 of two .mcpr files, and facts about it. */
+export async function show(container, clip) {
+  if (viewer?.title.parentNode !== container) viewer = new Viewer(container);
+  await viewer.show(clip);
+  viewer.canvas.focus();
+}

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// Review pages in a headless Chromium, opened from disk: node --test review_test.mjs, started by tests/web/run.
+import assert from 'node:assert/strict';
+import { execFileSync, spawnSync } from 'node:child_process';
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+
+const source = join(import.meta.dirname, '../..');
+const { WEB_PROGRAM, WEB_NODE, WEB_PICTURES } = process.env;
+const { chromium } = createRequire(join(WEB_NODE, 'package.json'))('playwright-core');
+const files = mkdtempSync(join(tmpdir(), 'mocapress-review-'));
+const sample = (clip) => join(source, 'resources/samples', clip);
+const mocapress = (...words) => execFileSync(WEB_PROGRAM, words, { stdio: ['ignore', 'pipe', 'pipe'] });
+
+let browser;
+
+/** A page from disk whose errors and requests to a server fail the test. */
+async function open(path, options = {}) {
+  const page = await browser.newPage({ viewport: { width: 1200, height: 1000 }, ...options });
+  page.wrong = [];
+  page.on('pageerror', (error) => page.wrong.push(String(error)));
+  page.on('request', (request) => /^https?:/.test(request.url()) && page.wrong.push(request.url()));
+  await page.goto(pathToFileURL(path).href);
+  return page;
+}
+
+const statusOf = async (page) => {
+  await page.waitForFunction(() => document.querySelector('.status')?.textContent.startsWith('Frame'));
+  return page.textContent('.status');
+};
+const errorIn = (status) => Number(/is ([\d.]+) cm off/.exec(status)[1]);
+const frameIn = (status) => Number(/^Frame (\d+)/.exec(status)[1]);
+
+before(async () => {
+  mkdirSync(WEB_PICTURES, { recursive: true });
+  browser = await chromium.launch({
+    executablePath: process.env.WEB_CHROMIUM ?? '/usr/bin/chromium',
+    args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
+  });
+});
+
+after(async () => {
+  await browser?.close();
+  rmSync(files, { recursive: true });
+});
+
+test('a page of one clip shows its worst frames, as far off as the program measured', async () => {
+  const path = join(files, 'walk & <run>.html');
+  const words = ['compress', sample('human_walk.amc'), '--ratio', '150', '--weighting', 'bone-ends'];
+  const measured = JSON.parse(mocapress(...words, '--review', path, '--json'));
+  const page = await open(path);
+  const worst = await statusOf(page);
+  assert.ok(Math.abs(errorIn(worst) - measured.max_error_cm) < 0.1, `${worst} against ${measured.max_error_cm}`);
+  await page.screenshot({ path: join(WEB_PICTURES, 'review.png') });
+  await page.keyboard.press('n');
+  const next = await statusOf(page);
+  assert.ok(frameIn(next) !== frameIn(worst) && errorIn(next) <= errorIn(worst));
+  await page.keyboard.press('Home');
+  assert.equal(frameIn(await statusOf(page)), 0);
+  await page.keyboard.press('ArrowRight');
+  assert.equal(frameIn(await statusOf(page)), 1);
+  for (const [key, name] of [['2', 'side'], ['3', 'wipe']]) {
+    await page.keyboard.press(key);
+    await page.waitForTimeout(300);
+    await page.screenshot({ path: join(WEB_PICTURES, `review-${name}.png`) });
+  }
+  await page.keyboard.press(' ');
+  await page.waitForFunction(() => !document.querySelector('.status').textContent.startsWith('Frame 1 '));
+  assert.deepEqual(page.wrong, []);
+  console.log(`a page of one clip: ${statSync(path).size} bytes`);
+});
+
+test('the report of a batch loads clips beside it when they are asked for', async () => {
+  const clips = ['human_walk', 'human_run'].map((name) => sample(`${name}.amc`));
+  const folder = join(files, 'batch');
+  mocapress('batch', ...clips, '-o', folder, '--target-error', '0.5', '--review');
+  if (spawnSync('xmllint', ['--version']).status === 0)
+    execFileSync('xmllint', ['--noout', '--huge', join(folder, 'report.html')]);
+  const page = await open(join(folder, 'report.html'));
+  assert.equal(await page.isVisible('#review'), false);
+  const row = page.locator('#clips tbody tr', { hasText: 'human_run' });
+  await row.getByRole('button', { name: 'View' }).click();
+  await statusOf(page);
+  assert.match(await page.textContent('#review h2'), /human_run/);
+  assert.match(await page.textContent('#review p'), /ratio [\d.]+:1 · max [\d.]+ cm/);
+  await page.screenshot({ path: join(WEB_PICTURES, 'report.png') });
+  assert.deepEqual(page.wrong, []);
+  const again = spawnSync(WEB_PROGRAM, ['batch', ...clips, '-o', folder, '--target-error', '0.5', '--review', '--resume']);
+  assert.equal(again.status, 0, String(again.stderr));
+});
+
+test('pages read without script', async () => {
+  const page = await open(join(files, 'batch/report.html'), { javaScriptEnabled: false });
+  assert.match(await page.textContent('#clips'), /human_walk/);
+  assert.equal(await page.isVisible('#review'), false);
+  const one = await open(join(files, 'walk & <run>.html'), { javaScriptEnabled: false });
+  assert.match(await one.textContent('body'), /The viewer needs JavaScript/);
+});
+
+test('methods that no engine plays are shown too', async () => {
+  const path = join(files, 'pca.html');
+  const words = ['compress', sample('human_run.amc'), '--method', 'pca', '--ratio', '30', '--review', path, '--json'];
+  const measured = JSON.parse(mocapress(...words));
+  const page = await open(path);
+  const worst = errorIn(await statusOf(page));
+  assert.ok(Math.abs(worst - measured.max_error_cm) < 0.1 + 0.02 * measured.max_error_cm, `${worst}, ${measured.max_error_cm}`);
+});
+
+test('the report of 3,000 clips is one page below 3 MB', async () => {
+  const folder = join(files, 'many');
+  mkdirSync(folder);
+  const offsets = (i) => Array.from({ length: 4 }, (_, frame) => `${frame + i / 10} 90 0 ${frame} ${i % 7} 0 0 ${frame} 0`);
+  for (let i = 0; i < 3000; ++i)
+    writeFileSync(
+      join(folder, `locomotion_walk_forward_${String(i).padStart(4, '0')}.bvh`),
+      `HIERARCHY\nROOT Hips\n{\n OFFSET 0 0 0\n CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n` +
+        ` JOINT Spine\n {\n  OFFSET 0 20 0\n  CHANNELS 3 Zrotation Xrotation Yrotation\n` +
+        `  End Site\n  {\n   OFFSET 0 20 0\n  }\n }\n}\nMOTION\nFrames: 4\nFrame Time: 0.0333333\n${offsets(i).join('\n')}\n`,
+    );
+  mocapress('batch', folder, '-o', join(files, 'out'), '--target-error', '0.1', '--review');
+  const report = join(files, 'out/report.html');
+  console.log(`the report of 3,000 clips: ${statSync(report).size} bytes`);
+  assert.ok(statSync(report).size < 3e6);
+  assert.equal((readFileSync(report, 'utf8').match(/<tr>/g) ?? []).length > 3000, true);
+  const page = await open(report);
+  await page.locator('#clips tbody tr', { hasText: 'forward_2999' }).getByRole('button', { name: 'View' }).click();
+  await statusOf(page);
+  assert.deepEqual(page.wrong, []);
+});
