@@ -216,6 +216,14 @@
         <translation>Écrire le mouvement issu du clip compressé, sous la forme de sa source</translation>
     </message>
     <message>
+        <source>Export Review Pa&amp;ge…</source>
+        <translation>Exporter la page de re&amp;vue…</translation>
+    </message>
+    <message>
+        <source>Write a page that shows original and compressed clip in a browser</source>
+        <translation>Écrire une page qui montre l’original et le clip compressé dans un navigateur</translation>
+    </message>
+    <message>
         <source>&amp;Import Options…</source>
         <translation>Options d’&amp;importation…</translation>
     </message>
@@ -1021,12 +1029,20 @@
         <translation>Tableau des canaux (*.csv)</translation>
     </message>
     <message>
+        <source>Review pages (*.html)</source>
+        <translation>Pages de revue (*.html)</translation>
+    </message>
+    <message>
         <source>Save Clip</source>
         <translation>Enregistrer le clip</translation>
     </message>
     <message>
         <source>Export Motion</source>
         <translation>Exporter le mouvement</translation>
+    </message>
+    <message>
+        <source>Export Review Page</source>
+        <translation>Exporter la page de revue</translation>
     </message>
     <message>
         <source>The skeleton goes into %1, which is there already. Replace it?</source>

@@ -216,6 +216,14 @@
         <translation>圧縮クリップから得られるモーションを、元ファイルと同じ形式の取り決めで書き出します</translation>
     </message>
     <message>
+        <source>Export Review Pa&amp;ge…</source>
+        <translation>レビューページを書き出す(&amp;G)…</translation>
+    </message>
+    <message>
+        <source>Write a page that shows original and compressed clip in a browser</source>
+        <translation>元のクリップと圧縮クリップをブラウザーで見るページを書き出します</translation>
+    </message>
+    <message>
         <source>&amp;Import Options…</source>
         <translation>読み込みオプション(&amp;I)…</translation>
     </message>
@@ -1012,12 +1020,20 @@
         <translation>チャンネルの表 (*.csv)</translation>
     </message>
     <message>
+        <source>Review pages (*.html)</source>
+        <translation>レビューページ (*.html)</translation>
+    </message>
+    <message>
         <source>Save Clip</source>
         <translation>クリップを保存</translation>
     </message>
     <message>
         <source>Export Motion</source>
         <translation>モーションを書き出す</translation>
+    </message>
+    <message>
+        <source>Export Review Page</source>
+        <translation>レビューページを書き出す</translation>
     </message>
     <message>
         <source>The skeleton goes into %1, which is there already. Replace it?</source>

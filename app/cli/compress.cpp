@@ -139,7 +139,8 @@ struct Compress {
     const std::vector<std::string> facts =
         review_facts(report.method, compression_ratio(original, report.motion_bytes),
                      report.distortion, report.visibility);
-    const std::string title = reads_stream() ? "standard input" : input;
+    const std::string title =
+        reads_stream() ? "standard input" : std::filesystem::path(input).filename().string();
     const Clip* const unplayed = report.verified_by == "runtime" ? nullptr : &made.decoded;
     const std::string script = review_clip(title, encoder.wavelets(), made.file, unplayed);
     write_text(review, review_page(title, facts, script));

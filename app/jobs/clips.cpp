@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/jobs/clips.h"
 
+#include <QFileInfo>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <utility>
 
+#include "core/base/file.h"
 #include "core/base/staged_file.h"
+#include "core/batch/review_clip.h"
 #include "core/batch/verification.h"
 #include "core/codec/decode/decoder.h"
 #include "core/codec/format/container.h"
@@ -14,6 +17,7 @@
 #include "core/metrics/rate.h"
 #include "core/motion/forward_kinematics.h"
 #include "core/motion/skin_points.h"
+#include "core/report/review_page.h"
 
 namespace mocapress {
 
@@ -198,6 +202,19 @@ void saveClip(const QString& path, const DecodedClip& decoded, const OriginalCli
   else
     read_mcpr(file.read_back());
   file.commit();
+}
+
+void saveReviewPage(const QString& path, const DecodedClip& decoded, const OriginalClip& original,
+                    const CodedTracks& tracks, const std::vector<std::string>& remarks) {
+  const std::vector<std::byte> file = savedFile(decoded, &original, tracks);
+  const Verification found = verify(file, *original.encoder, {.motion = true});
+  std::vector<std::string> facts =
+      review_facts(decoded.method, decoded.ratio, found.distortion, found.visibility);
+  facts.insert(facts.end(), remarks.begin(), remarks.end());
+  const std::string name = QFileInfo(original.path).fileName().toStdString();
+  const std::string script =
+      review_clip(name, *original.encoder, file, found.by == "runtime" ? nullptr : &found.decoded);
+  write_text(path.toStdU16String(), review_page(name, facts, script));
 }
 
 }  // namespace mocapress

@@ -117,6 +117,11 @@ Warnings dress(Skeleton& skeleton, const PutCharacter& character, const Skin* ow
 /// The same clip with another character on it.
 OriginalPtr dressed(const OriginalClip& original, const PutCharacter& character);
 
+/// Writes a page on which a browser shows a clip and its original; `remarks` are short texts about
+/// it. Throws Error.
+void saveReviewPage(const QString& path, const DecodedClip& decoded, const OriginalClip& original,
+                    const CodedTracks& tracks, const std::vector<std::string>& remarks);
+
 /// Writes a compressed clip. What the disk gives back is verified before it takes its place:
 /// against its original where it was encoded here, else by being read. Throws Error.
 void saveClip(const QString& path, const DecodedClip& decoded, const OriginalClip* original,

@@ -191,18 +191,9 @@ std::string seen_cell(const std::optional<Seen>& seen) {
                  text);
 }
 
-/// A reviewer's verdict with who and when, and why it no longer holds.
-std::string verdict_text(const BatchRow& row) {
-  const ClipReview& review = row.review;
-  std::string text(name(review.verdict));
-  if (!review.reviewer.empty()) text += " by " + review.reviewer;
-  if (!review.time.empty()) text += ", " + review.time.substr(0, 10);
-  if (const auto why = stale_reason(row)) text += "; stale: " + *why;
-  return review.verdict == Verdict::None ? "" : text;
-}
-
 std::string review_cells(const BatchRow& row) {
-  return text_cell(verdict_text(row), "wrap") + text_cell(row.review.note, "wrap");
+  return text_cell(verdict_text(row.review, stale_reason(row)), "wrap") +
+         text_cell(row.review.note, "wrap");
 }
 
 void write_failures(std::ostream& out, const BatchRows& rows) {

@@ -13,7 +13,7 @@ std::vector<std::byte> nearly_lossless(const Encoder& encoder,
                                        const Observer<EncodeProgress>& observer) {
   EncodeOptions options;
   options.method = Method::ClosedLoop;
-  options.target = {Target::Kind::Error, 0.01};
+  options.target = {Target::Kind::Error, 0.008};  // a draft may be a little further off
   options.effort = Effort::Draft;
   options.figures_only = true;
   return write_container(encoder.encode(options, observer).compressed);
@@ -32,9 +32,11 @@ std::string review_clip(std::string_view name, const Encoder& original,
 
 std::vector<std::string> review_facts(std::string_view method, double ratio,
                                       const Distortion& distortion, const Visibility& visibility) {
+  const Sight sight = visibility.sight();
   return {std::string(method_title(method)), ratio_text(ratio),
           "at most " + format_significant(distortion.max.cm) + " cm off",
-          "to the eye " + std::string(mocapress::name(visibility.sight()))};
+          (sight == Sight::NotVisible ? "not visible" : std::string(mocapress::name(sight))) +
+              " to the eye"};
 }
 
 }  // namespace mocapress

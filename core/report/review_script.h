@@ -75,6 +75,7 @@ inline constexpr const char* kReviewStyle = R"css(
 .review .buttons { display: flex; flex-wrap: wrap; gap: 6px; }
 .review button, td button, th button { font: inherit; font-size: 13px; padding: 2px 10px; color: var(--ink);
   background: var(--card); border: 1px solid var(--rule); border-radius: 6px; cursor: pointer; }
+.review button[aria-pressed="true"] { color: var(--card); background: var(--ink); }
 .review .status { margin: 8px 0 0; font-variant-numeric: tabular-nums; }
 @media print { .review { display: none; } }
 )css";

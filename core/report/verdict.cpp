@@ -44,6 +44,15 @@ std::optional<std::string> stale_reason(const ClipReview& review, std::string_vi
   return std::nullopt;
 }
 
+std::string verdict_text(const ClipReview& review, const std::optional<std::string>& stale_reason) {
+  if (review.verdict == Verdict::None) return "";
+  std::string text(name(review.verdict));
+  if (!review.reviewer.empty()) text += " by " + review.reviewer;
+  if (!review.time.empty()) text += ", " + review.time.substr(0, 10);
+  if (stale_reason) text += "; stale: " + *stale_reason;
+  return text;
+}
+
 Verdict valid_verdict(const ClipReview& review, std::string_view source_hash,
                       std::string_view settings_hash) {
   return stale_reason(review, source_hash, settings_hash) ? Verdict::None : review.verdict;

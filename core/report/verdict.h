@@ -27,6 +27,9 @@ ClipReview review_from(const Json& json);
 std::optional<std::string> stale_reason(const ClipReview& review, std::string_view source_hash,
                                         std::string_view settings_hash);
 
+/// "approved by ana, 2026-11-26; stale: the settings changed". Empty: there is no verdict.
+std::string verdict_text(const ClipReview& review, const std::optional<std::string>& stale_reason);
+
 /// The verdict that counts: none where it is stale.
 Verdict valid_verdict(const ClipReview& review, std::string_view source_hash,
                       std::string_view settings_hash);

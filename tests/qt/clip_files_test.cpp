@@ -195,6 +195,20 @@ TEST_F(Files, ExportsTheMotionInEveryFormat) {
   EXPECT_EQ(session_.document().title(), QStringLiteral("motion.bvh"));
 }
 
+TEST_F(Files, ExportsAReviewPageWithTheRemarksOnItsClip) {
+  openAndSettle();
+  files_.setRemarks([this](const QString& path) {
+    EXPECT_EQ(path, session_.document().original()->path);
+    return std::vector<std::string>{"approved by ana"};
+  });
+  QSignalSpy exported(&files_, &ClipFiles::exported);
+  files_.exportReview();
+  const QString page = directory_.filePath(QStringLiteral("page.html"));
+  choose(window_, page, QStringLiteral("*.html"));
+  ASSERT_TRUE(exported.count() > 0 || exported.wait(kPatience));
+  EXPECT_NE(read_text(page.toStdU16String()).find("<li>approved by ana</li>"), std::string::npos);
+}
+
 TEST_F(Files, AsksBeforeASkeletonIsReplaced) {
   openAndSettle();
   const QString skeleton = directory_.filePath(QStringLiteral("mine.asf"));

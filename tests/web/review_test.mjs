@@ -55,6 +55,8 @@ test('a page of one clip shows its worst frames, as far off as the program measu
   const page = await open(path);
   const worst = await statusOf(page);
   assert.ok(Math.abs(errorIn(worst) - measured.max_error_cm) < 0.1, `${worst} against ${measured.max_error_cm}`);
+  assert.equal(await page.textContent('#review h2'), 'human_walk.amc');
+  assert.deepEqual(await page.locator('[aria-pressed=true]').allTextContents(), ['Overlay', 'Colour by error', 'Follow']);
   await page.screenshot({ path: join(WEB_PICTURES, 'review.png') });
   await page.keyboard.press('n');
   const next = await statusOf(page);

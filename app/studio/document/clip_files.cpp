@@ -81,6 +81,7 @@ QString filterOf(const QString& extension) {
   if (extension == QLatin1String("glb")) return ClipFiles::tr("glTF on its skeleton (*.glb)");
   if (extension == QLatin1String("amc"))
     return ClipFiles::tr("Acclaim motion with its skeleton (*.amc)");
+  if (extension == QLatin1String("html")) return ClipFiles::tr("Review pages (*.html)");
   return ClipFiles::tr("Table of channels (*.csv)");
 }
 
@@ -187,6 +188,10 @@ void ClipFiles::exportMotion() {
   choosePlace(tr("Export Motion"), QStringLiteral("bvh"), kExtensions);
 }
 
+void ClipFiles::exportReview() {
+  choosePlace(tr("Export Review Page"), QStringLiteral("html"), {QStringLiteral("html")});
+}
+
 void ClipFiles::choosePlace(const QString& title, const QString& extension,
                             const QStringList& extensions) {
   auto* dialog = new QFileDialog(window_, title, suggestedPath(extension));
@@ -216,6 +221,8 @@ void ClipFiles::write(const QString& path) {
   const QFileInfo file(path);
   const QString kind = file.suffix().toLower();
   if (kind == QLatin1String("mcpr")) return session_->save(path);
+  if (kind == QLatin1String("html"))
+    return session_->exportReview(path, remarks_(session_->document().original()->path));
   const QString skeleton =
       file.path() + QLatin1Char('/') + file.completeBaseName() + QLatin1String(".asf");
   // The dialog asked about a file that is there, not about which it is, nor about the skeleton.

@@ -5,6 +5,8 @@
 #include <QObject>
 #include <QString>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "app/jobs/open_clip.h"
 #include "core/study/row.h"
@@ -70,6 +72,13 @@ class ClipFiles : public QObject {
   void saveAs();
   void exportMotion();
 
+  /// A page on which a browser shows the clip and its original.
+  void exportReview();
+
+  /// What is said about a clip on its page: the library's verdict and note.
+  using Remarks = std::function<std::vector<std::string>(const QString& path)>;
+  void setRemarks(Remarks remarks) { remarks_ = std::move(remarks); }
+
   /// Runs `then` once nothing would be lost by it: at once, after saving, or never.
   void leave(std::function<void()> then);
 
@@ -90,6 +99,7 @@ class ClipFiles : public QObject {
 
   Session* session_;
   QWidget* window_;
+  Remarks remarks_ = [](const QString&) { return std::vector<std::string>(); };
   OpenRequest unread_;                  // what could not be opened last
   std::function<void()> after_saving_;  // what waits for it, see leave()
 };

@@ -375,6 +375,19 @@ void Session::exportMotion(const QString& path) {
       [this](const QString& message) { emit saveFailed(message); });
 }
 
+void Session::exportReview(const QString& path, const std::vector<std::string>& remarks) {
+  const DecodedPtr decoded = document_.decoded();
+  const OriginalPtr original = document_.original();
+  if (!decoded || !original) return;
+  exporting_.start(
+      [=, tracks = document_.codedTracks()](const Job&) {
+        saveReviewPage(path, *decoded, *original, tracks, remarks);
+        return path;
+      },
+      [this](const QString& written) { emit exported(written); },
+      [this](const QString& message) { emit saveFailed(message); });
+}
+
 void Session::putCharacter(const QString& path) {
   dressing_.start(
       [path = absolute(path)](const Job&) {

@@ -108,6 +108,9 @@ class Session : public QObject {
   /// unit and axes of its source.
   void exportMotion(const QString& path);
 
+  /// Writes a page that shows the clip and its original in a browser, with remarks about it.
+  void exportReview(const QString& path, const std::vector<std::string>& remarks);
+
   /// Puts what another file's figure looks like on the joints of this clip, and on all clips of its
   /// rig. Can be undone.
   void putCharacter(const QString& path);

@@ -14,6 +14,7 @@
 #include "app/studio/document/session.h"
 #include "app/studio/document/settings_field.h"
 #include "core/batch/batch.h"
+#include "core/report/verdict.h"
 #include "widgets/models/library_model.h"
 
 namespace mocapress {
@@ -518,6 +519,17 @@ ClipReviews Library::reviews() const {
   for (const ProjectClip& clip : project_.clips)
     all.insert(clip.path, {clip.review, clip.stamp.source, clip.missing});
   return all;
+}
+
+std::vector<std::string> Library::remarksOn(const QString& path) const {
+  std::vector<std::string> remarks;
+  for (const ProjectClip& clip : project_.clips)
+    if (clip.path == path)
+      remarks = {verdict_text(clip.review,
+                              stale_reason(clip.review, clip.stamp.source, settingsHash(clip))),
+                 clip.review.note};
+  std::erase(remarks, "");
+  return remarks;
 }
 
 void Library::show(const ProjectClip& clip) {

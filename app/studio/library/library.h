@@ -105,6 +105,9 @@ class Library : public KeptProject {
   /// What was decided about every clip.
   ClipReviews reviews() const;
 
+  /// Verdict and note on the clip of that path, as reports have them.
+  std::vector<std::string> remarksOn(const QString& path) const;
+
  signals:
   void currentChanged();
 

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/report/review_page.h"
 #include "widgets/icons/themed_icon.h"
 
 namespace mocapress {
@@ -81,6 +82,10 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
       make(window, Texts::tr("E&xport Motion…"), Qt::CTRL | Qt::SHIFT | Qt::Key_E);
   actions.export_motion->setToolTip(
       Texts::tr("Write the decompressed motion, by the conventions of its source"));
+  actions.export_review = make(window, Texts::tr("Export Review Pa&ge…"));
+  actions.export_review->setToolTip(
+      Texts::tr("Write a page that shows original and compressed clip in a browser"));
+  actions.export_review->setVisible(has_review_viewer());
   actions.import_options = make(window, Texts::tr("&Import Options…"));
   actions.import_options->setToolTip(
       Texts::tr("Read the open motion again with another unit, up axis, rate or root"));
@@ -156,7 +161,7 @@ RecentMenus addMenus(QMainWindow* window, const Actions& actions,
   recent.projects = file->addMenu(Texts::tr("Recent Projec&ts"));
   file->addActions({actions.save_project, actions.add_clips, actions.add_folder});
   file->addSeparator();
-  file->addActions({actions.save, actions.save_as, actions.export_motion});
+  file->addActions({actions.save, actions.save_as, actions.export_motion, actions.export_review});
   file->addSeparator();
   file->addActions({actions.batch, actions.export_library});
   file->addSeparator();

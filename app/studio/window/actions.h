@@ -25,6 +25,7 @@ struct Actions {
   QAction* save = nullptr;
   QAction* save_as = nullptr;
   QAction* export_motion = nullptr;
+  QAction* export_review = nullptr;  // not seen where the build has no viewer
   QAction* import_options = nullptr;
   QAction* put_character = nullptr;
   QAction* take_character_off = nullptr;

@@ -131,6 +131,8 @@ void MainWindow::connectFileActions() {
   connect(actions_.save, &QAction::triggered, files_, &ClipFiles::save);
   connect(actions_.save_as, &QAction::triggered, files_, &ClipFiles::saveAs);
   connect(actions_.export_motion, &QAction::triggered, files_, &ClipFiles::exportMotion);
+  connect(actions_.export_review, &QAction::triggered, files_, &ClipFiles::exportReview);
+  files_->setRemarks([this](const QString& path) { return library_->remarksOn(path); });
   connect(actions_.import_options, &QAction::triggered, files_, &ClipFiles::chooseImportOptions);
   connect(actions_.put_character, &QAction::triggered, files_, &ClipFiles::chooseCharacter);
   connect(actions_.take_character_off, &QAction::triggered, session_, &Session::takeCharacterOff);
@@ -211,6 +213,7 @@ void MainWindow::updateTitle() {
   actions_.save->setEnabled(document.decoded() != nullptr);
   actions_.save_as->setEnabled(document.decoded() != nullptr);
   actions_.export_motion->setEnabled(document.decoded() != nullptr);
+  actions_.export_review->setEnabled(document.decoded() && document.original());
   actions_.import_options->setEnabled(document.original() != nullptr);
   actions_.put_character->setEnabled(document.skeleton() != nullptr);
   actions_.take_character_off->setEnabled(!document.character().path.isEmpty());

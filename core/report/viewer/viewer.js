@@ -55,6 +55,7 @@ class Viewer {
   #playing = false;
   #before = 0;
   #drawn = false;
+  #switches = [];  // show whether they are on
   #centre = new THREE.Vector3();
 
   constructor(container) {
@@ -129,6 +130,7 @@ class Viewer {
       `${this.#original.points[worst].name} is ${(100 * ofFrames[whole]).toFixed(3)} cm off. ` +
       `The lightest colour is ${(100 * largest).toFixed(2)} cm.`;
     this.#drawStrip();
+    for (const show of this.#switches) show();
     if (moved) this.controls.update();
     this.#ask();
   }
@@ -146,15 +148,16 @@ class Viewer {
   }
 
   #addButtons() {
-    const add = (text, key, act) => {
+    const add = (text, key, act, isOn) => {
       const button = element('button', { textContent: text, title: `Key: ${key}`, onclick: act });
+      if (isOn) this.#switches.push(() => button.setAttribute('aria-pressed', isOn()));
       this.buttons.append(button);
     };
     add('Play', 'space', () => this.#play(!this.#playing));
-    modes.forEach((text, mode) => add(text, mode + 1, () => this.#setMode(mode)));
-    add('Swap', 'X', () => this.#swap());
-    add('Colour by error', 'E', () => this.#toggleColours());
-    add('Follow', 'F', () => this.#toggleFollow());
+    modes.forEach((text, mode) => add(text, mode + 1, () => this.#setMode(mode), () => this.#mode === mode));
+    add('Swap', 'X', () => this.#swap(), () => this.#swapped);
+    add('Colour by error', 'E', () => this.#toggleColours(), () => this.#colours);
+    add('Follow', 'F', () => this.#toggleFollow(), () => this.#follows);
     add('Worst frame before', 'Shift+N', () => this.#toWorst(-1));
     add('Next worst frame', 'N', () => this.#toWorst(1));
     add('Reset camera', 'R', () => this.resetCamera());
@@ -202,6 +205,7 @@ class Viewer {
 
   #toggleFollow() {
     this.#follows = !this.#follows;
+    this.seek(this.#frame);
   }
 
   #stopAt(frame) {

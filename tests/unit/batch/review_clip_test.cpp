@@ -10,6 +10,7 @@
 
 #include "core/batch/verification.h"
 #include "core/codec/methods/compression_method.h"
+#include "core/report/markup.h"
 #include "tests/support/test_motion.h"
 
 namespace mocapress::test {
@@ -48,7 +49,7 @@ class ReviewClip : public testing::Test {
  protected:
   Compression compressed_by(std::string_view method) const {
     return original_.compress(*find_compression_method(method),
-                              {.target = {Target::Kind::Ratio, 20}});
+                              {.target = {Target::Kind::Error, 1}});
   }
 
   const MethodEncoder original_{smooth_motion(150)};
@@ -67,9 +68,9 @@ TEST_F(ReviewClip, HoldsTheOriginalToAHundredthOfACentimetreAndTheFileItself) {
 TEST_F(ReviewClip, SaysWhatCameOfIt) {
   const Compression made = compressed_by("closed-loop");
   EXPECT_THAT(review_facts("closed-loop", 20, made.distortion, made.visibility),
-              testing::ElementsAre(method_title("closed-loop"), "20:1",
+              testing::ElementsAre(method_title("closed-loop"), ratio_text(20),
                                    testing::MatchesRegex("at most [0-9.]+ cm off"),
-                                   testing::StartsWith("to the eye ")));
+                                   testing::EndsWith(" to the eye")));
 }
 
 TEST_F(ReviewClip, CodesAnewWhatNoEnginePlays) {
