@@ -171,8 +171,7 @@ class JointMotion {
     const float* const q = out.rotation;
     return {rotation_of(static_cast<double>(q[0]), static_cast<double>(q[1]),
                         static_cast<double>(q[2]), static_cast<double>(q[3])),
-            {{static_cast<double>(out.translation[0]), static_cast<double>(out.translation[1]),
-              static_cast<double>(out.translation[2])}}};
+            vector_of(out.translation)};
   }
 
   /// The joint's transform at the start of the next cycle: that of the last frame if it repeats the
@@ -185,8 +184,7 @@ class JointMotion {
     const float* const q = out.rotation;
     return {rotation_of(static_cast<double>(q[0]), static_cast<double>(q[1]),
                         static_cast<double>(q[2]), static_cast<double>(q[3])),
-            {{static_cast<double>(out.translation[0]), static_cast<double>(out.translation[1]),
-              static_cast<double>(out.translation[2])}}};
+            vector_of(out.translation)};
   }
 
   /// The power of a transform by any whole number, also negative.

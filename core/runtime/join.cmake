@@ -9,6 +9,7 @@ cmake_minimum_required(VERSION 3.25)
 
 # Appends a file, without its licence line, to `joined`.
 function(append_file path)
+  cmake_path(NORMAL_PATH path)
   file(READ "${path}" text)
   if(text MATCHES "#pragma once\n")
     get_property(seen GLOBAL PROPERTY "seen_${path}")
@@ -62,7 +63,6 @@ string(REPLACE "// \n" "//\n" LICENSE "${LICENSE}")
 file(READ "${CMAKE_CURRENT_LIST_DIR}/joined_head.txt" joined)
 string(CONFIGURE "${joined}" joined @ONLY)
 foreach(source IN LISTS SOURCES)
-  cmake_path(NORMAL_PATH source)
   append_file("${source}")
 endforeach()
 # Collapses the blank lines that includes leave behind.

@@ -166,16 +166,7 @@ int32_t mcpr_find_joint(const mcpr_clip* clip, const char* name) {
 }
 
 int mcpr_path_exists(mcpr_path path) {
-  switch (path) {
-    case MCPR_PATH_BEST:
-    case MCPR_PATH_PLAIN:
-      return 1;
-    case MCPR_PATH_SSE2:
-      return sse2_rows() != nullptr ? 1 : 0;
-    case MCPR_PATH_AVX2:
-      return avx2_rows() != nullptr ? 1 : 0;
-  }
-  return 0;
+  return rows_of(path) != nullptr ? 1 : 0;
 }
 
 size_t mcpr_frame_values(const mcpr_clip* clip, const mcpr_request* request) {

@@ -191,7 +191,9 @@ typedef enum mcpr_path {
   MCPR_PATH_BEST = 0, /* the fastest that exists */
   MCPR_PATH_PLAIN = 1,
   MCPR_PATH_SSE2 = 2,
-  MCPR_PATH_AVX2 = 3
+  MCPR_PATH_AVX2 = 3,
+  MCPR_PATH_NEON = 4,
+  MCPR_PATH_WASM = 5
 } mcpr_path;
 
 /* Returns 1 if this build and this machine have the path, else 0. */

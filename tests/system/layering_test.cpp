@@ -31,11 +31,17 @@ const std::string kCInterface = "core/runtime/mocapress_runtime.h";
 /// From the ground up: a room includes only what stands before it.
 const std::map<std::string, RoomRules> kRooms = {
     {"core/base", {}},
-    {"core/runtime/format", {{kCInterface}, false, true}},
+    {"core/runtime/processor", {{kCInterface}, false, true}},
+    {"core/runtime/format", {{kCInterface, "core/runtime/processor"}, false, true}},
     {"core/runtime/ik", {{kCInterface, "core/runtime/format"}, false, true}},
-    {"core/runtime/decode", {{kCInterface, "core/runtime/format", "core/runtime/ik"}, false, true}},
+    {"core/runtime/decode",
+     {{kCInterface, "core/runtime/processor", "core/runtime/format", "core/runtime/ik"},
+      false,
+      true}},
     {"core/runtime/pose",
-     {{kCInterface, "core/runtime/format", "core/runtime/decode"}, false, true}},
+     {{kCInterface, "core/runtime/processor", "core/runtime/format", "core/runtime/decode"},
+      false,
+      true}},
     {"core/runtime/bank", {{kCInterface, "core/runtime/format", "core/runtime/pose"}, false, true}},
     {"core/runtime", {{"core/runtime"}, false, true}},
     // A program over the interface, as an engine's.

@@ -8,23 +8,10 @@
 
 #include "core/runtime/format/end_poses.h"
 #include "core/runtime/format/format_limits.h"
+#include "core/runtime/format/trigonometry.h"
 
 namespace mocapress::runtime {
 namespace {
-
-const RowKernels* rows_of(mcpr_path path) {
-  switch (path) {
-    case MCPR_PATH_BEST:
-      return &best_rows();
-    case MCPR_PATH_PLAIN:
-      return &kPlainRows;
-    case MCPR_PATH_SSE2:
-      return sse2_rows();
-    case MCPR_PATH_AVX2:
-      return avx2_rows();
-  }
-  return nullptr;
-}
 
 /// Whether the IK correction turns any of the requested channels.
 bool turns_any(const ClipBlock& clip, const mcpr_request& request) {
@@ -71,11 +58,12 @@ void put_place_in_parent(const JointModel& joint, const float* row, float* out) 
   Vector3 origin = joint.offset;
   if (joint.has_axes) append_turn(joint.parent_from_axes, q);
   for (int c = 0; c < joint.channels; ++c) {
-    const double value = row[joint.first_channel + c];
+    const auto value = static_cast<double>(row[joint.first_channel + c]);
     const int axis = axis_of(joint.kinds[c]);
     if (is_rotation(joint.kinds[c])) {
-      double turn[4] = {std::cos(0.5 * value), 0, 0, 0};
-      turn[1 + axis] = std::sin(0.5 * value);
+      const auto [sine, cosine] = sine_and_cosine(0.5 * value);
+      double turn[4] = {cosine, 0, 0, 0};
+      turn[1 + axis] = sine;
       append_turn(turn, q);
     } else {
       origin[axis] += value;
@@ -239,8 +227,7 @@ void FrameDecoder::correct(float* row) {
     limb_.set_frame(row);
     Vector3 targets[kMostEffectorsOfLimb];
     for (int e = 0; e < plan.effectors; ++e) {
-      const float* const of_effector = lacking + 3 * plan.effector_numbers[e];
-      targets[e] = limb_.position(e) + Vector3{{of_effector[0], of_effector[1], of_effector[2]}};
+      targets[e] = limb_.position(e) + vector_of(lacking + 3 * plan.effector_numbers[e]);
     }
     solve(clip_.solver, limb_, targets, static_cast<int>(clip_.solver_iterations));
     for (int a = 0; a < plan.turns; ++a)

@@ -72,11 +72,11 @@ class ResidentBuilder {
   }
 
   bool is_double_precision(int signal) const {
-    const double limit =
-        source_.double_precision_limits[signal] / static_cast<double>(source_.steps[signal]);
+    const double limit = static_cast<double>(source_.double_precision_limits[signal]) /
+                         static_cast<double>(source_.steps[signal]);
     for (int b = 0; b < bands_.count; ++b) {
       const std::int32_t* const first = values(signal, bands_[b]);
-      const double most = limit * std::exp2(0.5 * bands_.depth(b));
+      const double most = limit * power_of_root_two(bands_.depth(b));
       if (std::any_of(first, first + bands_[b].size, [&](std::int32_t value) {
             return std::abs(static_cast<double>(value)) > most;
           }))
@@ -280,7 +280,7 @@ class ResidentBuilder {
       const std::uint64_t byte = writer.bits() / 8;
       if (memory_ != nullptr)
         std::memcpy(memory_ + entry.offset + offset_size * static_cast<std::uint64_t>(block), &byte,
-                    offset_size);
+                    static_cast<std::size_t>(offset_size));
       write_block(band, entry, block, writer);
     }
     reserve((writer.bits() + 7) / 8, 1);

@@ -95,7 +95,10 @@ class ResidentChecker {
     std::uint64_t begin = 0;
     for (std::uint64_t block = 0; block < blocks; ++block) {
       std::uint32_t offset = 0;
-      std::memcpy(&offset, signals_.at<std::byte>(entry.offset) + offset_size * block, offset_size);
+      std::memcpy(
+          &offset,
+          signals_.at<std::byte>(entry.offset) + static_cast<std::size_t>(offset_size * block),
+          static_cast<std::size_t>(offset_size));
       if (offset != begin || !is_block(entry, begin)) return false;
     }
     return true;

@@ -2,46 +2,21 @@
 #include "core/runtime/decode/row_kernels.h"
 
 #include "core/runtime/format/bits.h"
+#include "core/runtime/processor/path.h"
 
 #define MOCAPRESS_ROWS base_rows
 #define MOCAPRESS_ROWS_TARGET
 #include "core/runtime/decode/row_kernels_of.inc"
 
-#if defined(__SSE2__) || defined(_M_X64)
-#include <emmintrin.h>
-#endif
-
 namespace mocapress::runtime {
 namespace {
-
-#if defined(__SSE2__) || defined(_M_X64)
-struct Sse2Vector {
-  using Real = float;
-  static constexpr std::ptrdiff_t kSize = 4;
-  __m128 values;
-
-  static Sse2Vector load(const float* from) { return {_mm_loadu_ps(from)}; }
-  static Sse2Vector all(float value) { return {_mm_set1_ps(value)}; }
-  void store(float* to) const { _mm_storeu_ps(to, values); }
-};
-
-inline Sse2Vector operator+(Sse2Vector a, Sse2Vector b) {
-  return {_mm_add_ps(a.values, b.values)};
-}
-inline Sse2Vector operator-(Sse2Vector a, Sse2Vector b) {
-  return {_mm_sub_ps(a.values, b.values)};
-}
-inline Sse2Vector operator*(Sse2Vector a, Sse2Vector b) {
-  return {_mm_mul_ps(a.values, b.values)};
-}
-#endif
 
 void unpack_all_plainly(const PackedRows& rows) {
   unpack_plainly(rows, 0, rows.groups, rows.packed);
 }
 
-#if defined(__SSE2__) || defined(_M_X64)
-constexpr RowKernels kSse2Rows = {base_rows::lifting_of<Sse2Vector>(), unpack_all_plainly};
+#ifdef MOCAPRESS_FOUR
+const RowKernels kFourRows = {base_rows::lifting_of<Floats4>(), unpack_all_plainly};
 #endif
 
 }  // namespace
@@ -71,26 +46,26 @@ const RowKernels kPlainRows = {base_rows::lifting_of<base_rows::PlainVectorOf<fl
                                unpack_all_plainly};
 const LiftingKernels<double> kWideRows = base_rows::lifting_of<base_rows::PlainVectorOf<double>>();
 
-const RowKernels* sse2_rows() {
-#if defined(__SSE2__) || defined(_M_X64)
-  return &kSse2Rows;
+const RowKernels* rows_of(mcpr_path path) {
+  switch (kernels_of(path)) {
+    case Kernels::None:
+      break;
+    case Kernels::Plain:
+      return &kPlainRows;
+    case Kernels::Four:
+#ifdef MOCAPRESS_FOUR
+      return &kFourRows;
 #else
-  return nullptr;
+      break;
 #endif
-}
-
-const RowKernels* avx2_rows() {
-#ifdef MOCAPRESS_DECODER_AVX2
-  return __builtin_cpu_supports("avx2") != 0 ? &kAvx2Rows : nullptr;
+    case Kernels::Avx2:
+#ifdef MOCAPRESS_HAS_AVX2
+      return &kAvx2Rows;
 #else
-  return nullptr;
+      break;
 #endif
-}
-
-const RowKernels& best_rows() {
-  if (const RowKernels* rows = avx2_rows()) return *rows;
-  if (const RowKernels* rows = sse2_rows()) return *rows;
-  return kPlainRows;
+  }
+  return nullptr;
 }
 
 }  // namespace mocapress::runtime

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/runtime/mocapress_runtime.h"
+
 namespace mocapress::runtime {
 
 /// Updates even rows: out = even - (detail_before + detail_after) / 4. Rows are `stride` apart, a
@@ -90,17 +92,15 @@ extern const LiftingKernels<double> kWideRows;
 
 extern const RowKernels kPlainRows;
 
-#if defined(__x86_64__) && defined(__GNUC__)
-#define MOCAPRESS_DECODER_AVX2
-extern const RowKernels kAvx2Rows;  // only if the machine has AVX2
-#endif
+extern const RowKernels kAvx2Rows;  // if the build has AVX2
 
-/// Null if the build or the machine does not have it.
-const RowKernels* sse2_rows();
-const RowKernels* avx2_rows();
+/// Null if the build or the machine does not have the path.
+const RowKernels* rows_of(mcpr_path path);
 
 /// The fastest kernels available.
-const RowKernels& best_rows();
+inline const RowKernels& best_rows() {
+  return *rows_of(MCPR_PATH_BEST);
+}
 
 /// Unpacks groups first_group ... end_group - 1 without vector instructions. Returns the position
 /// of the next group of the first row.

@@ -2,13 +2,13 @@
 // Everything below the headers is compiled for AVX2, and may be called only if the machine has it.
 // FMA stays off: a contraction would give other bits than the other paths.
 #include "core/runtime/decode/row_kernels.h"
+#include "core/runtime/processor/processor.h"
 
-#ifdef MOCAPRESS_DECODER_AVX2
+#ifdef MOCAPRESS_HAS_AVX2
 #include <immintrin.h>
 
-// An attribute on each function instead of a pragma: GCC emits templates at the end of the file,
-// where a pragma would affect those of other headers too.
-#define MOCAPRESS_AVX2 __attribute__((target("avx2")))
+// MOCAPRESS_AVX2 is an attribute on each function instead of a pragma: GCC emits templates at the
+// end of the file, where a pragma would affect those of other headers too.
 #define MOCAPRESS_ROWS avx2_rows_of
 #define MOCAPRESS_ROWS_TARGET MOCAPRESS_AVX2
 #include "core/runtime/decode/row_kernels_of.inc"

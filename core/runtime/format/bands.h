@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+
 namespace mocapress::runtime {
 
 /// A contiguous run of coefficients of one scale.
@@ -17,6 +19,11 @@ constexpr int evens_in(int length) {
 }
 constexpr int odds_in(int length) {
   return length / 2;
+}
+
+/// 2^(count / 2), exactly rounded.
+inline double power_of_root_two(int count) {
+  return std::ldexp(count % 2 == 0 ? 1 : 0x1.6a09e667f3bcdp+0, count >> 1);
 }
 
 /// The bands of a signal of a given length, coarse to fine: first the coarse samples, fewer than

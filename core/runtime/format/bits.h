@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <cstring>
 
-namespace mocapress::runtime {
+#include "core/runtime/processor/processor.h"
 
-static_assert(std::endian::native == std::endian::little, "bits are read in whole words");
+namespace mocapress::runtime {
 
 inline constexpr int kRiceEscape = 16;  // this many zeros announce a plain number
 inline constexpr int kPlainBits = 32;   // width of a plain number

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 
-namespace mocapress::runtime {
+#include "core/runtime/processor/processor.h"
 
-static_assert(std::endian::native == std::endian::little, "files are little-endian");
+namespace mocapress::runtime {
 
 /// Reads little-endian values from untrusted bytes. Reading past the end puts the cursor into a
 /// failed state, which is permanent; values read then are zero.

@@ -24,7 +24,9 @@ bool read_axes(Cursor& cursor, Matrix3& axes) {
   for (const float value : wxyz) squares += static_cast<double>(value) * static_cast<double>(value);
   const double size = std::sqrt(squares);
   if (std::abs(size - 1) > 1e-3) return false;
-  axes = rotation_of(wxyz[0] / size, wxyz[1] / size, wxyz[2] / size, wxyz[3] / size);
+  double unit[4];
+  for (int i = 0; i < 4; ++i) unit[i] = static_cast<double>(wxyz[i]) / size;
+  axes = rotation_of(unit[0], unit[1], unit[2], unit[3]);
   return true;
 }
 
@@ -40,7 +42,7 @@ mcpr_result read_joint(Cursor& cursor, int index, JointRecord& record) {
   if (joint.parent < -1 || joint.parent >= index) return refuse("a joint stands before its parent");
   float offset[3];
   if (!read_finite(cursor, 3, offset)) return refuse("a number of the skeleton is not finite");
-  joint.offset = {{offset[0], offset[1], offset[2]}};
+  joint.offset = vector_of(offset);
   const auto flags = cursor.read<std::uint8_t>();
   if ((flags & ~3) != 0) return refuse("a joint has unknown flags");
   joint.has_axes = (flags & 1) != 0;

@@ -6,7 +6,8 @@
 
 #include <cmath>
 #include <cstdint>
-#include <numbers>
+
+#include "core/runtime/format/trigonometry.h"
 
 namespace mocapress::runtime {
 
@@ -22,8 +23,7 @@ template <typename Matrix>
 void turn_about(int axis, double radians, Matrix& m) {
   const int next = axis == 2 ? 0 : axis + 1;
   const int last = axis == 0 ? 2 : axis - 1;
-  const double c = std::cos(radians);
-  const double s = std::sin(radians);
+  const auto [s, c] = sine_and_cosine(radians);
   for (int row = 0; row < 3; ++row) {
     const double a = m(row, next);
     const double b = m(row, last);
@@ -49,7 +49,7 @@ void apply_channels(const Kind* kinds, int count, const Value& value, Matrix& ro
 
 /// The angle equal to `angle` up to whole turns that is nearest to `previous`. radians
 inline double nearest_turn(double angle, double previous) {
-  constexpr double kTurn = 2 * std::numbers::pi;
+  constexpr double kTurn = 2 * kPi;
   return angle - kTurn * std::round((angle - previous) / kTurn);
 }
 
@@ -58,23 +58,24 @@ inline double nearest_turn(double angle, double previous) {
 template <typename Axes, typename Matrix, typename Vector>
 Vector three_angles(const Axes& axes, const Matrix& rotation, const Vector& previous) {
   constexpr double kGimbalLock = 1e-9;
-  constexpr double kPi = std::numbers::pi;
   const int i = axes[0];
   const int j = axes[1];
   const int k = axes[2];
   const double sign = (i + 1) % 3 == j ? 1 : -1;  // an even or odd order of the axes
-  const double a = std::hypot(rotation(i, i), rotation(i, j)) > kGimbalLock
-                       ? std::atan2(-sign * rotation(j, k), rotation(k, k))
-                       : previous[0];
+  const double a =
+      std::sqrt(rotation(i, i) * rotation(i, i) + rotation(i, j) * rotation(i, j)) > kGimbalLock
+          ? arc_tangent(-sign * rotation(j, k), rotation(k, k))
+          : previous[0];
   // R_i(-a) * rotation = R_j(b) R_k(c). Multiplying by R_i(-a) mixes rows j and k.
-  const double cosine = std::cos(a);
-  const double sine = sign * std::sin(a);
+  const SineAndCosine of_a = sine_and_cosine(a);
+  const double cosine = of_a.cosine;
+  const double sine = sign * of_a.sine;
   const auto row_j = [&](int column) {
     return cosine * rotation(j, column) + sine * rotation(k, column);
   };
   const double b =
-      std::atan2(sign * rotation(i, k), cosine * rotation(k, k) - sine * rotation(j, k));
-  const double c = std::atan2(sign * row_j(i), row_j(j));
+      arc_tangent(sign * rotation(i, k), cosine * rotation(k, k) - sine * rotation(j, k));
+  const double c = arc_tangent(sign * row_j(i), row_j(j));
   const double solutions[2][3] = {{a, b, c}, {a + kPi, kPi - b, c + kPi}};
   Vector found[2];
   double distance[2] = {};

@@ -13,6 +13,12 @@ struct Vector3 {
   double operator[](int i) const { return at[i]; }
 };
 
+/// From three floats.
+inline Vector3 vector_of(const float* from) {
+  return {
+      {static_cast<double>(from[0]), static_cast<double>(from[1]), static_cast<double>(from[2])}};
+}
+
 inline Vector3 operator+(const Vector3& a, const Vector3& b) {
   return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}};
 }

@@ -93,10 +93,9 @@ inline Matrix3 rotation_of(const std::int8_t (&turn)[3]) {
       {static_cast<double>(turn[0]), static_cast<double>(turn[1]), static_cast<double>(turn[2])}};
   const double count = norm(steps);
   if (count == 0) return {};
-  constexpr double kPi = 3.14159265358979323846;
-  const double half = count * kPi / (2 * kFixedTurns);
-  const double sine = std::sin(half) / count;
-  return rotation_of(std::cos(half), sine * steps[0], sine * steps[1], sine * steps[2]);
+  const auto [sine, cosine] = sine_and_cosine(count * kPi / (2 * kFixedTurns));
+  const double part = sine / count;
+  return rotation_of(cosine, part * steps[0], part * steps[1], part * steps[2]);
 }
 
 inline void turn_axes(const TurnedAxes& turned, JointModel& joint) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/runtime/format/value_prediction.h"
 
+#include "core/runtime/processor/path.h"
+
 namespace mocapress::runtime {
 
 constexpr std::array<std::int32_t, kScales> kInverseScales = {
@@ -76,9 +78,12 @@ void SignalPrediction::follow(const std::int16_t* taps, int error) {
     if (tap == 0) continue;
     any = true;
     for (std::size_t j = 0; j < kTaps; ++j) row[j] += tap * taps[j];
-    errors[i] += static_cast<std::int64_t>(tap) * error;
   }
-  if (!any) return;
+  if (any) learn(taps, error);
+}
+
+void SignalPrediction::learn(const std::int16_t* taps, int error) {
+  for (std::size_t i = 0; i < kTaps; ++i) errors[i] += static_cast<std::int64_t>(taps[i]) * error;
   if (++seen == kMostSeen) halve();
   // Updates the weights that would change most.
   for (int move = 0; move < kMoves; ++move) {
@@ -134,11 +139,26 @@ const PredictionKernels kPlainPrediction = {
       for (std::size_t i = 0; i < taps.size(); ++i) taps[i] = normalised(values[i], inverse);
     }};
 
-const PredictionKernels& best_prediction() {
-#ifdef MOCAPRESS_PREDICTION_AVX2
-  if (__builtin_cpu_supports("avx2") != 0) return kAvx2Prediction;
+const PredictionKernels* prediction_of(mcpr_path path) {
+  switch (kernels_of(path)) {
+    case Kernels::None:
+      break;
+    case Kernels::Plain:
+      return &kPlainPrediction;
+    case Kernels::Four:
+#ifdef MOCAPRESS_FOUR
+      return &kFourPrediction;
+#else
+      break;
 #endif
-  return kPlainPrediction;
+    case Kernels::Avx2:
+#ifdef MOCAPRESS_HAS_AVX2
+      return &kAvx2Prediction;
+#else
+      break;
+#endif
+  }
+  return nullptr;
 }
 
 }  // namespace mocapress::runtime

@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "core/runtime/format/mixed_bit.h"
+#include "core/runtime/mocapress_runtime.h"
 
 namespace mocapress::runtime {
 
@@ -48,6 +49,9 @@ struct SignalPrediction {
 
   /// Learns from a decoded value: `error` = value - prediction.
   void follow(const std::int16_t* taps, int error);
+
+  /// The second half of follow(), once `products` has been updated. Some tap is not zero.
+  void learn(const std::int16_t* taps, int error);
 
   std::array<std::int32_t, kTaps * kTaps> products;  // correlations of taps, row by row
   std::array<std::int64_t, kTaps> errors;            // correlation of each tap with the error that
@@ -107,14 +111,17 @@ struct PredictionKernels {
                     std::int32_t inverse, RestPrediction::Taps& taps);
 };
 
+/// Null if the build or the machine does not have the path.
+const PredictionKernels* prediction_of(mcpr_path path);
+
+inline const PredictionKernels& best_prediction() {
+  return *prediction_of(MCPR_PATH_BEST);
+}
+
+// Each only if the build has it.
 extern const PredictionKernels kPlainPrediction;
-
-#if defined(__x86_64__) && defined(__GNUC__)
-#define MOCAPRESS_PREDICTION_AVX2
-extern const PredictionKernels kAvx2Prediction;  // only if the machine has AVX2
-#endif
-
-const PredictionKernels& best_prediction();
+extern const PredictionKernels kFourPrediction;
+extern const PredictionKernels kAvx2Prediction;
 
 /// Bound for the value in normalised(). Larger values give the same result, but their product with
 /// `inverse` might not fit 32 bits.

@@ -1,46 +1,45 @@
 // SPDX-License-Identifier: MIT
 // value_prediction.cpp for AVX2. Computes the same integers.
 #include "core/runtime/format/value_prediction.h"
+#include "core/runtime/processor/processor.h"
 
-#ifdef MOCAPRESS_PREDICTION_AVX2
+#ifdef MOCAPRESS_HAS_AVX2
 #include <immintrin.h>
-
-#define MOCAPRESS_PREDICTION_TARGET __attribute__((target("avx2")))
 
 namespace mocapress::runtime {
 namespace avx2_prediction {
 namespace {
 
-MOCAPRESS_PREDICTION_TARGET inline __m256i eight_ints(const std::int32_t* from) {
+MOCAPRESS_AVX2 inline __m256i eight_ints(const std::int32_t* from) {
   return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from));
 }
-MOCAPRESS_PREDICTION_TARGET inline __m256i four_longs(const std::int64_t* from) {
+MOCAPRESS_AVX2 inline __m256i four_longs(const std::int64_t* from) {
   return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from));
 }
-MOCAPRESS_PREDICTION_TARGET inline void store(__m256i vector, void* to) {
+MOCAPRESS_AVX2 inline void store(__m256i vector, void* to) {
   _mm256_storeu_si256(static_cast<__m256i*>(to), vector);
 }
-MOCAPRESS_PREDICTION_TARGET inline __m256i eight_taps(const std::int16_t* from) {
+MOCAPRESS_AVX2 inline __m256i eight_taps(const std::int16_t* from) {
   return _mm256_cvtepi16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(from)));
 }
-MOCAPRESS_PREDICTION_TARGET inline __m256i four_as_longs(const std::int32_t* from) {
+MOCAPRESS_AVX2 inline __m256i four_as_longs(const std::int32_t* from) {
   return _mm256_cvtepi32_epi64(_mm_loadu_si128(reinterpret_cast<const __m128i*>(from)));
 }
 
 /// Masks the upper half of each lane, so that numbers of 16 bits can be multiplied by a cheaper
 /// instruction than _mm256_mullo_epi32.
-MOCAPRESS_PREDICTION_TARGET inline __m256i low_halves(__m256i numbers) {
+MOCAPRESS_AVX2 inline __m256i low_halves(__m256i numbers) {
   return _mm256_and_si256(numbers, _mm256_set1_epi32(0xFFFF));
 }
 
-MOCAPRESS_PREDICTION_TARGET inline std::int32_t sum_of_ints(__m256i v) {
+MOCAPRESS_AVX2 inline std::int32_t sum_of_ints(__m256i v) {
   __m128i sum = _mm_add_epi32(_mm256_castsi256_si128(v), _mm256_extracti128_si256(v, 1));
   sum = _mm_add_epi32(sum, _mm_shuffle_epi32(sum, 0x4E));
   sum = _mm_add_epi32(sum, _mm_shuffle_epi32(sum, 0xB1));
   return _mm_cvtsi128_si32(sum);
 }
 
-MOCAPRESS_PREDICTION_TARGET inline __m256i size_of_longs(__m256i v) {
+MOCAPRESS_AVX2 inline __m256i size_of_longs(__m256i v) {
   const __m256i sign = _mm256_cmpgt_epi64(_mm256_setzero_si256(), v);
   return _mm256_sub_epi64(_mm256_xor_si256(v, sign), sign);
 }
@@ -48,8 +47,7 @@ MOCAPRESS_PREDICTION_TARGET inline __m256i size_of_longs(__m256i v) {
 constexpr int kLongs = SignalPrediction::kTaps / 4;  // vectors of kTaps numbers
 constexpr int kInts = SignalPrediction::kTaps / 8;
 
-MOCAPRESS_PREDICTION_TARGET int of_signal(const SignalPrediction& prediction,
-                                          const std::int16_t* taps) {
+MOCAPRESS_AVX2 int of_signal(const SignalPrediction& prediction, const std::int16_t* taps) {
   __m256i sums = _mm256_setzero_si256();
   for (int v = 0; v < kInts; ++v) {
     const __m256i weights = eight_ints(prediction.weights.data() + 8 * v);
@@ -66,7 +64,7 @@ MOCAPRESS_PREDICTION_TARGET int of_signal(const SignalPrediction& prediction,
 }
 
 /// Index of the first of the largest errors.
-MOCAPRESS_PREDICTION_TARGET int most_in_error(const SignalPrediction& prediction) {
+MOCAPRESS_AVX2 int most_in_error(const SignalPrediction& prediction) {
   __m256i sizes[kLongs];
   for (int v = 0; v < kLongs; ++v)
     sizes[v] = size_of_longs(four_longs(prediction.errors.data() + 4 * v));
@@ -89,8 +87,8 @@ MOCAPRESS_PREDICTION_TARGET int most_in_error(const SignalPrediction& prediction
 /// subtracted after it.
 constexpr std::int64_t kBias = std::int64_t{1} << 62;
 
-MOCAPRESS_PREDICTION_TARGET void signal_follows(SignalPrediction& prediction,
-                                                const std::int16_t* taps, int error) {
+MOCAPRESS_AVX2 void signal_follows(SignalPrediction& prediction, const std::int16_t* taps,
+                                   int error) {
   constexpr int kTaps = SignalPrediction::kTaps;
   __m256i all[kInts];
   __m256i any = _mm256_setzero_si256();
@@ -142,8 +140,7 @@ MOCAPRESS_PREDICTION_TARGET void signal_follows(SignalPrediction& prediction,
 
 constexpr int kRestInts = RestPrediction::kTaps / 8;
 
-MOCAPRESS_PREDICTION_TARGET int of_rest(const RestPrediction& rest,
-                                        const RestPrediction::Taps& taps) {
+MOCAPRESS_AVX2 int of_rest(const RestPrediction& rest, const RestPrediction::Taps& taps) {
   __m256i sums = _mm256_setzero_si256();
   for (int v = 0; v < kRestInts; ++v) {
     const __m256i weights =
@@ -154,8 +151,8 @@ MOCAPRESS_PREDICTION_TARGET int of_rest(const RestPrediction& rest,
                     2 * SignalPrediction::kFarthest);
 }
 
-MOCAPRESS_PREDICTION_TARGET void rest_follows(RestPrediction& rest,
-                                              const RestPrediction::Taps& taps, int error) {
+MOCAPRESS_AVX2 void rest_follows(RestPrediction& rest, const RestPrediction::Taps& taps,
+                                 int error) {
   __m256i all[kRestInts];
   __m256i sums = _mm256_setzero_si256();
   for (int v = 0; v < kRestInts; ++v) {
@@ -174,9 +171,8 @@ MOCAPRESS_PREDICTION_TARGET void rest_follows(RestPrediction& rest,
   }
 }
 
-MOCAPRESS_PREDICTION_TARGET void normalise(
-    const std::array<std::int32_t, RestPrediction::kTaps>& values, std::int32_t inverse,
-    RestPrediction::Taps& taps) {
+MOCAPRESS_AVX2 void normalise(const std::array<std::int32_t, RestPrediction::kTaps>& values,
+                              std::int32_t inverse, RestPrediction::Taps& taps) {
   const __m256i by = _mm256_set1_epi32(inverse);
   const __m256i most = _mm256_set1_epi32(largest_normal(inverse));
   const __m256i least = _mm256_set1_epi32(-largest_normal(inverse));

@@ -6,7 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "core/runtime/format/trigonometry.h"
 
 namespace mocapress::runtime {
 namespace {
@@ -31,7 +32,7 @@ double best_turn(const Limb& limb, int angle, const Vector3* targets) {
     along += dot(arm, wanted) - dot(axis, arm) * dot(axis, wanted);
     across += dot(axis, cross(arm, wanted));
   }
-  return along == 0 && across == 0 ? 0 : std::atan2(across, along);
+  return along == 0 && across == 0 ? 0 : arc_tangent(across, along);
 }
 
 SolveOutcome solve_cyclic_descent(Limb& limb, const Vector3* targets, int most_sweeps) {
@@ -57,13 +58,13 @@ double bend_for(const Limb& limb, double reach) {
   const double fixed = dot(axis, shin) * dot(axis, thigh);
   const double along = dot(thigh, shin) - fixed;
   const double across = dot(thigh, cross(axis, shin));
-  const double size = std::hypot(along, across);
+  const double size = std::sqrt(along * along + across * across);
   if (!(size > 0)) return 0;
   const double wanted = (reach * reach - dot(thigh, thigh) - dot(shin, shin)) / 2 - fixed;
-  const double spread = std::acos(std::clamp(wanted / size, -1.0, 1.0));
-  const double middle = std::atan2(across, along);
-  const double one = std::remainder(middle + spread, 2 * std::numbers::pi);
-  const double other = std::remainder(middle - spread, 2 * std::numbers::pi);
+  const double spread = arc_cosine(std::clamp(wanted / size, -1.0, 1.0));
+  const double middle = arc_tangent(across, along);
+  const double one = std::remainder(middle + spread, 2 * kPi);
+  const double other = std::remainder(middle - spread, 2 * kPi);
   return std::abs(one) < std::abs(other) ? one : other;
 }
 

@@ -54,7 +54,7 @@ void CookedCoefficients::prepare() {
 void CookedCoefficients::decode_corrected() {
   mcpr_request request{};
   request.apply_ik = 1;
-  Memory memory(decoding_, decoding_bytes_);
+  Memory memory(decoding_, static_cast<std::size_t>(decoding_bytes_));
   const int frames = clip_.segments.frames;
   FrameDecoder(memory, clip_, request).decode(0, frames, corrected_);
   for (int end = 0; end < kMostEnds; ++end) {
@@ -84,7 +84,7 @@ void CookedCoefficients::load(int segment) {
   std::fill_n(values_, std::ptrdiff_t{channel_count()} * bands_.length(bands_.count - 1), 0);
   for (int b = 0; b < bands_.count; ++b) {
     if (motion.is_empty(b)) continue;
-    const double gain = std::exp2(-0.5 * bands_.depth(b));
+    const double gain = power_of_root_two(-bands_.depth(b));
     for (int first = 0; first < bands_[b].size; first += kRowsAtATime) {
       const int end = std::min(first + kRowsAtATime, bands_[b].size);
       motion.unpack(b, first, end, columns, rows_);
@@ -113,13 +113,13 @@ void CookedCoefficients::fit_corrected(int channel, int segment) {
   for (int b = bands_.count - 1; b > 0; --b) {
     const int rest = bands_.length(b);
     split_line(clip_.motion(segment).wavelet(), rest, fine, coarse, samples_);
-    const double gain = std::exp2(-0.5 * bands_.depth(b));
+    const double gain = power_of_root_two(-bands_.depth(b));
     for (int i = 0; i < bands_[b].size; ++i)
       values[bands_[b].first + i] =
           static_cast<std::int32_t>(std::lround(samples_[i] / (kFineStep * gain)));
     std::swap(fine, coarse);
   }
-  const double gain = std::exp2(-0.5 * bands_.depth(0));
+  const double gain = power_of_root_two(-bands_.depth(0));
   for (int i = 0; i < bands_[0].size; ++i)
     values[i] = static_cast<std::int32_t>(std::lround(fine[i] / (kFineStep * gain)));
 }
@@ -136,7 +136,7 @@ std::span<double> CookedCoefficients::samples_of(int channel, int left_out) {
 }
 
 void CookedCoefficients::unpack(int channel, int band, double* to) const {
-  const double step = steps_[channel] * std::exp2(-0.5 * bands_.depth(band));
+  const double step = steps_[channel] * power_of_root_two(-bands_.depth(band));
   for (int i = 0; i < bands_[band].size; ++i) to[i] = step * value(channel, band, i);
 }
 

@@ -7,6 +7,8 @@
 
 #include "core/runtime/format/bit_pattern.h"
 #include "core/runtime/format/interpolation.h"
+#include "core/runtime/pose/entry_sums.h"
+#include "core/runtime/processor/path.h"
 
 namespace mocapress::runtime::plain_poses {
 namespace {
@@ -121,11 +123,10 @@ inline Wholes operator+(const Wholes& a, const Wholes& b) {
   return out;
 }
 
-/// Puts each weight at its row number modulo 16, with zeros elsewhere.
 void place_entry_weights(const Wholes& whole, int first_row, int shift, std::int32_t* of_entry) {
-  std::memset(of_entry, 0, 16 * sizeof *of_entry);
-  for (int i = 0; i < kDetailWindow; ++i)
-    of_entry[(first_row + i) & 15] = static_cast<std::int32_t>(whole.lane[i] << shift);
+  std::int32_t weights[kGroup];
+  whole.store(weights);
+  place_weights(weights, first_row, shift, of_entry);
 }
 
 struct PairWeights {
@@ -232,15 +233,7 @@ struct Quadrants {
 };
 
 void add_run(const EntryRun& run, const std::int32_t* weights, std::int32_t* sums) {
-  constexpr unsigned kRowMask = (1U << kRowBits) - 1;
-  for (int i = 0; i < run.count; ++i) {
-    const unsigned bits = run.first[i];
-    const std::int32_t value = static_cast<std::int16_t>(bits) >> (kColumnBits + kRowBits);
-    std::int32_t& sum = sums[bits & 0xFF];
-    sum = static_cast<std::int32_t>(
-        static_cast<std::uint32_t>(sum) +
-        static_cast<std::uint32_t>(weights[bits >> kColumnBits & kRowMask] * value));
-  }
+  add_one_by_one(run, weights, sums);
 }
 
 void put_quaternions(const std::uint16_t* places, int joints, const Floats& w, const Floats& x,
@@ -273,12 +266,26 @@ const PoseKernels kPlainPoses = {.set_band = plain_poses::set_band,
                                  .turn = plain_poses::turn,
                                  .turn_into = plain_poses::turn_into};
 
-const PoseKernels* avx2_poses() {
-#if defined(__x86_64__) && defined(__GNUC__)
-  return __builtin_cpu_supports("avx2") != 0 ? &kAvx2Poses : nullptr;
+const PoseKernels* poses_of(mcpr_path path) {
+  switch (kernels_of(path)) {
+    case Kernels::None:
+      break;
+    case Kernels::Plain:
+      return &kPlainPoses;
+    case Kernels::Four:
+#ifdef MOCAPRESS_FOUR
+      return &kFourPoses;
 #else
-  return nullptr;
+      break;
 #endif
+    case Kernels::Avx2:
+#ifdef MOCAPRESS_HAS_AVX2
+      return &kAvx2Poses;
+#else
+      break;
+#endif
+  }
+  return nullptr;
 }
 
 }  // namespace mocapress::runtime

@@ -128,12 +128,12 @@ struct PoseKernels {
                     const std::uint16_t* places, int joints, float* out);
 };
 
-extern const PoseKernels kPlainPoses;
-#if defined(__x86_64__) && defined(__GNUC__)
-extern const PoseKernels kAvx2Poses;
-#endif
+/// Null if the build or the machine does not have the path.
+const PoseKernels* poses_of(mcpr_path path);
 
-/// Null if the build or the machine does not have it.
-const PoseKernels* avx2_poses();
+// Each only if the build has it.
+extern const PoseKernels kPlainPoses;
+extern const PoseKernels kFourPoses;
+extern const PoseKernels kAvx2Poses;
 
 }  // namespace mocapress::runtime

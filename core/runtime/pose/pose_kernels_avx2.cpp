@@ -2,8 +2,9 @@
 // Everything below the headers is compiled for AVX2, and may be called only if the machine has it.
 // row_kernels_avx2.cpp explains how that is arranged.
 #include "core/runtime/pose/pose_kernels.h"
+#include "core/runtime/processor/processor.h"
 
-#if defined(__x86_64__) && defined(__GNUC__)
+#ifdef MOCAPRESS_HAS_AVX2
 #include <immintrin.h>
 
 #include <algorithm>
@@ -12,93 +13,89 @@
 
 #include "core/runtime/format/interpolation.h"
 
-#define MOCAPRESS_POSES_AVX2 __attribute__((target("avx2")))
-
 namespace mocapress::runtime::avx2_poses_of {
 namespace {
 
 /// Sets all bits of the lanes whose bit is set.
-MOCAPRESS_POSES_AVX2 inline __m256 lanes_of(unsigned bits) {
+MOCAPRESS_AVX2 inline __m256 lanes_of(unsigned bits) {
   const __m256i of_lane = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
   const __m256i all = _mm256_set1_epi32(static_cast<int>(bits));
   return _mm256_castsi256_ps(_mm256_cmpeq_epi32(_mm256_and_si256(all, of_lane), of_lane));
 }
 
-MOCAPRESS_POSES_AVX2 inline __m256 sign_of(__m256 lanes) {
+MOCAPRESS_AVX2 inline __m256 sign_of(__m256 lanes) {
   return _mm256_and_ps(lanes, _mm256_set1_ps(-0.0F));
 }
 
 struct Floats {
   __m256 lanes;
 
-  MOCAPRESS_POSES_AVX2 static Floats all(float value) { return {_mm256_set1_ps(value)}; }
-  MOCAPRESS_POSES_AVX2 static Floats load(const float* from) { return {_mm256_loadu_ps(from)}; }
-  MOCAPRESS_POSES_AVX2 static Floats of_floats(const std::byte* from) {
+  MOCAPRESS_AVX2 static Floats all(float value) { return {_mm256_set1_ps(value)}; }
+  MOCAPRESS_AVX2 static Floats load(const float* from) { return {_mm256_loadu_ps(from)}; }
+  MOCAPRESS_AVX2 static Floats of_floats(const std::byte* from) {
     return {_mm256_loadu_ps(reinterpret_cast<const float*>(from))};
   }
-  MOCAPRESS_POSES_AVX2 static Floats of_words(const std::byte* from) {
+  MOCAPRESS_AVX2 static Floats of_words(const std::byte* from) {
     const __m128i words = _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
     return {_mm256_cvtepi32_ps(_mm256_cvtepi16_epi32(words))};
   }
-  MOCAPRESS_POSES_AVX2 static Floats of_upper_halves(const std::byte* from) {
+  MOCAPRESS_AVX2 static Floats of_upper_halves(const std::byte* from) {
     const __m128i halves = _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
     return {_mm256_castsi256_ps(_mm256_slli_epi32(_mm256_cvtepu16_epi32(halves), 16))};
   }
-  MOCAPRESS_POSES_AVX2 void store(float* to) const { _mm256_storeu_ps(to, lanes); }
-  MOCAPRESS_POSES_AVX2 Floats only(unsigned bits) const {
-    return {_mm256_and_ps(lanes, lanes_of(bits))};
-  }
-  MOCAPRESS_POSES_AVX2 Floats negated_where(unsigned bits) const {
+  MOCAPRESS_AVX2 void store(float* to) const { _mm256_storeu_ps(to, lanes); }
+  MOCAPRESS_AVX2 Floats only(unsigned bits) const { return {_mm256_and_ps(lanes, lanes_of(bits))}; }
+  MOCAPRESS_AVX2 Floats negated_where(unsigned bits) const {
     return {_mm256_xor_ps(lanes, sign_of(lanes_of(bits)))};
   }
-  MOCAPRESS_POSES_AVX2 Floats but_where(unsigned bits, const Floats& other) const {
+  MOCAPRESS_AVX2 Floats but_where(unsigned bits, const Floats& other) const {
     return {_mm256_blendv_ps(lanes, other.lanes, lanes_of(bits))};
   }
 };
 
-MOCAPRESS_POSES_AVX2 inline Floats operator+(const Floats& a, const Floats& b) {
+MOCAPRESS_AVX2 inline Floats operator+(const Floats& a, const Floats& b) {
   return {_mm256_add_ps(a.lanes, b.lanes)};
 }
-MOCAPRESS_POSES_AVX2 inline Floats operator-(const Floats& a, const Floats& b) {
+MOCAPRESS_AVX2 inline Floats operator-(const Floats& a, const Floats& b) {
   return {_mm256_sub_ps(a.lanes, b.lanes)};
 }
-MOCAPRESS_POSES_AVX2 inline Floats operator*(const Floats& a, const Floats& b) {
+MOCAPRESS_AVX2 inline Floats operator*(const Floats& a, const Floats& b) {
   return {_mm256_mul_ps(a.lanes, b.lanes)};
 }
 
 struct Wholes {
   __m256i lanes;
 
-  MOCAPRESS_POSES_AVX2 static Wholes all(std::int32_t value) { return {_mm256_set1_epi32(value)}; }
-  MOCAPRESS_POSES_AVX2 static Wholes load(const std::int32_t* from) {
+  MOCAPRESS_AVX2 static Wholes all(std::int32_t value) { return {_mm256_set1_epi32(value)}; }
+  MOCAPRESS_AVX2 static Wholes load(const std::int32_t* from) {
     return {_mm256_loadu_si256(reinterpret_cast<const __m256i*>(from))};
   }
-  MOCAPRESS_POSES_AVX2 void store(std::int32_t* to) const {
+  MOCAPRESS_AVX2 void store(std::int32_t* to) const {
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), lanes);
   }
-  MOCAPRESS_POSES_AVX2 void store_words(std::int16_t* to) const {
+  MOCAPRESS_AVX2 void store_words(std::int16_t* to) const {
     const __m128i low = _mm256_castsi256_si128(lanes);
     _mm_storeu_si128(reinterpret_cast<__m128i*>(to),
                      _mm_packs_epi32(low, _mm256_extracti128_si256(lanes, 1)));
   }
-  MOCAPRESS_POSES_AVX2 Wholes halved(int times) const {
+  MOCAPRESS_AVX2 Wholes halved(int times) const {
     return {_mm256_sra_epi32(lanes, _mm_cvtsi32_si128(times))};
   }
-  MOCAPRESS_POSES_AVX2 std::int32_t sum() const {
+  MOCAPRESS_AVX2 std::int32_t sum() const {
     __m128i sums = _mm_add_epi32(_mm256_castsi256_si128(lanes), _mm256_extracti128_si256(lanes, 1));
     sums = _mm_add_epi32(sums, _mm_shuffle_epi32(sums, 0x4E));
     return _mm_cvtsi128_si32(_mm_add_epi32(sums, _mm_shuffle_epi32(sums, 0xB1)));
   }
-  MOCAPRESS_POSES_AVX2 Floats to_floats() const { return {_mm256_cvtepi32_ps(lanes)}; }
+  MOCAPRESS_AVX2 Floats to_floats() const { return {_mm256_cvtepi32_ps(lanes)}; }
 };
 
-MOCAPRESS_POSES_AVX2 inline Wholes operator+(const Wholes& a, const Wholes& b) {
+MOCAPRESS_AVX2 inline Wholes operator+(const Wholes& a, const Wholes& b) {
   return {_mm256_add_epi32(a.lanes, b.lanes)};
 }
 
 /// Puts each weight at its row number modulo 16, with zeros elsewhere.
-MOCAPRESS_POSES_AVX2 inline void place_entry_weights(const Wholes& whole, int first_row, int shift,
-                                                     std::int32_t* of_entry) {
+MOCAPRESS_AVX2 inline void place_entry_weights(const Wholes& whole, int first_row, int shift,
+                                               std::int32_t* of_entry) {
   const __m256i lane = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
   const __m256i first = _mm256_set1_epi32(first_row & 7);
   const __m256i turned =  // rotated to start at that lane
@@ -116,14 +113,14 @@ MOCAPRESS_POSES_AVX2 inline void place_entry_weights(const Wholes& whole, int fi
 struct PairWeights {
   __m256i lanes;
 
-  MOCAPRESS_POSES_AVX2 static PairWeights load(const std::int16_t* from) {
+  MOCAPRESS_AVX2 static PairWeights load(const std::int16_t* from) {
     std::int32_t both;
     std::memcpy(&both, from, sizeof both);
     return {_mm256_set1_epi32(both)};
   }
 
   template <RowKind kKind>
-  MOCAPRESS_POSES_AVX2 Wholes times(const std::byte* pair) const {
+  MOCAPRESS_AVX2 Wholes times(const std::byte* pair) const {
     if constexpr (kKind == RowKind::Nibbles) {
       const __m256i bytes =
           _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(pair)));
@@ -148,8 +145,7 @@ struct RowPair {
 /// Unpacks two rows of a bundle, without removing their bias; for crumbs, those that begin at
 /// `bit`.
 template <RowKind kKind>
-__attribute__((target("avx2"), always_inline)) inline RowPair pair_of(const std::byte* bundle,
-                                                                      int bit) {
+MOCAPRESS_AVX2 MOCAPRESS_ALWAYS_INLINE RowPair pair_of(const std::byte* bundle, int bit) {
   if constexpr (kKind == RowKind::Crumbs || kKind == RowKind::Nibbles) {
     constexpr int kBits = kKind == RowKind::Crumbs ? 2 : 4;
     const __m256i mask = _mm256_set1_epi32((1 << kBits) - 1);
@@ -166,13 +162,12 @@ __attribute__((target("avx2"), always_inline)) inline RowPair pair_of(const std:
   }
 }
 
-MOCAPRESS_POSES_AVX2 inline Wholes bits_less(const Floats& floats, std::uint32_t less) {
+MOCAPRESS_AVX2 inline Wholes bits_less(const Floats& floats, std::uint32_t less) {
   return {_mm256_sub_epi32(_mm256_castps_si256(floats.lanes),
                            _mm256_set1_epi32(static_cast<int>(less)))};
 }
 
-MOCAPRESS_POSES_AVX2 inline Wholes times_crumbs(const std::byte* rows,
-                                                const std::int16_t* weights) {
+MOCAPRESS_AVX2 inline Wholes times_crumbs(const std::byte* rows, const std::int16_t* weights) {
   const __m256i bytes =
       _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(rows)));
   const __m256i spread = _mm256_or_si256(bytes, _mm256_slli_epi32(bytes, 14));
@@ -186,29 +181,27 @@ MOCAPRESS_POSES_AVX2 inline Wholes times_crumbs(const std::byte* rows,
 struct Quadrants {
   __m256i lanes;
 
-  MOCAPRESS_POSES_AVX2 explicit Quadrants(const Floats& quarters)
+  MOCAPRESS_AVX2 explicit Quadrants(const Floats& quarters)
       : lanes(_mm256_castps_si256(quarters.lanes)) {}
-  MOCAPRESS_POSES_AVX2 Floats sine(const Floats& s, const Floats& c) const {
+  MOCAPRESS_AVX2 Floats sine(const Floats& s, const Floats& c) const {
     return {_mm256_xor_ps(_mm256_blendv_ps(s.lanes, c.lanes, odd()), minus(lanes))};
   }
-  MOCAPRESS_POSES_AVX2 Floats cosine(const Floats& s, const Floats& c) const {
+  MOCAPRESS_AVX2 Floats cosine(const Floats& s, const Floats& c) const {
     return {_mm256_xor_ps(_mm256_blendv_ps(c.lanes, s.lanes, odd()),
                           minus(_mm256_add_epi32(lanes, _mm256_set1_epi32(1))))};
   }
 
  private:
-  MOCAPRESS_POSES_AVX2 __m256 odd() const {
-    return _mm256_castsi256_ps(_mm256_slli_epi32(lanes, 31));
-  }
-  MOCAPRESS_POSES_AVX2 static __m256 minus(__m256i quarters) {
+  MOCAPRESS_AVX2 __m256 odd() const { return _mm256_castsi256_ps(_mm256_slli_epi32(lanes, 31)); }
+  MOCAPRESS_AVX2 static __m256 minus(__m256i quarters) {
     return sign_of(_mm256_castsi256_ps(_mm256_slli_epi32(quarters, 30)));
   }
 };
 
 /// Adds eight entries, or as many as there are.
 template <bool kAll>
-MOCAPRESS_POSES_AVX2 inline void add_eight(const std::uint16_t* entries, int count, __m256i low,
-                                           __m256i high, std::int32_t* sums) {
+MOCAPRESS_AVX2 inline void add_eight(const std::uint16_t* entries, int count, __m256i low,
+                                     __m256i high, std::int32_t* sums) {
   static_assert(kColumnBits + kRowBits == 11 && kEntriesBeyond == 7);
   const __m256i bits =
       _mm256_cvtepi16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(entries)));
@@ -225,14 +218,16 @@ MOCAPRESS_POSES_AVX2 inline void add_eight(const std::uint16_t* entries, int cou
   alignas(32) std::int32_t product[8];
   _mm256_store_si256(reinterpret_cast<__m256i*>(product),
                      _mm256_mullo_epi32(_mm256_castps_si256(weight), value));
+#ifdef __GNUC__
   __asm__("" : "+m"(product));  // forces the product into memory: cheaper than extracting lanes
+#endif
   const auto* const places = reinterpret_cast<const std::uint8_t*>(entries);
-#pragma GCC unroll 8
+  MOCAPRESS_UNROLL(8)
   for (int k = 0; k < 8; ++k) sums[places[2 * k]] += product[k];
 }
 
-MOCAPRESS_POSES_AVX2 inline void add_run(const EntryRun& run, const std::int32_t* of_rows,
-                                         std::int32_t* sums) {
+MOCAPRESS_AVX2 inline void add_run(const EntryRun& run, const std::int32_t* of_rows,
+                                   std::int32_t* sums) {
   const auto* const weights = reinterpret_cast<const __m256i*>(of_rows);
   const __m256i low = _mm256_load_si256(weights);
   const __m256i high = _mm256_load_si256(weights + 1);
@@ -241,9 +236,9 @@ MOCAPRESS_POSES_AVX2 inline void add_run(const EntryRun& run, const std::int32_t
   if (i < run.count) add_eight<false>(run.first + i, run.count - i, low, high, sums);
 }
 
-MOCAPRESS_POSES_AVX2 inline void put_quaternions(const std::uint16_t* places, int joints,
-                                                 const Floats& w, const Floats& x, const Floats& y,
-                                                 const Floats& z, float* out) {
+MOCAPRESS_AVX2 inline void put_quaternions(const std::uint16_t* places, int joints, const Floats& w,
+                                           const Floats& x, const Floats& y, const Floats& z,
+                                           float* out) {
   const __m256 wx_low = _mm256_unpacklo_ps(w.lanes, x.lanes);  // joints 0 1 4 5
   const __m256 wx_high = _mm256_unpackhi_ps(w.lanes, x.lanes);
   const __m256 yz_low = _mm256_unpacklo_ps(y.lanes, z.lanes);
@@ -253,7 +248,7 @@ MOCAPRESS_POSES_AVX2 inline void put_quaternions(const std::uint16_t* places, in
       _mm256_shuffle_ps(wx_low, yz_low, 0x44), _mm256_shuffle_ps(wx_low, yz_low, 0xEE),
       _mm256_shuffle_ps(wx_high, yz_high, 0x44), _mm256_shuffle_ps(wx_high, yz_high, 0xEE)};
   if (joints == kGroup) {
-#pragma GCC unroll 4
+    MOCAPRESS_UNROLL(4)
     for (int i = 0; i < 4; ++i) {
       _mm_storeu_ps(out + 8 * places[i], _mm256_castps256_ps128(both[i]));
       _mm_storeu_ps(out + 8 * places[i + 4], _mm256_extractf128_ps(both[i], 1));
@@ -261,7 +256,7 @@ MOCAPRESS_POSES_AVX2 inline void put_quaternions(const std::uint16_t* places, in
     return;
   }
   alignas(16) float one[kGroup][4];
-#pragma GCC unroll 4
+  MOCAPRESS_UNROLL(4)
   for (int i = 0; i < 4; ++i) {
     _mm_store_ps(one[i], _mm256_castps256_ps128(both[i]));
     _mm_store_ps(one[i + 4], _mm256_extractf128_ps(both[i], 1));
@@ -273,9 +268,9 @@ MOCAPRESS_POSES_AVX2 inline void put_quaternions(const std::uint16_t* places, in
 }  // namespace mocapress::runtime::avx2_poses_of
 
 #define MOCAPRESS_POSES avx2_poses_of
-#define MOCAPRESS_POSES_TARGET MOCAPRESS_POSES_AVX2
+#define MOCAPRESS_POSES_TARGET MOCAPRESS_AVX2
 // Inlined, because GCC 12 clears the upper halves of registers that a function returns in a struct.
-#define MOCAPRESS_POSES_INLINE __attribute__((target("avx2"), always_inline)) inline
+#define MOCAPRESS_POSES_INLINE MOCAPRESS_AVX2 MOCAPRESS_ALWAYS_INLINE
 #include "core/runtime/pose/pose_kernels_of.inc"
 
 namespace mocapress::runtime {

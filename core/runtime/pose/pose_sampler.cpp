@@ -10,6 +10,7 @@
 #include "core/runtime/decode/row_kernels.h"
 #include "core/runtime/format/end_poses.h"
 #include "core/runtime/format/joint_model.h"
+#include "core/runtime/format/trigonometry.h"
 #include "core/runtime/pose/instant_weights.h"
 #include "core/runtime/pose/pose_cursor.h"
 #include "core/runtime/pose/pose_selection.h"
@@ -283,11 +284,13 @@ class Sampler {
       for (; i < clip_.other_turns && turns[i].joint == joint; ++i) {
         double by[4] = {1, 0, 0, 0};
         if (turns[i].axis == OtherTurn::kConstant) {
-          for (int k = 0; k < 4; ++k) by[k] = clip_.at<float>(TableOffset{turns[i].column})[k];
+          for (int k = 0; k < 4; ++k)
+            by[k] = static_cast<double>(clip_.at<float>(TableOffset{turns[i].column})[k]);
         } else {
-          const double half = columns_[turns[i].column];
-          by[0] = std::cos(half);
-          by[1 + turns[i].axis] = std::sin(half);
+          const double half = static_cast<double>(columns_[turns[i].column]);
+          const auto [sine, cosine] = sine_and_cosine(half);
+          by[0] = cosine;
+          by[1 + turns[i].axis] = sine;
         }
         const double a[4] = {q[0], q[1], q[2], q[3]};
         q[0] = a[0] * by[0] - a[1] * by[1] - a[2] * by[2] - a[3] * by[3];
@@ -346,20 +349,6 @@ class Sampler {
 };
 
 }  // namespace
-
-const PoseKernels* poses_of(mcpr_path path) {
-  switch (path) {
-    case MCPR_PATH_BEST:
-      return avx2_poses() != nullptr ? avx2_poses() : &kPlainPoses;
-    case MCPR_PATH_PLAIN:
-      return &kPlainPoses;
-    case MCPR_PATH_SSE2:  // SSE2 is what compilers make of the plain code
-      return sse2_rows() != nullptr ? &kPlainPoses : nullptr;
-    case MCPR_PATH_AVX2:
-      return avx2_poses();
-  }
-  return nullptr;
-}
 
 PlaceInClip place_in_clip(const mcpr_cooked& clip, const mcpr_sample_request& request,
                           double time) {

@@ -9,9 +9,6 @@
 
 namespace mocapress::runtime {
 
-/// Null if the path does not exist.
-const PoseKernels* poses_of(mcpr_path path);
-
 /// A position in the clip, or on the way from its last frame to its first.
 struct PlaceInClip {
   double frame = 0;

@@ -16,6 +16,7 @@
 #include "tests/support/opened_clip.h"
 #include "tests/support/test_motion.h"
 #include "tests/support/turned_forms.h"
+#include "tests/unit/runtime/paths.h"
 
 namespace mocapress {
 namespace {
@@ -140,11 +141,9 @@ TEST(Decoder, AnyRangeOfFramesEqualsThatPartOfTheWhole) {
 
 TEST(Decoder, EveryPathGivesTheSameBits) {
   for (const mcpr_output output : {MCPR_CHANNELS, MCPR_POSITIONS})
-    for (const mcpr_path path : {MCPR_PATH_PLAIN, MCPR_PATH_SSE2, MCPR_PATH_AVX2}) {
-      if (mcpr_path_exists(path) == 0) continue;  // not on this machine
+    for (const mcpr_path path : existing_paths())
       EXPECT_EQ(all_frames({.output = output, .apply_ik = 1, .path = path}),
                 all_frames({.output = output, .apply_ik = 1}));
-    }
 }
 
 TEST(Decoder, InterpolatesChannelsLinearly) {

@@ -14,6 +14,7 @@
 #include "tests/support/opened_clip.h"
 #include "tests/support/segmented_clip.h"
 #include "tests/support/test_motion.h"
+#include "tests/unit/runtime/paths.h"
 
 namespace mocapress {
 namespace {
@@ -125,12 +126,10 @@ TEST(SegmentDecoder, BlendsBothSegmentsInAnOverlap) {
 
 TEST(SegmentDecoder, EveryPathGivesTheSameBits) {
   const Case& clip = three_segments();
-  for (const mcpr_path path : {MCPR_PATH_PLAIN, MCPR_PATH_SSE2, MCPR_PATH_AVX2}) {
-    if (mcpr_path_exists(path) == 0) continue;  // not on this machine
+  for (const mcpr_path path : existing_paths())
     for (const std::uint32_t left_out : {0U, 3U})
       EXPECT_EQ(clip.whole({.apply_ik = 1, .bands_left_out = left_out, .path = path}),
                 clip.whole({.apply_ik = 1, .bands_left_out = left_out}));
-  }
 }
 
 TEST(SegmentDecoder, InterpolatesLinearlyInAnOverlap) {

@@ -13,6 +13,7 @@
 #include "core/base/random.h"
 #include "core/runtime/own_memory.h"
 #include "core/wavelet/lifting.h"
+#include "tests/unit/runtime/paths.h"
 
 namespace mocapress {
 namespace {
@@ -176,10 +177,9 @@ TEST(Synthesis, EveryPathGivesTheSameBits) {
       return samples;
     };
     const Eigen::MatrixXf plain = decoded_by(runtime::kPlainRows);
-    for (const runtime::RowKernels* rows : {runtime::sse2_rows(), runtime::avx2_rows()}) {
-      if (rows == nullptr) continue;  // not on this machine
-      EXPECT_EQ(std::memcmp(decoded_by(*rows).data(), plain.data(), 4 * 777 * 21), 0);
-    }
+    for (const mcpr_path path : existing_paths())
+      EXPECT_EQ(std::memcmp(decoded_by(*runtime::rows_of(path)).data(), plain.data(), 4 * 777 * 21),
+                0);
   }
 }
 

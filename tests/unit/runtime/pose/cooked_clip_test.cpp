@@ -16,6 +16,7 @@
 #include "tests/support/segmented_clip.h"
 #include "tests/support/test_motion.h"
 #include "tests/support/turned_forms.h"
+#include "tests/unit/runtime/paths.h"
 
 namespace mocapress {
 namespace {
@@ -193,12 +194,12 @@ class CookedPaths : public testing::Test {
 };
 
 TEST_F(CookedPaths, GiveTheSameBits) {
-  if (mcpr_path_exists(MCPR_PATH_AVX2) == 0) GTEST_SKIP();
   Random random(7);
   for (int i = 0; i < 500; ++i) {
     const double frame = 332 * random.unit();
-    EXPECT_EQ(cooked_.sample({.path = MCPR_PATH_PLAIN}, frame),
-              cooked_.sample({.path = MCPR_PATH_AVX2}, frame));
+    for (const mcpr_path path : existing_paths())
+      EXPECT_EQ(cooked_.sample({.path = MCPR_PATH_PLAIN}, frame),
+                cooked_.sample({.path = path}, frame));
   }
 }
 
@@ -256,7 +257,7 @@ TEST_F(CookedPaths, SelectionsMatchLists) {
     const Selected selected(cooked_.clip, list);
     const double frame = 332 * random.unit();
     for (const mcpr_layout layout : {MCPR_TRANSFORMS, MCPR_ARRAYS, MCPR_MATRICES})
-      for (const mcpr_path path : {MCPR_PATH_PLAIN, MCPR_PATH_BEST})
+      for (const mcpr_path path : existing_paths())
         EXPECT_EQ(cooked_.sample({.layout = layout, .path = path, .selection = selected.selection},
                                  frame),
                   cooked_.sample({.layout = layout,
@@ -444,7 +445,7 @@ TEST_F(HostileCooked, WrongNumbersWithTheRightChecksumAreRefusedOrHarmless) {
     if (open(copy, size, &clip) != MCPR_OK) continue;
     ++opened;
     for (const mcpr_wrap wrap : {MCPR_CLAMP, MCPR_LOOP})
-      for (const mcpr_path path : {MCPR_PATH_PLAIN, MCPR_PATH_BEST}) {
+      for (const mcpr_path path : existing_paths()) {
         const mcpr_sample_request request{.wrap = wrap, .path = path};
         std::vector<float> out(mcpr_sample_values(clip, &request));
         for (const double frame : {0.0, 0.5, 49.3, 98.5, 99.0, 1e9})

@@ -16,6 +16,7 @@
 #include "tests/support/opened_clip.h"
 #include "tests/support/segmented_clip.h"
 #include "tests/support/test_motion.h"
+#include "tests/unit/runtime/paths.h"
 
 namespace mocapress {
 namespace {
@@ -172,7 +173,7 @@ TEST_F(PoseCrowd, MatchesSamplesOrCursorsToTheBit) {
   for (const bool are_near : {false, true})
     for (const bool are_sorted : {false, true}) {
       std::vector<std::vector<float>> of_paths;
-      for (const mcpr_path path : {MCPR_PATH_PLAIN, MCPR_PATH_BEST}) {
+      for (const mcpr_path path : existing_paths()) {
         const mcpr_crowd_request request{.path = path};
         std::vector<Member> all = members(900, are_near, 4, request);
         std::vector<mcpr_character> characters = characters_of(all);

@@ -17,6 +17,7 @@
 #include "tests/support/opened_clip.h"
 #include "tests/support/segmented_clip.h"
 #include "tests/support/test_motion.h"
+#include "tests/unit/runtime/paths.h"
 
 namespace mocapress {
 namespace {
@@ -152,7 +153,8 @@ TEST(PoseCursor, PathsAndListsGiveTheSameBits) {
   const std::vector<std::uint16_t> list = {5, 0, 7};
   for (double frame = 0; frame < 139; frame += 1.3) {
     const std::vector<float> all = player.fresh({.path = MCPR_PATH_PLAIN}, frame);
-    EXPECT_EQ(all, player.fresh({.path = MCPR_PATH_BEST}, frame)) << frame;
+    for (const mcpr_path path : existing_paths())
+      EXPECT_EQ(all, player.fresh({.path = path}, frame)) << frame;
     const std::vector<float> some = player.next(
         {.joints = list.data(), .joint_count = static_cast<std::uint32_t>(list.size())}, frame);
     for (std::size_t k = 0; k < list.size(); ++k)
@@ -198,7 +200,7 @@ TEST(PoseCursor, WrongNumbersAreHarmless) {
     ++opened;
     mcpr_cursor* cursor = nullptr;
     ASSERT_EQ(mcpr_make_cursor(clip, memory.data(), memory.size(), &cursor).status, MCPR_OK);
-    for (const mcpr_path path : {MCPR_PATH_PLAIN, MCPR_PATH_BEST}) {
+    for (const mcpr_path path : existing_paths()) {
       const mcpr_sample_request request{.path = path};
       std::vector<float> out(mcpr_sample_values(clip, &request));
       for (const double frame : {0.0, 0.5, 49.3, 48.2, 98.5, 99.0, 1e9})

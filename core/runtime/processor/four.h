@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Vectors of four numbers, for what this build is compiled for. MOCAPRESS_FOUR is defined if there
+// are any. Each of the files below defines the same types and functions:
+//   Floats4  four floats: load() store() all(), + - * by element
+//   Ints4    four integers of 32 bits with wrap-around: the same, and & | << >> (arithmetic)
+//   Words8   eight integers of 16 bits
+// ARM of 32 bits has none: its vectors of floats flush denormals to zero, which gives other bits.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/runtime/processor/processor.h"
+
+#if defined(__SSE2__) || defined(_M_X64)
+#define MOCAPRESS_FOUR
+#include "core/runtime/processor/four_sse2.h"
+#elif defined(__aarch64__) && defined(__ARM_NEON)
+#define MOCAPRESS_FOUR
+#include "core/runtime/processor/four_neon.h"
+#elif defined(__wasm_simd128__)
+#define MOCAPRESS_FOUR
+#include "core/runtime/processor/four_wasm.h"
+#endif

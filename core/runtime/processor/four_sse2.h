@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// The types of four.h with SSE2, which every x86 of 64 bits has.
+#pragma once
+
+#include <emmintrin.h>
+
+namespace mocapress::runtime {
+
+struct Floats4 {
+  using Real = float;
+  static constexpr std::ptrdiff_t kSize = 4;
+  __m128 lanes;
+
+  static Floats4 all(float value) { return {_mm_set1_ps(value)}; }
+  static Floats4 load(const float* from) { return {_mm_loadu_ps(from)}; }
+  void store(float* to) const { _mm_storeu_ps(to, lanes); }
+};
+
+inline Floats4 operator+(Floats4 a, Floats4 b) {
+  return {_mm_add_ps(a.lanes, b.lanes)};
+}
+inline Floats4 operator-(Floats4 a, Floats4 b) {
+  return {_mm_sub_ps(a.lanes, b.lanes)};
+}
+inline Floats4 operator*(Floats4 a, Floats4 b) {
+  return {_mm_mul_ps(a.lanes, b.lanes)};
+}
+
+struct Ints4 {
+  __m128i lanes;
+
+  static Ints4 all(std::int32_t value) { return {_mm_set1_epi32(value)}; }
+  static Ints4 load(const std::int32_t* from) {
+    return {_mm_loadu_si128(reinterpret_cast<const __m128i*>(from))};
+  }
+  void store(std::int32_t* to) const { _mm_storeu_si128(reinterpret_cast<__m128i*>(to), lanes); }
+  Floats4 to_floats() const { return {_mm_cvtepi32_ps(lanes)}; }
+  std::int32_t sum() const {
+    const __m128i two = _mm_add_epi32(lanes, _mm_shuffle_epi32(lanes, 0x4E));
+    return _mm_cvtsi128_si32(_mm_add_epi32(two, _mm_shuffle_epi32(two, 0xB1)));
+  }
+};
+
+inline Ints4 operator+(Ints4 a, Ints4 b) {
+  return {_mm_add_epi32(a.lanes, b.lanes)};
+}
+inline Ints4 operator-(Ints4 a, Ints4 b) {
+  return {_mm_sub_epi32(a.lanes, b.lanes)};
+}
+inline Ints4 operator*(Ints4 a, Ints4 b) {
+  const __m128i even = _mm_mul_epu32(a.lanes, b.lanes);
+  const __m128i odd = _mm_mul_epu32(_mm_srli_epi64(a.lanes, 32), _mm_srli_epi64(b.lanes, 32));
+  return {_mm_unpacklo_epi32(_mm_shuffle_epi32(even, 0x08), _mm_shuffle_epi32(odd, 0x08))};
+}
+inline Ints4 operator&(Ints4 a, Ints4 b) {
+  return {_mm_and_si128(a.lanes, b.lanes)};
+}
+inline Ints4 operator^(Ints4 a, Ints4 b) {
+  return {_mm_xor_si128(a.lanes, b.lanes)};
+}
+inline Ints4 operator<<(Ints4 a, int bits) {
+  return {_mm_sll_epi32(a.lanes, _mm_cvtsi32_si128(bits))};
+}
+inline Ints4 operator>>(Ints4 a, int bits) {
+  return {_mm_sra_epi32(a.lanes, _mm_cvtsi32_si128(bits))};
+}
+inline Ints4 bits_of(Floats4 a) {
+  return {_mm_castps_si128(a.lanes)};
+}
+inline Floats4 floats_of(Ints4 bits) {
+  return {_mm_castsi128_ps(bits.lanes)};
+}
+
+/// All bits of the lanes in which a has any of the bits of b that b has.
+inline Ints4 has_all(Ints4 a, Ints4 b) {
+  return {_mm_cmpeq_epi32(_mm_and_si128(a.lanes, b.lanes), b.lanes)};
+}
+
+/// b where all bits of `lanes` are set, a where none is.
+inline Ints4 either(Ints4 lanes, Ints4 a, Ints4 b) {
+  return {
+      _mm_or_si128(_mm_andnot_si128(lanes.lanes, a.lanes), _mm_and_si128(lanes.lanes, b.lanes))};
+}
+inline Ints4 smaller(Ints4 a, Ints4 b) {
+  return either({_mm_cmpgt_epi32(a.lanes, b.lanes)}, a, b);
+}
+inline Ints4 larger(Ints4 a, Ints4 b) {
+  return either({_mm_cmpgt_epi32(a.lanes, b.lanes)}, b, a);
+}
+
+/// The product of numbers that 16 bits can hold.
+inline Ints4 short_product(Ints4 a, Ints4 b) {
+  return {_mm_madd_epi16(_mm_and_si128(a.lanes, _mm_set1_epi32(0xFFFF)), b.lanes)};
+}
+
+struct Words8 {
+  __m128i lanes;
+
+  static Words8 load(const void* from) {
+    return {_mm_loadu_si128(static_cast<const __m128i*>(from))};
+  }
+  static Words8 of_pairs(Ints4 pairs) { return {pairs.lanes}; }
+  /// Eight bytes without sign.
+  static Words8 of_bytes(const void* from) {
+    const __m128i bytes = _mm_loadl_epi64(static_cast<const __m128i*>(from));
+    return {_mm_unpacklo_epi8(bytes, _mm_setzero_si128())};
+  }
+  /// Eight bytes with sign.
+  static Words8 of_signed_bytes(const void* from) {
+    const __m128i bytes = _mm_loadl_epi64(static_cast<const __m128i*>(from));
+    return {_mm_srai_epi16(_mm_unpacklo_epi8(bytes, bytes), 8)};
+  }
+  /// The words of two vectors. They must fit.
+  static Words8 packed(Ints4 low, Ints4 high) { return {_mm_packs_epi32(low.lanes, high.lanes)}; }
+  void store(std::int16_t* to) const { _mm_storeu_si128(reinterpret_cast<__m128i*>(to), lanes); }
+
+  /// The first four words and the last four, with their signs and without.
+  Ints4 low() const { return {_mm_srai_epi32(_mm_unpacklo_epi16(lanes, lanes), 16)}; }
+  Ints4 high() const { return {_mm_srai_epi32(_mm_unpackhi_epi16(lanes, lanes), 16)}; }
+  Ints4 unsigned_low() const { return {_mm_unpacklo_epi16(lanes, _mm_setzero_si128())}; }
+  Ints4 unsigned_high() const { return {_mm_unpackhi_epi16(lanes, _mm_setzero_si128())}; }
+
+  /// Each two words as one number; the first is its lower half.
+  Ints4 pairs() const { return {lanes}; }
+  Words8 masked(std::int16_t mask) const { return {_mm_and_si128(lanes, _mm_set1_epi16(mask))}; }
+  Words8 shifted_down(int bits) const { return {_mm_srl_epi16(lanes, _mm_cvtsi32_si128(bits))}; }
+};
+
+/// The words of a and b in turns: the first four of each, and the last four.
+inline Words8 zipped_low(Words8 a, Words8 b) {
+  return {_mm_unpacklo_epi16(a.lanes, b.lanes)};
+}
+inline Words8 zipped_high(Words8 a, Words8 b) {
+  return {_mm_unpackhi_epi16(a.lanes, b.lanes)};
+}
+
+/// a0 b0 + a1 b1, a2 b2 + a3 b3 ... No sum may exceed 32 bits.
+inline Ints4 pair_products(Words8 a, Words8 b) {
+  return {_mm_madd_epi16(a.lanes, b.lanes)};
+}
+
+/// Rows become columns.
+inline void transpose(Floats4& a, Floats4& b, Floats4& c, Floats4& d) {
+  _MM_TRANSPOSE4_PS(a.lanes, b.lanes, c.lanes, d.lanes);
+}
+
+}  // namespace mocapress::runtime
