@@ -47,10 +47,10 @@ namespace runtime = mocapress::runtime;
 
 mcpr_result mcpk_open(const void* memory, size_t size, int check, const mcpk_bank** bank) {
   if (bank == nullptr) return runtime::no_such("no place was given for the bank");
-  if (memory == nullptr || reinterpret_cast<std::uintptr_t>(memory) % MCPR_ALIGNMENT != 0)
-    return runtime::failure(MCPR_MEMORY, 0, "no memory, or not aligned");
+  mcpr_result result = runtime::check_memory(memory, size, 0, "");
+  if (runtime::failed(result)) return result;
   const auto* const head = static_cast<const mcpk_bank*>(memory);
-  mcpr_result result = runtime::check_bank_head(*head, size);
+  result = runtime::check_bank_head(*head, size);
   if (!runtime::failed(result) && check != 0) result = runtime::check_bank(*head);
   if (!runtime::failed(result)) *bank = head;
   return result;

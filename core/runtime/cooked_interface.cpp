@@ -9,6 +9,7 @@
 
 #include "core/runtime/format/result.h"
 #include "core/runtime/mocapress_runtime.h"
+#include "core/runtime/pose/conventions.h"
 #include "core/runtime/pose/cooked_builder.h"
 #include "core/runtime/pose/cooked_check.h"
 #include "core/runtime/pose/pose_crowd.h"
@@ -21,10 +22,6 @@ namespace {
 
 constexpr mcpr_result refused(const char* message) {
   return failure(MCPR_ARGUMENT, 0, message);
-}
-
-bool suits_alignment(const void* memory) {
-  return memory != nullptr && reinterpret_cast<std::uintptr_t>(memory) % kAlignment == 0;
 }
 
 bool is_a_clip(const mcpr_clip* clip) {
@@ -44,12 +41,12 @@ mcpr_result prepare(const mcpr_clip* clip, const mcpr_cook_options* options, voi
                     std::size_t scratch_size, CookedBuilder*& builder, std::uint64_t& bytes) {
   if (!is_a_clip(clip)) return refused("no clip");
   const bool apply_ik = options != nullptr && options->apply_ik != 0;
-  if (!suits_alignment(scratch) || scratch_size < cooking_bytes(*clip, apply_ik))
-    return failure(MCPR_MEMORY, 0, "too little scratch memory, or not aligned");
+  mcpr_result result = check_memory(scratch, scratch_size, cooking_bytes(*clip, apply_ik),
+                                    "too little scratch memory");
+  if (failed(result)) return result;
   Memory memory(scratch, scratch_size);
   builder = new (memory.take<CookedBuilder>(1)) CookedBuilder(memory, *clip, apply_ik);
-  const mcpr_result result = builder->prepare();
-  if (failed(result)) return result;
+  if (failed(result = builder->prepare())) return result;
   bytes = builder->lay_out(nullptr);
   if (bytes > std::numeric_limits<std::uint32_t>::max())
     return failure(MCPR_LIMIT, 0, "the cooked clip would take more than 4 GiB");
@@ -62,6 +59,11 @@ mcpr_result check_joints(const mcpr_cooked& clip, const std::uint16_t* joints,
   return are_joints_of(clip, joints, count)
              ? kOk
              : refused("a joint that the clip does not have, or one twice");
+}
+
+std::uint32_t joints_of(const mcpr_cooked& clip, const mcpr_sample_request& request) {
+  if (request.selection != nullptr) return request.selection->joint_count;
+  return request.joints == nullptr ? clip.joints : request.joint_count;
 }
 
 mcpr_result check_sample_request(const mcpr_cooked* clip, const mcpr_sample_request* request) {
@@ -77,9 +79,17 @@ mcpr_result check_sample_request(const mcpr_cooked* clip, const mcpr_sample_requ
   if (request->selection != nullptr &&
       (request->selection->clip != clip || request->joints != nullptr || request->joint_count != 0))
     return refused("a selection of another clip, or a list of joints beside it");
-  if (request->joints == nullptr)
-    return request->joint_count == 0 ? kOk : refused("no list of joints");
-  return check_joints(*clip, request->joints, request->joint_count);
+  if (request->convention != nullptr && !is_convention(*request->convention))
+    return refused(
+        "a convention whose axes are not three different ones, or whose length is not finite");
+  if (request->joints == nullptr && request->joint_count != 0) return refused("no list of joints");
+  if (request->joints != nullptr) {
+    const mcpr_result result = check_joints(*clip, request->joints, request->joint_count);
+    if (failed(result)) return result;
+  }
+  if (request->parents != nullptr && !are_parents(request->parents, joints_of(*clip, *request)))
+    return refused("a parent that does not come before its joint");
+  return kOk;
 }
 
 /// Size of a selection: itself, its joints, their constant transforms, its tables.
@@ -92,11 +102,6 @@ std::uint64_t selection_bytes(const mcpr_cooked& clip, std::uint32_t joint_count
   return memory.used();
 }
 
-std::uint32_t joints_of(const mcpr_cooked& clip, const mcpr_sample_request& request) {
-  if (request.selection != nullptr) return request.selection->joint_count;
-  return request.joints == nullptr ? clip.joints : request.joint_count;
-}
-
 mcpr_result sample_checked(const mcpr_cooked* clip, const mcpr_sample_request* request, double time,
                            float* out, mcpr_cursor* cursor) {
   const mcpr_result result = check_sample_request(clip, request);
@@ -106,9 +111,6 @@ mcpr_result sample_checked(const mcpr_cooked* clip, const mcpr_sample_request* r
          cursor);
   return kOk;
 }
-
-constexpr mcpr_result kNoCrowdMemory =
-    failure(MCPR_MEMORY, 0, "too little scratch memory, or not aligned");
 
 /// Checks all characters. The offset of a failure is the character's index.
 mcpr_result check_crowd(const mcpr_crowd_request* request, const mcpr_character* characters,
@@ -152,6 +154,8 @@ class JointMotion {
     request_.joints = &joint_;
     request_.joint_count = 1;
     request_.selection = nullptr;
+    request_.parents = nullptr;
+    request_.convention = nullptr;
   }
 
   Rigid between(double from, double to) const {
@@ -233,11 +237,10 @@ mcpr_result mcpr_cook(const mcpr_clip* clip, const mcpr_cook_options* options, v
   if (cooked == nullptr) return runtime::refused("no place was given for the clip");
   runtime::CookedBuilder* builder = nullptr;
   std::uint64_t needed = 0;
-  const mcpr_result result =
-      runtime::prepare(clip, options, scratch, scratch_size, builder, needed);
+  mcpr_result result = runtime::prepare(clip, options, scratch, scratch_size, builder, needed);
+  if (!runtime::failed(result))
+    result = runtime::check_memory(memory, size, needed, "too little memory for the clip");
   if (runtime::failed(result)) return result;
-  if (!runtime::suits_alignment(memory) || size < needed)
-    return runtime::failure(MCPR_MEMORY, 0, "too little memory for the clip, or not aligned");
   std::memset(memory, 0, static_cast<size_t>(needed));
   builder->lay_out(static_cast<std::byte*>(memory));
   *cooked = std::launder(static_cast<const mcpr_cooked*>(memory));
@@ -247,12 +250,12 @@ mcpr_result mcpr_cook(const mcpr_clip* clip, const mcpr_cook_options* options, v
 mcpr_result mcpr_open_cooked(const void* memory, size_t size, int check,
                              const mcpr_cooked** cooked) {
   if (cooked == nullptr) return runtime::refused("no place was given for the clip");
-  if (!runtime::suits_alignment(memory))
-    return runtime::failure(MCPR_MEMORY, 0, "no memory, or not aligned");
+  mcpr_result result = runtime::check_memory(memory, size, 0, "");
+  if (runtime::failed(result)) return result;
   if (size < sizeof(mcpr_cooked))
     return runtime::failure(MCPR_DAMAGED, size, "the cooked clip is cut short");
   const auto* const clip = static_cast<const mcpr_cooked*>(memory);
-  mcpr_result result = runtime::check_cooked_head(*clip, size);
+  result = runtime::check_cooked_head(*clip, size);
   if (!runtime::failed(result) && clip->tables != 0)
     result = runtime::failure(MCPR_INVALID, offsetof(mcpr_cooked, tables),
                               "a clip of a bank: the bank is what is opened");
@@ -277,6 +280,29 @@ size_t mcpr_sample_values(const mcpr_cooked* cooked, const mcpr_sample_request* 
   return runtime::joints_of(*cooked, *request) * runtime::values_of_joint(request->layout);
 }
 
+mcpr_result mcpr_convention_of(mcpr_engine engine, mcpr_convention* out) {
+  if (out == nullptr) return runtime::refused("no place was given for the convention");
+  switch (engine) {
+    case MCPR_MOCAPRESS:
+      *out = {};
+      return runtime::kOk;
+    case MCPR_GLTF:
+    case MCPR_GODOT:
+      *out = {{1, 2, 3}, 1, 0.01F};
+      return runtime::kOk;
+    case MCPR_UNITY:
+      *out = {{-1, 2, 3}, 1, 0.01F};
+      return runtime::kOk;
+    case MCPR_UNREAL:
+      *out = {{1, 3, 2}, 1, 1};
+      return runtime::kOk;
+    case MCPR_BLENDER:
+      *out = {{1, -3, 2}, 0, 0.01F};
+      return runtime::kOk;
+  }
+  return runtime::refused("no such engine");
+}
+
 size_t mcpr_selection_bytes(const mcpr_cooked* cooked, uint32_t joint_count) {
   if (!runtime::is_cooked(cooked) || joint_count > cooked->joints) return 0;
   return static_cast<size_t>(runtime::selection_bytes(*cooked, joint_count));
@@ -287,10 +313,11 @@ mcpr_result mcpr_make_selection(const mcpr_cooked* cooked, const uint16_t* joint
                                 const mcpr_selection** selection) {
   if (!runtime::is_cooked(cooked) || joints == nullptr || selection == nullptr)
     return runtime::refused("no cooked clip, no joints, or no place was given for the selection");
-  const mcpr_result result = runtime::check_joints(*cooked, joints, joint_count);
+  mcpr_result result = runtime::check_joints(*cooked, joints, joint_count);
+  if (!runtime::failed(result))
+    result = runtime::check_memory(memory, size, runtime::selection_bytes(*cooked, joint_count),
+                                   "too little memory for the selection");
   if (runtime::failed(result)) return result;
-  if (!runtime::suits_alignment(memory) || size < runtime::selection_bytes(*cooked, joint_count))
-    return runtime::failure(MCPR_MEMORY, 0, "too little memory for the selection, or not aligned");
   runtime::Memory pieces(memory, size);
   auto* const place = pieces.take<mcpr_selection>(1);
   auto* const own_joints = pieces.take<std::uint16_t>(joint_count);
@@ -318,8 +345,9 @@ mcpr_result mcpr_make_cursor(const mcpr_cooked* cooked, void* memory, size_t siz
                              mcpr_cursor** cursor) {
   if (!runtime::is_cooked(cooked) || cursor == nullptr)
     return runtime::refused("no cooked clip, or no place was given for the cursor");
-  if (!runtime::suits_alignment(memory) || size < mcpr_cursor::bytes_for(*cooked))
-    return runtime::failure(MCPR_MEMORY, 0, "too little memory for the cursor, or not aligned");
+  const mcpr_result result = runtime::check_memory(memory, size, mcpr_cursor::bytes_for(*cooked),
+                                                   "too little memory for the cursor");
+  if (runtime::failed(result)) return result;
   *cursor = new (memory) mcpr_cursor(mcpr_cursor::empty(*cooked));
   return runtime::kOk;
 }
@@ -338,11 +366,13 @@ size_t mcpr_sort_crowd_scratch_bytes(uint32_t count) {
 
 mcpr_result mcpr_sort_crowd(const mcpr_crowd_request* request, mcpr_character* characters,
                             uint32_t count, void* scratch, size_t scratch_size) {
-  const mcpr_result result = runtime::check_crowd(request, characters, count);
+  mcpr_result result = runtime::check_crowd(request, characters, count);
   if (runtime::failed(result) || count == 0) return result;
+  result = runtime::check_memory(scratch, scratch_size, mcpr_sort_crowd_scratch_bytes(count),
+                                 "too little scratch memory");
+  if (runtime::failed(result)) return result;
   runtime::Memory memory(scratch, scratch_size);
   runtime::CrowdSorter sorter(memory, count);
-  if (!memory.holds()) return runtime::kNoCrowdMemory;
   sorter.sort(*request, characters);
   return runtime::kOk;
 }
@@ -355,11 +385,13 @@ size_t mcpr_crowd_scratch_bytes(void) {
 
 mcpr_result mcpr_sample_crowd(const mcpr_crowd_request* request, const mcpr_character* characters,
                               uint32_t count, void* scratch, size_t scratch_size) {
-  const mcpr_result result = runtime::check_crowd(request, characters, count);
+  mcpr_result result = runtime::check_crowd(request, characters, count);
   if (runtime::failed(result) || count == 0) return result;
+  result = runtime::check_memory(scratch, scratch_size, mcpr_crowd_scratch_bytes(),
+                                 "too little scratch memory");
+  if (runtime::failed(result)) return result;
   runtime::Memory memory(scratch, scratch_size);
   runtime::PoseCrowd crowd(memory);
-  if (!memory.holds()) return runtime::kNoCrowdMemory;
   crowd.pose(*request, characters, count);
   return runtime::kOk;
 }
@@ -380,5 +412,7 @@ mcpr_result mcpr_sample_motion(const mcpr_cooked* cooked, const mcpr_sample_requ
   *out = {};
   for (int i = 0; i < 4; ++i) out->rotation[i] = static_cast<float>(wxyz[i]);
   for (int i = 0; i < 3; ++i) out->translation[i] = static_cast<float>(motion.translation[i]);
+  if (request->convention != nullptr)
+    runtime::convert(*request->convention, MCPR_TRANSFORMS, 1, out->rotation);
   return runtime::kOk;
 }

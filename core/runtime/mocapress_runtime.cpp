@@ -45,9 +45,8 @@ mcpr_result check_request(const mcpr_clip* clip, const mcpr_request* request) {
 
 mcpr_result check_scratch(const mcpr_clip* clip, const mcpr_request* request, const void* scratch,
                           std::size_t size) {
-  if (scratch == nullptr || !is_aligned(scratch) || size < mcpr_scratch_bytes(clip, request))
-    return failure(MCPR_MEMORY, 0, "too little scratch memory, or not aligned");
-  return kOk;
+  return check_memory(scratch, size, mcpr_scratch_bytes(clip, request),
+                      "too little scratch memory");
 }
 
 }  // namespace
@@ -72,6 +71,10 @@ const char* mcpr_status_message(mcpr_status status) {
       return "too little memory";
     case MCPR_ARGUMENT:
       return "impossible request";
+    case MCPR_NO_MEMORY:
+      return "no memory";
+    case MCPR_MISALIGNED:
+      return "memory not aligned";
   }
   return "unknown status";
 }
@@ -116,8 +119,9 @@ mcpr_result mcpr_build(void* scratch, size_t scratch_size, void* resident, size_
   auto* const opening = std::launder(static_cast<FileLoader*>(scratch));
   if (opening->mark != FileLoader::kMark) return argument("mcpr_read did not succeed");
   const std::uint64_t bytes = opening->resident_size();
-  if (resident == nullptr || !is_aligned(resident) || resident_size < bytes)
-    return failure(MCPR_MEMORY, 0, "too little memory for the clip, or not aligned");
+  const mcpr_result result =
+      check_memory(resident, resident_size, bytes, "too little memory for the clip");
+  if (failed(result)) return result;
   std::memset(resident, 0, static_cast<std::size_t>(bytes));
   *clip = opening->build(static_cast<std::byte*>(resident));
   return kOk;

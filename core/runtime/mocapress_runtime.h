@@ -13,17 +13,15 @@
  * Errors: every function that can fail returns an mcpr_result, which says where and why. If a call
  * fails, the contents of its output arguments are unspecified. A null argument, an unknown enum
  * value or an index out of range gives MCPR_ARGUMENT. Memory to work in or to build in gives
- * MCPR_MEMORY if it is null, too small or not aligned. Comments on functions list further errors
- * only.
+ * MCPR_NO_MEMORY if it is null, MCPR_MISALIGNED if it is not aligned, and MCPR_MEMORY if it is too
+ * small. Comments on functions list further errors only.
  *
  * Units: lengths are in centimetres, angles in radians, rates in frames per second. Time is counted
  * in frames from the first, unless a request says seconds: frame = seconds * sample_rate.
  *
  * Space: right-handed, y up, the ground is the x-z plane. The clip says where a character stands
  * and which way it faces. A positive angle turns counter-clockwise as seen from the tip of the
- * axis: about y, from z to x. An engine with z up converts x y z to x -z y, and the vector part of
- * a quaternion likewise. A left-handed engine also negates one axis, and the other two components
- * of a quaternion's vector part.
+ * axis: about y, from z to x. Sampled poses may have another convention: see mcpr_convention.
  *
  * Rotations: unit quaternions w x y z that rotate column vectors, v' = q v q*. q and -q are the
  * same rotation, and the decoder may return either. A joint's transform maps its local space to its
@@ -48,6 +46,12 @@ extern "C" {
 /* Alignment, in bytes, of all memory handed to the decoder. Files may have any alignment. */
 #define MCPR_ALIGNMENT 32
 
+/* Before every function. Define it when the decoder goes into a shared library, for example as
+ * __declspec(dllexport) where it is compiled and __declspec(dllimport) where it is used. */
+#ifndef MCPR_API
+#define MCPR_API
+#endif
+
 /* The outcome of a call. */
 typedef enum mcpr_status {
   MCPR_OK = 0,
@@ -57,8 +61,10 @@ typedef enum mcpr_status {
   MCPR_INVALID = 4,         /* the contents violate FORMAT.md */
   MCPR_UNSUPPORTED = 5,     /* valid, but not coded as "adaptive": the mocapress library reads it */
   MCPR_LIMIT = 6,           /* larger than the given limits, or than a cooked clip can be */
-  MCPR_MEMORY = 7,          /* too little memory given, or not aligned */
-  MCPR_ARGUMENT = 8         /* an invalid argument, or a request for what the clip does not have */
+  MCPR_MEMORY = 7,          /* the memory given is too small */
+  MCPR_ARGUMENT = 8,        /* an invalid argument, or a request for what the clip does not have */
+  MCPR_NO_MEMORY = 9,       /* the memory given is null, or an allocator had none */
+  MCPR_MISALIGNED = 10      /* the memory given is not aligned to MCPR_ALIGNMENT */
 } mcpr_status;
 
 /* The outcome of a call, with the place and the cause of a failure. */
@@ -69,7 +75,7 @@ typedef struct mcpr_result {
 } mcpr_result;
 
 /* Returns a short English name for a status, such as "damaged file". Never null. */
-const char* mcpr_status_message(mcpr_status status);
+MCPR_API const char* mcpr_status_message(mcpr_status status);
 
 /* Limits for files. A file beyond any of the first five is refused before anything is decoded. The
  * size of the resident form is known, and checked, once mcpr_read has decoded the file. */
@@ -89,7 +95,7 @@ typedef struct mcpr_limits {
  * 24576 channels, 2^26 values, 608 MiB of scratch memory, 272 MiB for the resident form, 60
  * iterations. That is hours of motion: set lower limits where files come from strangers and memory
  * is scarce. Higher limits have no effect. */
-mcpr_limits mcpr_default_limits(void);
+MCPR_API mcpr_limits mcpr_default_limits(void);
 
 /* ---------------------------------------------------------------- opening */
 
@@ -109,14 +115,15 @@ typedef struct mcpr_info {
 /* Reads the headers of a file of `size` bytes into *info. Null `limits` are the default limits.
  * Checks all checksums, but decodes nothing. Fails with any status from MCPR_NOT_A_CLIP to
  * MCPR_LIMIT. */
-mcpr_result mcpr_inspect(const void* file, size_t size, const mcpr_limits* limits, mcpr_info* info);
+MCPR_API mcpr_result mcpr_inspect(const void* file, size_t size, const mcpr_limits* limits,
+                                  mcpr_info* info);
 
 /* Decodes a whole file into `scratch`, of at least mcpr_info.read_bytes. Sets *resident_bytes to
  * the memory that mcpr_build needs. The file is not needed afterwards. Takes time in proportion to
  * values + joints^2 + 2^15 * size at most, whatever the bytes. Fails as mcpr_inspect does, and with
  * MCPR_INVALID or MCPR_LIMIT for the decoded contents. */
-mcpr_result mcpr_read(const void* file, size_t size, const mcpr_limits* limits, void* scratch,
-                      size_t scratch_size, size_t* resident_bytes);
+MCPR_API mcpr_result mcpr_read(const void* file, size_t size, const mcpr_limits* limits,
+                               void* scratch, size_t scratch_size, size_t* resident_bytes);
 
 /* A clip in its resident form: skeleton, motion and tracks in one block of bytes. */
 typedef struct mcpr_clip mcpr_clip;
@@ -126,8 +133,22 @@ typedef struct mcpr_clip mcpr_clip;
  * and not needed afterwards. The resident form contains no pointers: within one program and version
  * it may be moved and copied as bytes. For a segmented clip this takes as long as mcpr_read. Fails
  * with MCPR_ARGUMENT if mcpr_read did not succeed on `scratch`. */
-mcpr_result mcpr_build(void* scratch, size_t scratch_size, void* resident, size_t resident_size,
-                       const mcpr_clip** clip);
+MCPR_API mcpr_result mcpr_build(void* scratch, size_t scratch_size, void* resident,
+                                size_t resident_size, const mcpr_clip** clip);
+
+/* Memory for mcpr_load. `allocate` returns memory with this alignment, a power of two, or null if
+ * it has none; `release` takes back what it returned. Both get `context`. */
+typedef struct mcpr_allocator {
+  void* (*allocate)(void* context, size_t size, size_t alignment);
+  void (*release)(void* context, void* memory);
+  void* context;
+} mcpr_allocator;
+
+/* mcpr_inspect, mcpr_read and mcpr_build in one call. The clip is one piece of the allocator's
+ * memory: release it by `release`. Everything else has been released, also after a failure. Fails
+ * as the three do, and with MCPR_NO_MEMORY if the allocator has none. */
+MCPR_API mcpr_result mcpr_load(const void* file, size_t size, const mcpr_limits* limits,
+                               const mcpr_allocator* allocator, const mcpr_clip** clip);
 
 /* ---------------------------------------------------------------- looking at a clip */
 
@@ -148,7 +169,7 @@ typedef struct mcpr_clip_info {
 } mcpr_clip_info;
 
 /* Returns the dimensions of a clip; all zero if `clip` is null or not a clip. */
-mcpr_clip_info mcpr_clip_describe(const mcpr_clip* clip);
+MCPR_API mcpr_clip_info mcpr_clip_describe(const mcpr_clip* clip);
 
 /* A joint of the skeleton. Parents come before their children. A point moves from the joint's space
  * to its parent's by
@@ -169,11 +190,11 @@ typedef struct mcpr_joint {
 } mcpr_joint;
 
 /* Describes one joint, 0 <= joint < mcpr_clip_info.joints. */
-mcpr_result mcpr_clip_joint(const mcpr_clip* clip, uint32_t joint, mcpr_joint* out);
+MCPR_API mcpr_result mcpr_clip_joint(const mcpr_clip* clip, uint32_t joint, mcpr_joint* out);
 
 /* Returns the index of the first joint with this name, compared byte for byte; -1 if there is none.
  * Searches all joints: call it once, not at every frame. */
-int32_t mcpr_find_joint(const mcpr_clip* clip, const char* name);
+MCPR_API int32_t mcpr_find_joint(const mcpr_clip* clip, const char* name);
 
 /* ---------------------------------------------------------------- decoding */
 
@@ -197,7 +218,7 @@ typedef enum mcpr_path {
 } mcpr_path;
 
 /* Returns 1 if this build and this machine have the path, else 0. */
-int mcpr_path_exists(mcpr_path path);
+MCPR_API int mcpr_path_exists(mcpr_path path);
 
 /* A request for decoding. All zero: every channel, in full detail, without IK correction. */
 typedef struct mcpr_request {
@@ -214,31 +235,34 @@ typedef struct mcpr_request {
 } mcpr_request;
 
 /* Returns the number of floats that one decoded frame takes; 0 if the request is not possible. */
-size_t mcpr_frame_values(const mcpr_clip* clip, const mcpr_request* request);
+MCPR_API size_t mcpr_frame_values(const mcpr_clip* clip, const mcpr_request* request);
 
 /* Returns the bytes of scratch memory that decoding this request needs, for any number of frames; 0
  * if the request is not possible. Every thread needs its own. */
-size_t mcpr_scratch_bytes(const mcpr_clip* clip, const mcpr_request* request);
+MCPR_API size_t mcpr_scratch_bytes(const mcpr_clip* clip, const mcpr_request* request);
 
 /* Decodes frames `first` to `first + count - 1` into `out`, frame after frame: count rows of
  * mcpr_frame_values() floats. For a subset of channels only those are computed, unless the IK
  * correction turns one of them. */
-mcpr_result mcpr_decode_frames(const mcpr_clip* clip, const mcpr_request* request, uint32_t first,
-                               uint32_t count, float* out, void* scratch, size_t scratch_size);
+MCPR_API mcpr_result mcpr_decode_frames(const mcpr_clip* clip, const mcpr_request* request,
+                                        uint32_t first, uint32_t count, float* out, void* scratch,
+                                        size_t scratch_size);
 
 /* Decodes the pose at one instant, 0 <= frame <= frames - 1, into mcpr_frame_values() floats. Whole
  * numbers give exactly that frame. Between two frames the channels and the offsets of effectors are
  * interpolated linearly, and the IK correction is solved for that instant. */
-mcpr_result mcpr_decode_moment(const mcpr_clip* clip, const mcpr_request* request, double frame,
-                               float* out, void* scratch, size_t scratch_size);
+MCPR_API mcpr_result mcpr_decode_moment(const mcpr_clip* clip, const mcpr_request* request,
+                                        double frame, float* out, void* scratch,
+                                        size_t scratch_size);
 
 /* Decodes the pose of a loop at any finite instant, as mcpr_decode_moment does after whole cycles
  * are taken off. Between the last frame and the first of the next cycle, channels are interpolated
  * linearly, angles the shorter way round; roots go on as they moved in the last frame. The
  * character starts each cycle at the same place: the caller adds up the distance and the turn of
  * the cycles. Fails with MCPR_ARGUMENT if the clip is not a loop. */
-mcpr_result mcpr_decode_looped(const mcpr_clip* clip, const mcpr_request* request, double frame,
-                               float* out, void* scratch, size_t scratch_size);
+MCPR_API mcpr_result mcpr_decode_looped(const mcpr_clip* clip, const mcpr_request* request,
+                                        double frame, float* out, void* scratch,
+                                        size_t scratch_size);
 
 /* ---------------------------------------------------------------- poses at any instant */
 
@@ -256,24 +280,31 @@ typedef struct mcpr_cook_options {
 
 /* Returns the bytes of scratch memory that cooking needs; 0 without a clip. They are in proportion
  * to frames * channels of the longest segment; with apply_ik, of the whole clip. */
-size_t mcpr_cook_scratch_bytes(const mcpr_clip* clip, const mcpr_cook_options* options);
+MCPR_API size_t mcpr_cook_scratch_bytes(const mcpr_clip* clip, const mcpr_cook_options* options);
 
 /* Sets *bytes to the size of the cooked form. Takes as long as mcpr_cook. Fails with MCPR_LIMIT if
  * the clip has too many channels to be cooked or would take more than 4 GiB. */
-mcpr_result mcpr_cook_size(const mcpr_clip* clip, const mcpr_cook_options* options, void* scratch,
-                           size_t scratch_size, size_t* bytes);
+MCPR_API mcpr_result mcpr_cook_size(const mcpr_clip* clip, const mcpr_cook_options* options,
+                                    void* scratch, size_t scratch_size, size_t* bytes);
 
 /* Cooks a clip into `memory`, of the size that mcpr_cook_size returned, and points *cooked to it.
  * The clip is not needed afterwards. Fails as mcpr_cook_size does. */
-mcpr_result mcpr_cook(const mcpr_clip* clip, const mcpr_cook_options* options, void* scratch,
-                      size_t scratch_size, void* memory, size_t size, const mcpr_cooked** cooked);
+MCPR_API mcpr_result mcpr_cook(const mcpr_clip* clip, const mcpr_cook_options* options,
+                               void* scratch, size_t scratch_size, void* memory, size_t size,
+                               const mcpr_cooked** cooked);
+
+/* mcpr_load and mcpr_cook in one call, with the cooked clip as one piece of the allocator's memory.
+ * The clip that it was cooked from has been released. Fails as they do. */
+MCPR_API mcpr_result mcpr_load_cooked(const void* file, size_t size, const mcpr_limits* limits,
+                                      const mcpr_cook_options* options,
+                                      const mcpr_allocator* allocator, const mcpr_cooked** cooked);
 
 /* Opens a block that mcpr_cook made earlier; *cooked points into `memory`. check = 0 looks at the
  * head only, and trusts the rest to be what mcpr_cook made. check = 1 verifies every byte, so that
  * blocks from anywhere are safe to sample. Fails with MCPR_NOT_A_CLIP, MCPR_UNKNOWN_VERSION,
  * MCPR_DAMAGED or MCPR_INVALID. */
-mcpr_result mcpr_open_cooked(const void* memory, size_t size, int check,
-                             const mcpr_cooked** cooked);
+MCPR_API mcpr_result mcpr_open_cooked(const void* memory, size_t size, int check,
+                                      const mcpr_cooked** cooked);
 
 /* The dimensions of a cooked clip. */
 typedef struct mcpr_cooked_info {
@@ -287,7 +318,7 @@ typedef struct mcpr_cooked_info {
 } mcpr_cooked_info;
 
 /* Returns the dimensions of a cooked clip; all zero if it is null. */
-mcpr_cooked_info mcpr_cooked_describe(const mcpr_cooked* cooked);
+MCPR_API mcpr_cooked_info mcpr_cooked_describe(const mcpr_cooked* cooked);
 
 /* A joint's local transform. */
 typedef struct mcpr_transform {
@@ -313,6 +344,28 @@ typedef enum mcpr_wrap {
   MCPR_LOOP = 1   /* the pose in another cycle, as in mcpr_decode_looped; for loops only */
 } mcpr_wrap;
 
+/* The axes, unit and order of numbers that an engine wants. All zero: the clip's own, as the top of
+ * this file tells. */
+typedef struct mcpr_convention {
+  int8_t axes[3]; /* the clip's axis that each of the engine's x y z is: 1 x, 2 y, 3 z; negative:
+                     the opposite direction. All zero: 1 2 3 */
+  uint8_t w_last; /* 1: quaternions x y z w; 0: w x y z */
+  float length;   /* multiplied to centimetres: 0.01 gives metres; 0: 1 */
+} mcpr_convention;
+
+/* The conventions of some engines. */
+typedef enum mcpr_engine {
+  MCPR_MOCAPRESS = 0, /* the clip's own */
+  MCPR_GLTF = 1,      /* metres, right-handed, y up, x y z w */
+  MCPR_GODOT = 2,     /* the same */
+  MCPR_UNITY = 3,     /* metres, left-handed, y up, x y z w: the clip's x is negated */
+  MCPR_UNREAL = 4,    /* centimetres, left-handed, z up, x y z w: y and z are exchanged */
+  MCPR_BLENDER = 5    /* metres, right-handed, z up, w x y z: x -z y */
+} mcpr_engine;
+
+/* Sets *out to the convention of an engine. */
+MCPR_API mcpr_result mcpr_convention_of(mcpr_engine engine, mcpr_convention* out);
+
 /* A subset of a cooked clip's joints, prepared in advance. Sampling a selection is as fast as
  * sampling all joints; a list of joints in the request is slower, as it is looked up each time. */
 typedef struct mcpr_selection mcpr_selection;
@@ -329,25 +382,30 @@ typedef struct mcpr_sample_request {
   mcpr_path path;
   const uint16_t* joints; /* joints to sample, in any order, without duplicates; null: all */
   uint32_t joint_count;   /* length of `joints`; 0 if that is null */
-  const mcpr_selection* selection; /* a selection of this clip; null: `joints` applies */
-  uint32_t bands_left_out;         /* number of finest bands to leave out, 0 to
-                                      MCPR_MOST_BANDS_LEFT_OUT */
+  const mcpr_selection* selection;   /* a selection of this clip; null: `joints` applies */
+  uint32_t bands_left_out;           /* number of finest bands to leave out, 0 to
+                                        MCPR_MOST_BANDS_LEFT_OUT */
+  const mcpr_convention* convention; /* the engine's; null: the clip's own */
+  const int16_t* parents; /* gives transforms in the character's space instead of the parents': for
+                             each joint of the output the place of its parent in the output, which
+                             is smaller; -1 keeps a joint as it is. Null: all are kept. A cooked
+                             clip has no parents: mcpr_clip_joint and mcpk_joint tell them */
 } mcpr_sample_request;
 
 /* Returns the bytes that a selection of this many joints takes, about 1.5 KB for 30 joints; 0
  * without a clip, or if it has fewer joints. */
-size_t mcpr_selection_bytes(const mcpr_cooked* cooked, uint32_t joint_count);
+MCPR_API size_t mcpr_selection_bytes(const mcpr_cooked* cooked, uint32_t joint_count);
 
 /* Makes a selection in `memory`, of mcpr_selection_bytes(), and points *selection to it. Poses list
  * the joints in the order of `joints`, which has no duplicates and is not needed afterwards.
  * Neither the clip nor the selection may be moved after this. A selection works with its own clip
  * only, from any number of threads. */
-mcpr_result mcpr_make_selection(const mcpr_cooked* cooked, const uint16_t* joints,
-                                uint32_t joint_count, void* memory, size_t size,
-                                const mcpr_selection** selection);
+MCPR_API mcpr_result mcpr_make_selection(const mcpr_cooked* cooked, const uint16_t* joints,
+                                         uint32_t joint_count, void* memory, size_t size,
+                                         const mcpr_selection** selection);
 
 /* Returns the number of floats that one sampled pose takes; 0 if the request is not possible. */
-size_t mcpr_sample_values(const mcpr_cooked* cooked, const mcpr_sample_request* request);
+MCPR_API size_t mcpr_sample_values(const mcpr_cooked* cooked, const mcpr_sample_request* request);
 
 /* Samples the local transforms at one finite instant into mcpr_sample_values() floats. Needs no
  * scratch memory, but up to 112 KiB of stack. Between two frames channels are interpolated
@@ -355,8 +413,8 @@ size_t mcpr_sample_values(const mcpr_cooked* cooked, const mcpr_sample_request* 
  * instant within 2^-16 frames of a frame gives that frame. Results are within 5e-4 radians and 2e-3
  * cm of mcpr_decode_moment (with an IK correction: at frames), and all paths give the same bits.
  * Fails with MCPR_ARGUMENT for MCPR_LOOP if the clip is not a loop. */
-mcpr_result mcpr_sample(const mcpr_cooked* cooked, const mcpr_sample_request* request, double time,
-                        float* out);
+MCPR_API mcpr_result mcpr_sample(const mcpr_cooked* cooked, const mcpr_sample_request* request,
+                                 double time, float* out);
 
 /* A cursor caches some frames of a clip around the last instant, which makes playing forwards or
  * backwards faster. Each player needs its own cursor; a clip may have any number. Instants may be
@@ -365,16 +423,16 @@ mcpr_result mcpr_sample(const mcpr_cooked* cooked, const mcpr_sample_request* re
 typedef struct mcpr_cursor mcpr_cursor;
 
 /* Returns the bytes that a cursor takes, at most 4096; 0 without a clip. */
-size_t mcpr_cursor_bytes(const mcpr_cooked* cooked);
+MCPR_API size_t mcpr_cursor_bytes(const mcpr_cooked* cooked);
 
 /* Makes a cursor in `memory`, of mcpr_cursor_bytes(), and points *cursor to it. The clip may not be
  * moved after this. */
-mcpr_result mcpr_make_cursor(const mcpr_cooked* cooked, void* memory, size_t size,
-                             mcpr_cursor** cursor);
+MCPR_API mcpr_result mcpr_make_cursor(const mcpr_cooked* cooked, void* memory, size_t size,
+                                      mcpr_cursor** cursor);
 
 /* Samples the cursor's clip as mcpr_sample does, using and updating the cached frames. */
-mcpr_result mcpr_sample_next(mcpr_cursor* cursor, const mcpr_sample_request* request, double time,
-                             float* out);
+MCPR_API mcpr_result mcpr_sample_next(mcpr_cursor* cursor, const mcpr_sample_request* request,
+                                      double time, float* out);
 
 /* ---------------------------------------------------------------- a crowd */
 
@@ -385,7 +443,8 @@ typedef struct mcpr_character {
   double time;                     /* the instant, in the unit of the request */
   float* out;                      /* room for the pose: mcpr_sample_values() floats */
   mcpr_wrap wrap;
-  uint32_t bands_left_out; /* as in mcpr_sample_request */
+  uint32_t bands_left_out; /* this and `parents`: as in mcpr_sample_request */
+  const int16_t* parents;
 } mcpr_character;
 
 /* The settings that all characters of a call share. All zero: transforms, time in frames. */
@@ -393,6 +452,7 @@ typedef struct mcpr_crowd_request {
   mcpr_layout layout;
   mcpr_time unit;
   mcpr_path path;
+  const mcpr_convention* convention; /* as in mcpr_sample_request */
   int exact; /* 1: every pose has the bits of mcpr_sample. 0, faster: where many characters play one
                 clip, some frames are made once for several, as a cursor does. Then a pose has the
                 bits of mcpr_sample or of mcpr_sample_next, depending on the other characters. Both
@@ -400,33 +460,35 @@ typedef struct mcpr_crowd_request {
 } mcpr_crowd_request;
 
 /* Returns the bytes of scratch memory that mcpr_sort_crowd needs: about 72 per character. */
-size_t mcpr_sort_crowd_scratch_bytes(uint32_t count);
+MCPR_API size_t mcpr_sort_crowd_scratch_bytes(uint32_t count);
 
 /* Sorts the characters, in place, into the order in which mcpr_sample_crowd is fastest: by clip,
  * bands left out, and frame. The order stays nearly right while time advances, so sorting at every
  * frame is not necessary. Fails as mcpr_sample_crowd does. */
-mcpr_result mcpr_sort_crowd(const mcpr_crowd_request* request, mcpr_character* characters,
-                            uint32_t count, void* scratch, size_t scratch_size);
+MCPR_API mcpr_result mcpr_sort_crowd(const mcpr_crowd_request* request, mcpr_character* characters,
+                                     uint32_t count, void* scratch, size_t scratch_size);
 
 /* Returns the bytes of scratch memory that mcpr_sample_crowd needs: about 140 KB for any number of
  * characters. */
-size_t mcpr_crowd_scratch_bytes(void);
+MCPR_API size_t mcpr_crowd_scratch_bytes(void);
 
 /* Samples the pose of each character, as mcpr_sample does. Any order is allowed; that of
  * mcpr_sort_crowd is fastest. Several threads may each take a slice of the array, with their own
  * scratch memory. If a character cannot be posed, nothing is written, and the offset of the result
  * is the index of the first such character. */
-mcpr_result mcpr_sample_crowd(const mcpr_crowd_request* request, const mcpr_character* characters,
-                              uint32_t count, void* scratch, size_t scratch_size);
+MCPR_API mcpr_result mcpr_sample_crowd(const mcpr_crowd_request* request,
+                                       const mcpr_character* characters, uint32_t count,
+                                       void* scratch, size_t scratch_size);
 
 /* ---------------------------------------------------------------- root motion */
 
 /* Computes the motion of one joint, usually the root, between two instants in the unit of the
  * request: *out = inverse(transform at `from`) * (transform at `to`). In a loop the motion of whole
- * cycles is accumulated. `to` may be before `from`. Ignores the layout, joints and selection of the
- * request. */
-mcpr_result mcpr_sample_motion(const mcpr_cooked* cooked, const mcpr_sample_request* request,
-                               uint32_t joint, double from, double to, mcpr_transform* out);
+ * cycles is accumulated. `to` may be before `from`. Ignores the layout, joints, selection and
+ * parents of the request, but not its convention. */
+MCPR_API mcpr_result mcpr_sample_motion(const mcpr_cooked* cooked,
+                                        const mcpr_sample_request* request, uint32_t joint,
+                                        double from, double to, mcpr_transform* out);
 
 /* ---------------------------------------------------------------- tracks */
 
@@ -454,20 +516,21 @@ typedef struct mcpr_tracks mcpr_tracks;
 /* Return the tracks of a built or cooked clip; null without a clip or if it has no tracks, which
  * the functions below accept. A cooked clip has the same values as the clip that it was cooked
  * from, to the bit. */
-const mcpr_tracks* mcpr_clip_tracks(const mcpr_clip* clip);
-const mcpr_tracks* mcpr_cooked_tracks(const mcpr_cooked* cooked);
+MCPR_API const mcpr_tracks* mcpr_clip_tracks(const mcpr_clip* clip);
+MCPR_API const mcpr_tracks* mcpr_cooked_tracks(const mcpr_cooked* cooked);
 
 /* Returns the number of tracks; 0 for null. */
-uint32_t mcpr_track_count(const mcpr_tracks* tracks);
+MCPR_API uint32_t mcpr_track_count(const mcpr_tracks* tracks);
 
 /* Describes one track, 0 <= track < mcpr_track_count(). */
-mcpr_result mcpr_track_describe(const mcpr_tracks* tracks, uint32_t track, mcpr_track* out);
+MCPR_API mcpr_result mcpr_track_describe(const mcpr_tracks* tracks, uint32_t track,
+                                         mcpr_track* out);
 
 /* Returns the index of the first track with this kind, node and name, compared byte for byte; -1 if
  * there is none. A null node or name matches any. Searches all tracks: call it once, not at every
  * frame. */
-int32_t mcpr_find_track(const mcpr_tracks* tracks, mcpr_track_kind kind, const char* node,
-                        const char* name);
+MCPR_API int32_t mcpr_find_track(const mcpr_tracks* tracks, mcpr_track_kind kind, const char* node,
+                                 const char* name);
 
 /* A request for tracks. All zero: every track. */
 typedef struct mcpr_track_request {
@@ -477,23 +540,25 @@ typedef struct mcpr_track_request {
 
 /* Returns the number of floats that one frame takes, one per track; 0 if the request is not
  * possible. */
-size_t mcpr_track_values(const mcpr_tracks* tracks, const mcpr_track_request* request);
+MCPR_API size_t mcpr_track_values(const mcpr_tracks* tracks, const mcpr_track_request* request);
 
 /* Returns the bytes of scratch memory that the next two functions need. For 0 a null pointer will
  * do. */
-size_t mcpr_track_scratch_bytes(const mcpr_tracks* tracks, const mcpr_track_request* request);
+MCPR_API size_t mcpr_track_scratch_bytes(const mcpr_tracks* tracks,
+                                         const mcpr_track_request* request);
 
 /* Decodes frames `first` to `first + count - 1` into `out`, frame after frame: count rows of
  * mcpr_track_values() floats. */
-mcpr_result mcpr_track_frames(const mcpr_tracks* tracks, const mcpr_track_request* request,
-                              uint32_t first, uint32_t count, float* out, void* scratch,
-                              size_t scratch_size);
+MCPR_API mcpr_result mcpr_track_frames(const mcpr_tracks* tracks, const mcpr_track_request* request,
+                                       uint32_t first, uint32_t count, float* out, void* scratch,
+                                       size_t scratch_size);
 
 /* Decodes the tracks at one instant, 0 <= frame <= frames - 1, into mcpr_track_values() floats. In
  * a loop of `frames` frames per cycle, instants up to `frames` lie between the last frame and the
  * first. */
-mcpr_result mcpr_track_moment(const mcpr_tracks* tracks, const mcpr_track_request* request,
-                              double frame, float* out, void* scratch, size_t scratch_size);
+MCPR_API mcpr_result mcpr_track_moment(const mcpr_tracks* tracks, const mcpr_track_request* request,
+                                       double frame, float* out, void* scratch,
+                                       size_t scratch_size);
 
 /* ---------------------------------------------------------------- banks */
 
@@ -514,7 +579,7 @@ typedef struct mcpk_bank mcpk_bank;
  * any number of clips, and trusts the rest to be what `mocapress bank` made. check = 1 verifies
  * every byte, so that banks from anywhere are safe to use. Fails with MCPR_NOT_A_CLIP,
  * MCPR_UNKNOWN_VERSION, MCPR_DAMAGED or MCPR_INVALID. */
-mcpr_result mcpk_open(const void* memory, size_t size, int check, const mcpk_bank** bank);
+MCPR_API mcpr_result mcpk_open(const void* memory, size_t size, int check, const mcpk_bank** bank);
 
 /* The dimensions of a bank. */
 typedef struct mcpk_info {
@@ -527,42 +592,43 @@ typedef struct mcpk_info {
 } mcpk_info;
 
 /* Returns the dimensions of a bank; all zero if it is null. */
-mcpk_info mcpk_describe(const mcpk_bank* bank);
+MCPR_API mcpk_info mcpk_describe(const mcpk_bank* bank);
 
 /* Returns the number of the clip with this name; -1 if there is none. Compares about log2(clips)
  * names. */
-int32_t mcpk_find(const mcpk_bank* bank, const char* name);
+MCPR_API int32_t mcpk_find(const mcpk_bank* bank, const char* name);
 
 /* Copies the name of a clip, zero-terminated, to `name`, which has room for MCPK_NAME_BYTES.
  * Returns the length without the zero; 0 if there is no such clip. */
-size_t mcpk_name(const mcpk_bank* bank, uint32_t clip, char* name);
+MCPR_API size_t mcpk_name(const mcpk_bank* bank, uint32_t clip, char* name);
 
 /* Returns tag `number` of a clip, counted from 0, in the bank's memory; null if the clip has fewer
  * tags. */
-const char* mcpk_tag(const mcpk_bank* bank, uint32_t clip, uint32_t number);
+MCPR_API const char* mcpk_tag(const mcpk_bank* bank, uint32_t clip, uint32_t number);
 
 /* Return the key and the value of pair `number` of the bank, counted from 0, in the bank's memory;
  * null if it has fewer pairs. */
-const char* mcpk_key(const mcpk_bank* bank, uint32_t number);
-const char* mcpk_value(const mcpk_bank* bank, uint32_t number);
+MCPR_API const char* mcpk_key(const mcpk_bank* bank, uint32_t number);
+MCPR_API const char* mcpk_value(const mcpk_bank* bank, uint32_t number);
 
 /* Inspects and reads a clip of a packed bank, as mcpr_inspect and mcpr_read do with a file.
  * mcpr_build then makes the clip. */
-mcpr_result mcpk_inspect(const mcpk_bank* bank, uint32_t clip, const mcpr_limits* limits,
-                         mcpr_info* info);
-mcpr_result mcpk_read(const mcpk_bank* bank, uint32_t clip, const mcpr_limits* limits,
-                      void* scratch, size_t scratch_size, size_t* resident_bytes);
+MCPR_API mcpr_result mcpk_inspect(const mcpk_bank* bank, uint32_t clip, const mcpr_limits* limits,
+                                  mcpr_info* info);
+MCPR_API mcpr_result mcpk_read(const mcpk_bank* bank, uint32_t clip, const mcpr_limits* limits,
+                               void* scratch, size_t scratch_size, size_t* resident_bytes);
 
 /* Points *cooked to a clip of a cooked bank, in the bank's memory, ready for mcpr_sample. */
-mcpr_result mcpk_cooked(const mcpk_bank* bank, uint32_t clip, const mcpr_cooked** cooked);
+MCPR_API mcpr_result mcpk_cooked(const mcpk_bank* bank, uint32_t clip, const mcpr_cooked** cooked);
 
 /* Describes a joint of a clip in a cooked bank, parents before children. The name is in the bank's
  * memory. `first_channel`, `channels` and `kinds` are 0. */
-mcpr_result mcpk_joint(const mcpk_bank* bank, uint32_t clip, uint32_t joint, mcpr_joint* out);
+MCPR_API mcpr_result mcpk_joint(const mcpk_bank* bank, uint32_t clip, uint32_t joint,
+                                mcpr_joint* out);
 
 /* Returns the index of the first joint with this name in a clip of a cooked bank; -1 if there is
  * none. Searches all joints. */
-int32_t mcpk_find_joint(const mcpk_bank* bank, uint32_t clip, const char* name);
+MCPR_API int32_t mcpk_find_joint(const mcpk_bank* bank, uint32_t clip, const char* name);
 
 #ifdef __cplusplus
 }

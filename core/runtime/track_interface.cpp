@@ -27,11 +27,7 @@ mcpr_result check_track_call(const mcpr_tracks* tracks, const mcpr_track_request
   if (!may_ask(tracks, request)) return wrong_track("a list of tracks that the clip does not have");
   if (out == nullptr) return wrong_track("no output");
   const std::size_t needed = mcpr_track_scratch_bytes(tracks, request);
-  if (size < needed ||
-      (needed > 0 &&
-       (scratch == nullptr || reinterpret_cast<std::uintptr_t>(scratch) % kAlignment != 0)))
-    return failure(MCPR_MEMORY, 0, "too little scratch memory, or not aligned");
-  return kOk;
+  return needed == 0 ? kOk : check_memory(scratch, size, needed, "too little scratch memory");
 }
 
 }  // namespace

@@ -172,6 +172,25 @@ void print_sampled(const std::string& name, const mcpr_cooked* cooked) {
         }
       });
     }
+  print(name + " engines", [&](mcpr_path path, std::vector<float>& floats) {
+    std::vector<std::int16_t> parents;
+    for (unsigned j = 0; j < info.joints; ++j)
+      parents.push_back(static_cast<std::int16_t>(static_cast<int>(j) / 2 - (j == 0 ? 1 : 0)));
+    if (info.joints > 1) parents[1] = 0;
+    for (int engine = MCPR_MOCAPRESS; engine <= MCPR_BLENDER; ++engine)
+      for (int layout = MCPR_TRANSFORMS; layout <= MCPR_MATRICES; ++layout) {
+        mcpr_convention convention;
+        check(name, mcpr_convention_of(static_cast<mcpr_engine>(engine), &convention));
+        mcpr_sample_request request{};
+        request.layout = static_cast<mcpr_layout>(layout);
+        request.path = path;
+        request.convention = &convention;
+        request.parents = parents.data();
+        std::vector<float> pose(mcpr_sample_values(cooked, &request));
+        check(name, mcpr_sample(cooked, &request, (info.frames - 1.0) * 0.37, pose.data()));
+        floats.insert(floats.end(), pose.begin(), pose.end());
+      }
+  });
   print(name + " motion", [&](mcpr_path path, std::vector<float>& floats) {
     mcpr_sample_request request{};
     request.path = path;

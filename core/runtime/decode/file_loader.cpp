@@ -304,14 +304,12 @@ mcpr_info info_of(const FileSections& sections, std::uint64_t read_bytes) {
 mcpr_result read_into(const FileSections& sections, std::uint64_t read_bytes,
                       const mcpr_limits& limits, void* scratch, std::size_t scratch_size,
                       std::size_t& resident_bytes) {
-  if (scratch == nullptr || reinterpret_cast<std::uintptr_t>(scratch) % kAlignment != 0 ||
-      scratch_size < read_bytes)
-    return failure(MCPR_MEMORY, 0, "too little scratch memory, or not aligned");
+  mcpr_result result = check_memory(scratch, scratch_size, read_bytes, "too little scratch memory");
+  if (failed(result)) return result;
   Memory memory(scratch, scratch_size);
   auto* const opening = new (memory.take<FileLoader>(1)) FileLoader(memory, sections);
   opening->solver_iterations = limits.solver_iterations;
-  const mcpr_result result = opening->read();
-  if (failed(result)) return result;
+  if (failed(result = opening->read())) return result;
   const std::uint64_t resident = opening->resident_size();
   if (resident > limits.resident_bytes || resident > std::numeric_limits<std::uint32_t>::max())
     return failure(MCPR_LIMIT, 0, "the resident form takes more memory than the limits allow");

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/runtime/format/result.h"
+
 namespace mocapress::runtime {
 
 inline constexpr std::size_t kAlignment = 32;  // equals MCPR_ALIGNMENT
@@ -38,5 +40,14 @@ class Memory {
   std::size_t size_ = 0;
   std::uint64_t used_ = 0;
 };
+
+/// Whether memory from the caller can hold `needed` bytes. `too_small` is the message if not.
+inline mcpr_result check_memory(const void* memory, std::size_t size, std::uint64_t needed,
+                                const char* too_small) {
+  if (memory == nullptr) return failure(MCPR_NO_MEMORY, 0, "no memory was given");
+  if (reinterpret_cast<std::uintptr_t>(memory) % kAlignment != 0)
+    return failure(MCPR_MISALIGNED, 0, "the memory is not aligned to MCPR_ALIGNMENT");
+  return size < needed ? failure(MCPR_MEMORY, 0, too_small) : kOk;
+}
 
 }  // namespace mocapress::runtime

@@ -31,7 +31,9 @@ mcpr_sample_request request_of(const mcpr_crowd_request& request, const mcpr_cha
           .joints = nullptr,
           .joint_count = 0,
           .selection = character.selection,
-          .bands_left_out = character.bands_left_out};
+          .bands_left_out = character.bands_left_out,
+          .convention = request.convention,
+          .parents = character.parents};
 }
 
 CrowdSorter::CrowdSorter(Memory& memory, std::uint32_t count)

@@ -11,6 +11,7 @@
 #include "core/runtime/format/end_poses.h"
 #include "core/runtime/format/joint_model.h"
 #include "core/runtime/format/trigonometry.h"
+#include "core/runtime/pose/conventions.h"
 #include "core/runtime/pose/instant_weights.h"
 #include "core/runtime/pose/pose_cursor.h"
 #include "core/runtime/pose/pose_selection.h"
@@ -373,10 +374,13 @@ std::size_t values_of_joint(mcpr_layout layout) {
 
 void sample(const mcpr_cooked& clip, const PoseKernels& kernels, const PlaceInClip& place,
             const mcpr_sample_request& request, float* out, mcpr_cursor* cursor) {
-  if (request.joints == nullptr) {
-    Sampler(clip, kernels, request, request.selection, cursor).run(place, out);
-    return;
-  }
+  const auto run = [&](const mcpr_selection* selection) {
+    Sampler(clip, kernels, request, selection, cursor).run(place, out);
+    const std::uint32_t joints = selection == nullptr ? clip.joints : selection->joint_count;
+    if (request.parents != nullptr) place_in_model(request.layout, request.parents, joints, out);
+    if (request.convention != nullptr) convert(*request.convention, request.layout, joints, out);
+  };
+  if (request.joints == nullptr) return run(request.selection);
   // Upper bound for places, rotors and parts.
   constexpr std::size_t kMost = sizeof(std::uint16_t) * kMostJoints +
                                 sizeof(RotorPlaces) * (kMostJoints / kGroup) +
@@ -385,7 +389,7 @@ void sample(const mcpr_cooked& clip, const PoseKernels& kernels, const PlaceInCl
   Memory memory(bytes, kMost);
   mcpr_selection selection(memory, clip);
   selection.select(request.joints, request.joint_count);
-  Sampler(clip, kernels, request, &selection, cursor).run(place, out);
+  run(&selection);
 }
 
 }  // namespace mocapress::runtime

@@ -290,7 +290,8 @@ TEST(Decoder, RefusesNullForRequiredArguments) {
   std::size_t size = 0;
   EXPECT_EQ(mcpr_read(nullptr, file.size(), nullptr, opening.data(), need, &size).status,
             MCPR_ARGUMENT);
-  EXPECT_EQ(mcpr_read(file.data(), file.size(), nullptr, nullptr, need, &size).status, MCPR_MEMORY);
+  EXPECT_EQ(mcpr_read(file.data(), file.size(), nullptr, nullptr, need, &size).status,
+            MCPR_NO_MEMORY);
   EXPECT_EQ(mcpr_read(file.data(), file.size(), nullptr, opening.data(), need, nullptr).status,
             MCPR_ARGUMENT);
   ASSERT_EQ(mcpr_read(file.data(), file.size(), nullptr, opening.data(), need, &size).status,
@@ -299,7 +300,7 @@ TEST(Decoder, RefusesNullForRequiredArguments) {
   const AlignedBytes resident(size);
   const mcpr_clip* clip = nullptr;
   EXPECT_EQ(mcpr_build(nullptr, need, resident.data(), size, &clip).status, MCPR_ARGUMENT);
-  EXPECT_EQ(mcpr_build(opening.data(), need, nullptr, size, &clip).status, MCPR_MEMORY);
+  EXPECT_EQ(mcpr_build(opening.data(), need, nullptr, size, &clip).status, MCPR_NO_MEMORY);
   EXPECT_EQ(mcpr_build(opening.data(), need, resident.data(), size, nullptr).status, MCPR_ARGUMENT);
   ASSERT_EQ(mcpr_build(opening.data(), need, resident.data(), size, &clip).status, MCPR_OK);
 
@@ -328,12 +329,12 @@ TEST(Decoder, RefusesNullForRequiredArguments) {
   EXPECT_EQ(frames(nullptr, &request, out.data(), scratch.data()), MCPR_ARGUMENT);
   EXPECT_EQ(frames(clip, nullptr, out.data(), scratch.data()), MCPR_ARGUMENT);
   EXPECT_EQ(frames(clip, &request, nullptr, scratch.data()), MCPR_ARGUMENT);
-  EXPECT_EQ(frames(clip, &request, out.data(), nullptr), MCPR_MEMORY);
+  EXPECT_EQ(frames(clip, &request, out.data(), nullptr), MCPR_NO_MEMORY);
   EXPECT_EQ(frames(clip, &request, out.data(), scratch.data()), MCPR_OK);
   EXPECT_EQ(moment(nullptr, &request, out.data(), scratch.data()), MCPR_ARGUMENT);
   EXPECT_EQ(moment(clip, nullptr, out.data(), scratch.data()), MCPR_ARGUMENT);
   EXPECT_EQ(moment(clip, &request, nullptr, scratch.data()), MCPR_ARGUMENT);
-  EXPECT_EQ(moment(clip, &request, out.data(), nullptr), MCPR_MEMORY);
+  EXPECT_EQ(moment(clip, &request, out.data(), nullptr), MCPR_NO_MEMORY);
   EXPECT_EQ(moment(clip, &request, out.data(), scratch.data()), MCPR_OK);
 }
 
@@ -355,7 +356,7 @@ TEST(Decoder, RefusesTooLittleMemory) {
   EXPECT_EQ(mcpr_decode_frames(opened().clip, &request, 0, 1, out, scratch.data(), need - 1).status,
             MCPR_MEMORY);
   EXPECT_EQ(mcpr_decode_frames(opened().clip, &request, 0, 1, out, scratch.data() + 4, need).status,
-            MCPR_MEMORY);
+            MCPR_MISALIGNED);
   const auto& file = corrected_file();
   std::size_t size = 0;
   EXPECT_EQ(mcpr_read(file.data(), file.size(), nullptr, scratch.data(),

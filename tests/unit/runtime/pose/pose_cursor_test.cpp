@@ -172,7 +172,7 @@ TEST(PoseCursor, RefusesANullCursorOrTooLittleMemory) {
   float out[512];
   EXPECT_EQ(mcpr_cursor_bytes(nullptr), 0u);
   EXPECT_EQ(mcpr_make_cursor(clip, memory.data(), size - 1, &cursor).status, MCPR_MEMORY);
-  EXPECT_EQ(mcpr_make_cursor(clip, memory.data() + 1, size, &cursor).status, MCPR_MEMORY);
+  EXPECT_EQ(mcpr_make_cursor(clip, memory.data() + 1, size, &cursor).status, MCPR_MISALIGNED);
   EXPECT_EQ(mcpr_make_cursor(nullptr, memory.data(), size, &cursor).status, MCPR_ARGUMENT);
   EXPECT_EQ(mcpr_sample_next(nullptr, &request, 0, out).status, MCPR_ARGUMENT);
   ASSERT_EQ(mcpr_make_cursor(clip, memory.data(), size, &cursor).status, MCPR_OK);

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Turns sampled poses into an engine's axes, unit of length, order of quaternions and space.
+#pragma once
+
+#include <cstdint>
+
+#include "core/runtime/mocapress_runtime.h"
+
+namespace mocapress::runtime {
+
+/// Whether the axes are the three, each once, and the factor of length is finite.
+bool is_convention(const mcpr_convention& convention);
+
+/// Whether each joint's parent comes before it.
+bool are_parents(const std::int16_t* parents, std::uint32_t joints);
+
+/// Moves the joints from their parents' spaces to the character's; quaternions are w x y z.
+void place_in_model(mcpr_layout layout, const std::int16_t* parents, std::uint32_t joints,
+                    float* pose);
+
+/// Converts a pose of the clip's convention.
+void convert(const mcpr_convention& convention, mcpr_layout layout, std::uint32_t joints,
+             float* pose);
+
+}  // namespace mocapress::runtime
