@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <sstream>
 
 #include "core/base/file.h"
@@ -88,6 +89,16 @@ TEST_F(JoinedRuntime, RefusesOptionsThatWouldChangeItsBits) {
                                        (file("game") / "mocapress_runtime.cpp").string()});
   EXPECT_NE(outcome.exit_code, 0);
   EXPECT_NE(outcome.err.find("fast-math"), std::string::npos) << outcome.err;
+}
+
+TEST_F(JoinedRuntime, IsOfTheSizeThatItsReadmeTells) {
+  std::ifstream words(fs::path(MOCAPRESS_SOURCE_DIR) / "core/runtime/README.md");
+  double told = 0;
+  for (std::string word, before; words >> word && told == 0; before = word)
+    if (word == "KB") told = std::strtod(before.c_str(), nullptr);
+  const auto size = static_cast<double>(fs::file_size(file("game/mocapress_runtime.h")) +
+                                        fs::file_size(file("game/mocapress_runtime.cpp")));
+  EXPECT_NEAR(told, size / 1000, 0.05 * told);
 }
 
 TEST_F(JoinedRuntime, IsOfTheVersionThatThePackageHas) {
