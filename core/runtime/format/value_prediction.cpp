@@ -78,12 +78,9 @@ void SignalPrediction::follow(const std::int16_t* taps, int error) {
     if (tap == 0) continue;
     any = true;
     for (std::size_t j = 0; j < kTaps; ++j) row[j] += tap * taps[j];
+    errors[i] += static_cast<std::int64_t>(tap) * error;
   }
-  if (any) learn(taps, error);
-}
-
-void SignalPrediction::learn(const std::int16_t* taps, int error) {
-  for (std::size_t i = 0; i < kTaps; ++i) errors[i] += static_cast<std::int64_t>(taps[i]) * error;
+  if (!any) return;
   if (++seen == kMostSeen) halve();
   // Updates the weights that would change most.
   for (int move = 0; move < kMoves; ++move) {
@@ -144,13 +141,8 @@ const PredictionKernels* prediction_of(mcpr_path path) {
     case Kernels::None:
       break;
     case Kernels::Plain:
+    case Kernels::Four:  // no faster: most of the time takes integers of 64 bits
       return &kPlainPrediction;
-    case Kernels::Four:
-#ifdef MOCAPRESS_FOUR
-      return &kFourPrediction;
-#else
-      break;
-#endif
     case Kernels::Avx2:
 #ifdef MOCAPRESS_HAS_AVX2
       return &kAvx2Prediction;

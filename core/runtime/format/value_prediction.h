@@ -50,9 +50,6 @@ struct SignalPrediction {
   /// Learns from a decoded value: `error` = value - prediction.
   void follow(const std::int16_t* taps, int error);
 
-  /// The second half of follow(), once `products` has been updated. Some tap is not zero.
-  void learn(const std::int16_t* taps, int error);
-
   std::array<std::int32_t, kTaps * kTaps> products;  // correlations of taps, row by row
   std::array<std::int64_t, kTaps> errors;            // correlation of each tap with the error that
                                                      // the weights leave
@@ -118,10 +115,8 @@ inline const PredictionKernels& best_prediction() {
   return *prediction_of(MCPR_PATH_BEST);
 }
 
-// Each only if the build has it.
 extern const PredictionKernels kPlainPrediction;
-extern const PredictionKernels kFourPrediction;
-extern const PredictionKernels kAvx2Prediction;
+extern const PredictionKernels kAvx2Prediction;  // if the build has AVX2
 
 /// Bound for the value in normalised(). Larger values give the same result, but their product with
 /// `inverse` might not fit 32 bits.

@@ -2,7 +2,8 @@
 // Vectors of four numbers, for what this build is compiled for. MOCAPRESS_FOUR is defined if there
 // are any. Each of the files below defines the same types and functions:
 //   Floats4  four floats: load() store() all(), + - * by element
-//   Ints4    four integers of 32 bits with wrap-around: the same, and & | << >> (arithmetic)
+//   Ints4    four integers of 32 bits with wrap-around: load() store() all(), + - & ^ << and >>,
+//            which keeps signs
 //   Words8   eight integers of 16 bits
 // ARM of 32 bits has none: its vectors of floats flush denormals to zero, which gives other bits.
 #pragma once

@@ -42,9 +42,6 @@ inline Ints4 operator+(Ints4 a, Ints4 b) {
 inline Ints4 operator-(Ints4 a, Ints4 b) {
   return {vsubq_s32(a.lanes, b.lanes)};
 }
-inline Ints4 operator*(Ints4 a, Ints4 b) {
-  return {vmulq_s32(a.lanes, b.lanes)};
-}
 inline Ints4 operator&(Ints4 a, Ints4 b) {
   return {vandq_s32(a.lanes, b.lanes)};
 }
@@ -68,15 +65,6 @@ inline Ints4 has_all(Ints4 a, Ints4 b) {
 }
 inline Ints4 either(Ints4 lanes, Ints4 a, Ints4 b) {
   return {vbslq_s32(vreinterpretq_u32_s32(lanes.lanes), b.lanes, a.lanes)};
-}
-inline Ints4 smaller(Ints4 a, Ints4 b) {
-  return {vminq_s32(a.lanes, b.lanes)};
-}
-inline Ints4 larger(Ints4 a, Ints4 b) {
-  return {vmaxq_s32(a.lanes, b.lanes)};
-}
-inline Ints4 short_product(Ints4 a, Ints4 b) {
-  return a * b;
 }
 
 struct Words8 {

@@ -47,11 +47,6 @@ inline Ints4 operator+(Ints4 a, Ints4 b) {
 inline Ints4 operator-(Ints4 a, Ints4 b) {
   return {_mm_sub_epi32(a.lanes, b.lanes)};
 }
-inline Ints4 operator*(Ints4 a, Ints4 b) {
-  const __m128i even = _mm_mul_epu32(a.lanes, b.lanes);
-  const __m128i odd = _mm_mul_epu32(_mm_srli_epi64(a.lanes, 32), _mm_srli_epi64(b.lanes, 32));
-  return {_mm_unpacklo_epi32(_mm_shuffle_epi32(even, 0x08), _mm_shuffle_epi32(odd, 0x08))};
-}
 inline Ints4 operator&(Ints4 a, Ints4 b) {
   return {_mm_and_si128(a.lanes, b.lanes)};
 }
@@ -71,7 +66,7 @@ inline Floats4 floats_of(Ints4 bits) {
   return {_mm_castsi128_ps(bits.lanes)};
 }
 
-/// All bits of the lanes in which a has any of the bits of b that b has.
+/// All bits of the lanes in which a has every bit of b.
 inline Ints4 has_all(Ints4 a, Ints4 b) {
   return {_mm_cmpeq_epi32(_mm_and_si128(a.lanes, b.lanes), b.lanes)};
 }
@@ -80,17 +75,6 @@ inline Ints4 has_all(Ints4 a, Ints4 b) {
 inline Ints4 either(Ints4 lanes, Ints4 a, Ints4 b) {
   return {
       _mm_or_si128(_mm_andnot_si128(lanes.lanes, a.lanes), _mm_and_si128(lanes.lanes, b.lanes))};
-}
-inline Ints4 smaller(Ints4 a, Ints4 b) {
-  return either({_mm_cmpgt_epi32(a.lanes, b.lanes)}, a, b);
-}
-inline Ints4 larger(Ints4 a, Ints4 b) {
-  return either({_mm_cmpgt_epi32(a.lanes, b.lanes)}, b, a);
-}
-
-/// The product of numbers that 16 bits can hold.
-inline Ints4 short_product(Ints4 a, Ints4 b) {
-  return {_mm_madd_epi16(_mm_and_si128(a.lanes, _mm_set1_epi32(0xFFFF)), b.lanes)};
 }
 
 struct Words8 {

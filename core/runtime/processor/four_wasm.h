@@ -46,9 +46,6 @@ inline Ints4 operator+(Ints4 a, Ints4 b) {
 inline Ints4 operator-(Ints4 a, Ints4 b) {
   return {wasm_i32x4_sub(a.lanes, b.lanes)};
 }
-inline Ints4 operator*(Ints4 a, Ints4 b) {
-  return {wasm_i32x4_mul(a.lanes, b.lanes)};
-}
 inline Ints4 operator&(Ints4 a, Ints4 b) {
   return {wasm_v128_and(a.lanes, b.lanes)};
 }
@@ -72,15 +69,6 @@ inline Ints4 has_all(Ints4 a, Ints4 b) {
 }
 inline Ints4 either(Ints4 lanes, Ints4 a, Ints4 b) {
   return {wasm_v128_bitselect(b.lanes, a.lanes, lanes.lanes)};
-}
-inline Ints4 smaller(Ints4 a, Ints4 b) {
-  return {wasm_i32x4_min(a.lanes, b.lanes)};
-}
-inline Ints4 larger(Ints4 a, Ints4 b) {
-  return {wasm_i32x4_max(a.lanes, b.lanes)};
-}
-inline Ints4 short_product(Ints4 a, Ints4 b) {
-  return a * b;
 }
 
 struct Words8 {
