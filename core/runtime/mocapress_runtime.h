@@ -230,8 +230,8 @@ typedef struct mcpr_request {
                                Allowed for MCPR_CHANNELS only */
   uint32_t channel_count;   /* length of `channels`; 0 if that is null */
   mcpr_path path;
-  uint32_t solver_iterations; /* not used yet, set it to 0: mcpr_limits.solver_iterations caps the
-                                 IK solver */
+  uint32_t solver_iterations; /* cap on the IK solver's iterations, such as for characters far away;
+                                 0, or beyond the clip's own (mcpr_limits): the clip's own */
 } mcpr_request;
 
 /* Returns the number of floats that one decoded frame takes; 0 if the request is not possible. */

@@ -221,15 +221,18 @@ void FrameDecoder::add_ends(const EndShares& shares, float* row) const {
 
 void FrameDecoder::correct(float* row) {
   const float* const lacking = row + clip_.channel_count;
+  const std::uint32_t iterations =
+      request_.solver_iterations == 0
+          ? clip_.solver_iterations
+          : std::min(request_.solver_iterations, clip_.solver_iterations);
   for (int l = 0; l < clip_.limb_count; ++l) {
     const LimbPlan plan = clip_.limb(l);
     limb_.set(plan, clip_.joint_models());
     limb_.set_frame(row);
     Vector3 targets[kMostEffectorsOfLimb];
-    for (int e = 0; e < plan.effectors; ++e) {
+    for (int e = 0; e < plan.effectors; ++e)
       targets[e] = limb_.position(e) + vector_of(lacking + 3 * plan.effector_numbers[e]);
-    }
-    solve(clip_.solver, limb_, targets, static_cast<int>(clip_.solver_iterations));
+    solve(clip_.solver, limb_, targets, static_cast<int>(iterations));
     for (int a = 0; a < plan.turns; ++a)
       row[plan.turn[a].channel] = static_cast<float>(limb_.angle(a));
   }

@@ -26,19 +26,22 @@ using test::OpenedClip;
 constexpr int kFrames = 150;
 
 /// A file with an IK correction at the ends of both limbs.
+std::vector<std::byte> file_corrected_by(IkSolver solver) {
+  const Motion motion = test::smooth_motion(kFrames);
+  const CorrectionOptions correction{
+      .joints = {motion.skeleton.joint_count() - 1, motion.skeleton.joint_count() - 4},
+      .ratio = 4.0,
+      .solver = solver};
+  return write_container(Encoder(motion)
+                             .encode({.method = Method::Standard,
+                                      .coding = Coding::Adaptive,
+                                      .target = {Target::Kind::CoefficientRatio, 6},
+                                      .correction = correction})
+                             .compressed);
+}
+
 const std::vector<std::byte>& corrected_file() {
-  static const std::vector<std::byte> file = [] {
-    const Motion motion = test::smooth_motion(kFrames);
-    const CorrectionOptions correction{
-        .joints = {motion.skeleton.joint_count() - 1, motion.skeleton.joint_count() - 4},
-        .ratio = 4.0};
-    return write_container(Encoder(motion)
-                               .encode({.method = Method::Standard,
-                                        .coding = Coding::Adaptive,
-                                        .target = {Target::Kind::CoefficientRatio, 6},
-                                        .correction = correction})
-                               .compressed);
-  }();
+  static const std::vector<std::byte> file = file_corrected_by(IkSolver::NearestPose);
   return file;
 }
 
@@ -144,6 +147,21 @@ TEST(Decoder, EveryPathGivesTheSameBits) {
     for (const mcpr_path path : existing_paths())
       EXPECT_EQ(all_frames({.output = output, .apply_ik = 1, .path = path}),
                 all_frames({.output = output, .apply_ik = 1}));
+}
+
+TEST(Decoder, ARequestCapsTheSolverAsTheLimitsDo) {
+  const std::vector<std::byte> file = file_corrected_by(IkSolver::CyclicDescent);
+  mcpr_limits limits = mcpr_default_limits();
+  limits.solver_iterations = 1;
+  const OpenedClip capped(file, &limits);
+  const OpenedClip clip(file);
+  const auto of = [](const OpenedClip& from, std::uint32_t iterations) {
+    return from.frames({.apply_ik = 1, .solver_iterations = iterations}, 0, kFrames);
+  };
+  EXPECT_EQ(of(clip, 1), of(capped, 0));
+  EXPECT_TRUE(of(clip, 1) != of(clip, 0));
+  EXPECT_EQ(of(clip, 1000000), of(clip, 0));
+  EXPECT_EQ(of(capped, 9), of(capped, 0));
 }
 
 TEST(Decoder, InterpolatesChannelsLinearly) {
