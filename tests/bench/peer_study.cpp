@@ -7,6 +7,8 @@
 // At precision 0.1 also times of both, in turns in this run: local transforms at a random instant
 // and forwards at 60 Hz, opening, and of the whole clip, a frame each; frames a second that both
 // encode, medians of a few turns; and the bytes of our cooked form without what is the skeleton's.
+// sse2_...: ours by SSE2, which ACL is compiled for, too, unless the program is
+// mocapress-peer-study-avx.
 // --times: these alone. --game: on rigs as games have them (tests/support/game_like.h).
 // Usage: mocapress-peer-study CLIP|FOLDER... [--every N] [--game] [--json] [--no-max] [--times]
 #include <algorithm>
@@ -190,17 +192,29 @@ Json times_of(const Encoder& encoder, AclClip& acl, double shell_rms) {
           })
           .second;
   const mcpr_cooked_info cooked_info = mcpr_cooked_describe(cooked.clip);
-  return {{"motion_bytes", encoding.compressed.motion_bytes()},
-          {"resident_bytes", cooked_info.bytes - cooked_info.skeleton_bytes},
-          {"acl_pose_us", acl_pose},
-          {"pose_us", pose},
-          {"acl_play_us", acl_play},
-          {"play_us", play},
-          {"acl_open_us", acl_open},
-          {"open_us", open},
-          {"acl_clip_us_per_frame", acl_clip / info.frames},
-          {"clip_us_per_frame", clip_frames / info.frames},
-          {"resident_clip_us_per_frame", resident_frames / info.frames}};
+  Json row = {{"motion_bytes", encoding.compressed.motion_bytes()},
+              {"resident_bytes", cooked_info.bytes - cooked_info.skeleton_bytes},
+              {"acl_pose_us", acl_pose},
+              {"pose_us", pose},
+              {"acl_play_us", acl_play},
+              {"play_us", play},
+              {"acl_open_us", acl_open},
+              {"open_us", open},
+              {"acl_clip_us_per_frame", acl_clip / info.frames},
+              {"clip_us_per_frame", clip_frames / info.frames},
+              {"resident_clip_us_per_frame", resident_frames / info.frames}};
+  const mcpr_sample_request sse2{.unit = MCPR_SECONDS, .path = MCPR_PATH_SSE2};
+  if (mcpr_path_exists(sse2.path) != 0) {
+    const auto [acl_pose_again, sse2_pose] =
+        of_both(at_random, [&](double at) { mcpr_sample(cooked.clip, &sse2, at, out.data()); });
+    const auto [acl_play_again, sse2_play] =
+        of_both(forwards, [&](double at) { mcpr_sample_next(cursor, &sse2, at, out.data()); });
+    row.update({{"acl_pose_us_beside_sse2", acl_pose_again},
+                {"sse2_pose_us", sse2_pose},
+                {"acl_play_us_beside_sse2", acl_play_again},
+                {"sse2_play_us", sse2_play}});
+  }
+  return row;
 }
 
 Json row_of(const Motion& motion, const Encoder& encoder, double precision, bool with_max,
@@ -274,8 +288,10 @@ class TimeShares {
     double worst = 0;
     int clips = 0;
   };
-  std::array<Share, 7> shares_{{{"pose_us", "acl_pose_us"},
+  std::array<Share, 9> shares_{{{"pose_us", "acl_pose_us"},
                                 {"play_us", "acl_play_us"},
+                                {"sse2_pose_us", "acl_pose_us_beside_sse2"},
+                                {"sse2_play_us", "acl_play_us_beside_sse2"},
                                 {"open_us", "acl_open_us"},
                                 {"clip_us_per_frame", "acl_clip_us_per_frame"},
                                 {"resident_clip_us_per_frame", "acl_clip_us_per_frame"},
