@@ -10,12 +10,12 @@
 namespace mocapress {
 namespace {
 
-constexpr int kFewestJoints = 6;  // that turn: a figure
+constexpr int kFewestJoints = 6;  // turning joints that make a figure
 constexpr double kFarFromRest = 45 * std::numbers::pi / 180;
-constexpr double kAtTheOrigin = 0.1;  // of what is below the root
-constexpr double kLegs = 0.5;         // below the root, of what is above or beside it
+constexpr double kAtTheOrigin = 0.1;  // share of the height below the root
+constexpr double kLegs = 0.5;         // height below the root, over what is above or beside it
 
-/// The sum of a joint's angles bounds by how much it is turned.
+/// A joint turns by at most the sum of its angles.
 bool stays_near_rest(const Motion& motion) {
   int turning = 0;
   for (int j = 0; j < motion.skeleton.joint_count(); ++j) {

@@ -5,9 +5,9 @@
 
 namespace mocapress {
 
-/// Whether a motion looks like differences that are to be added to another clip's: no joint ever
-/// turns far from rest, and the root stays at the origin, though the figure has legs below it. A
-/// figure that stands has its root higher up.
+/// Whether a motion looks like differences to be added to another clip: no joint turns far from
+/// rest, and the root stays at the origin although the figure has legs below it. The root of a
+/// standing figure is higher up.
 bool looks_additive(const Motion& motion);
 
 }  // namespace mocapress

@@ -15,14 +15,14 @@ namespace {
 
 constexpr double kLegOfStature = 0.491;  // from hip to ankle
 constexpr double kAreaOfSquare = 0.6;    // the body's surface over its stature squared
-constexpr double kThinnest = 0.004;      // of the stature
-constexpr double kThickest = 0.055;      // a head
+constexpr double kThinnest = 0.004;      // share of the stature
+constexpr double kThickest = 0.055;      // share of the stature: a head
 constexpr double kThickestTrunk = 0.1;
 constexpr double kShortestBone = 0.001;
-constexpr double kLongestExtent = 0.12;  // of what hangs on no bone: a head's
-constexpr double kStatureOfReach = 1.7;  // over the way from the root to the furthest joint
+constexpr double kLongestExtent = 0.12;  // share of the stature: a head, which has no bone
+constexpr double kStatureOfReach = 1.7;  // stature over the way from the root to the furthest joint
 
-/// Per cent of the skin of an adult; of limbs, of one side.
+/// Per cent of an adult's skin; for limbs, one side.
 double skin_share(BodyRegion region) {
   switch (region) {
     case BodyRegion::Trunk:
@@ -52,8 +52,8 @@ bool has_translation(const Joint& joint) {
                      [](ChannelKind kind) { return !is_rotation(kind); });
 }
 
-/// Whether a joint slides against its parent, so that there is no bone between. Where most joints
-/// have the channels for it, they tell nothing, but for hips above a root on the floor.
+/// Marks joints that slide against their parent, so that no bone lies between. Where most joints
+/// can translate, translation channels tell nothing, except for hips above a root on the floor.
 std::vector<bool> sliding_joints(const Skeleton& skeleton) {
   const std::vector<Joint>& joints = skeleton.joints();
   const auto able = std::count_if(joints.begin(), joints.end(), has_translation);
@@ -76,14 +76,14 @@ bool is_neck(const std::string& name) {
   return lower.find("neck") != std::string::npos;
 }
 
-/// An arm or a leg: the joint its hand or foot begins with, and the joints between that and the
-/// trunk, the lowest first.
+/// An arm or a leg: the first joint of its hand or foot, and the joints between that and the trunk,
+/// the lowest first.
 struct Limb {
   int end;
   std::vector<int> above;
 };
 
-/// The regions of a skeleton, and which joints are one piece of skin.
+/// The regions of a skeleton, and the joints that share one piece of skin.
 class Anatomy {
  public:
   explicit Anatomy(const Skeleton& skeleton)
@@ -105,7 +105,7 @@ class Anatomy {
 
   bool is_human() const { return arms_.size() == 2 && legs_.size() == 2; }
 
-  /// Of each joint. What is not told apart is as its parent.
+  /// One region a joint. A joint without a region of its own has its parent's.
   std::vector<BodyRegion> regions() const {
     std::vector<BodyRegion> regions(named_.size(), BodyRegion::Trunk);
     std::vector<bool> known(named_.size(), false);
@@ -135,7 +135,7 @@ class Anatomy {
     return regions;
   }
 
-  /// Which arm or leg a joint belongs to, from 1 on; 0: none.
+  /// The number of the arm or leg a joint belongs to, from 1 on; 0: none.
   std::vector<int> sides() const {
     std::vector<int> sides(named_.size(), 0);
     int side = 0;
@@ -158,7 +158,7 @@ class Anatomy {
  private:
   BodyRegion& named_at(int joint) { return named_[static_cast<std::size_t>(joint)]; }
 
-  /// The joints of a name that have none of it above them.
+  /// Joints named for a region without such a joint above them.
   std::vector<int> tops(BodyRegion region) const {
     std::vector<int> found;
     for (int j = 0; j < skeleton_.joint_count(); ++j) {
@@ -171,8 +171,8 @@ class Anatomy {
     return found;
   }
 
-  /// Those with two bones at least of their own. What is driven by inverse kinematics has helpers
-  /// of the same names at the root.
+  /// Limbs with at least two bones of their own. Rigs driven by inverse kinematics have helpers of
+  /// the same names at the root.
   std::vector<Limb> limbs(BodyRegion end) const {
     std::vector<Limb> found;
     for (const int top : tops(end)) {
@@ -186,13 +186,13 @@ class Anatomy {
   }
 
   const Skeleton& skeleton_;
-  std::vector<BodyRegion> named_;  // Trunk: by none of the names
-  std::vector<int> ends_below_;    // heads, hands and feet, at a joint or below
+  std::vector<BodyRegion> named_;  // Trunk: no name tells
+  std::vector<int> ends_below_;    // number of heads, hands and feet at a joint or below
   std::vector<Limb> arms_;
   std::vector<Limb> legs_;
 };
 
-/// How far it is from a root to the furthest joint or end, along the bones.
+/// The length of bones from a root to its furthest joint or end.
 double reach(const Skeleton& skeleton, const std::vector<bool>& slides) {
   std::vector<double> way(static_cast<std::size_t>(skeleton.joint_count()), 0);
   double furthest = 0;
@@ -206,7 +206,7 @@ double reach(const Skeleton& skeleton, const std::vector<bool>& slides) {
   return furthest;
 }
 
-/// Axes alone.
+/// Stretches with their axes only; radius and share are still 0.
 std::vector<BodyLimb> bones(const Skeleton& skeleton, const std::vector<bool>& slides,
                             double stature) {
   std::vector<BodyLimb> bones;
@@ -230,8 +230,8 @@ std::vector<BodyLimb> bones(const Skeleton& skeleton, const std::vector<bool>& s
   return bones;
 }
 
-/// Bones of joints whose turning moves no other: what is below them slides, as it does where a
-/// scale changes.
+/// Adds bones for joints that turn nothing else, since everything below them slides, as it does
+/// where a scale changes.
 void add_unseen(const Skeleton& skeleton, double stature, std::vector<BodyLimb>& limbs) {
   std::vector<bool> seen(static_cast<std::size_t>(skeleton.joint_count()), false);
   const auto mark_from = [&](int joint) {
@@ -283,7 +283,7 @@ std::vector<BodyLimb> body_limbs(const Skeleton& skeleton) {
   if (!is_human && !limbs.empty()) add_unseen(skeleton, stature, limbs);
   const auto regions = is_human ? anatomy.regions() : std::vector<BodyRegion>();
   const auto sides = is_human ? anatomy.sides() : std::vector<int>();
-  // What is one piece of skin.
+  // A key for the piece of skin that a stretch belongs to.
   const auto piece = [&](const BodyLimb& limb) {
     const auto j = static_cast<std::size_t>(limb.joint);
     return is_human ? std::pair(static_cast<int>(regions[j]), sides[j]) : std::pair(-1, 0);

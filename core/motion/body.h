@@ -13,7 +13,7 @@ namespace mocapress {
 
 enum class BodyRegion { Trunk, Neck, Head, UpperArm, Forearm, Hand, Thigh, LowerLeg, Foot };
 
-/// The region of each joint's bones. The names of head, hands and feet tell it, and what lies
+/// The region of each joint's bones, told by the names of head, hands and feet and by what lies
 /// between these and the trunk. Empty unless the skeleton has two arms and two legs.
 std::vector<BodyRegion> body_regions(const Skeleton& skeleton);
 
@@ -26,15 +26,14 @@ struct BodyLimb {
   int joint;
   Eigen::Vector3d axis_in_joint;  // cm, from end to end
   double radius;                  // cm
-  double share;                   // of the body's surface
+  double share;                   // share of the body's surface
 };
 
 /// The body around a skeleton; its shares sum to 1. Each region of a human has a known share of the
-/// surface. The region's bones divide it by their lengths, and that gives their thickness. In other
+/// surface. The region's bones divide it by their lengths, which gives their thickness. In other
 /// skeletons every centimetre of bone has the same share. A joint that drives no bone extends the
-/// bone before it. A joint that translates ends no bone; where a
-/// joint's turning would be seen nowhere for that, it has a short bone of its own. Empty if nothing
-/// has a length.
+/// bone before it. A joint that translates ends no bone; if its turning would then show nowhere, it
+/// gets a short bone of its own. Empty if nothing has a length.
 std::vector<BodyLimb> body_limbs(const Skeleton& skeleton);
 
 }  // namespace mocapress

@@ -21,7 +21,7 @@ bool contains_any(const std::string& text, std::initializer_list<const char*> wo
 
 std::optional<BodyPart> part_of(const std::string& joint) {
   const std::string name = lower(joint);
-  if (contains_any(name, {"spine", "back"})) return std::nullopt;  // "middle" is no finger there
+  if (contains_any(name, {"spine", "back"})) return std::nullopt;  // also "middle spine"
   if (contains_any(name, {"foot", "ankle", "toe", "ball"})) return BodyPart::Feet;
   if (contains_any(name, {"finger", "thumb", "index", "middle", "ring", "pinky", "little"}))
     return BodyPart::Fingers;
@@ -57,7 +57,7 @@ std::vector<int> namesakes_of(const Skeleton& skeleton, BodyPart part) {
   const std::string_view word = part == BodyPart::Feet    ? "foot"
                                 : part == BodyPart::Hands ? "hand"
                                 : part == BodyPart::Head  ? "head"
-                                                          : "";  // every finger is one
+                                                         : "";  // every finger counts as a namesake
   const std::vector<int> all = joints_of(skeleton, part);
   std::vector<int> namesakes;
   for (const int j : all)

@@ -13,14 +13,14 @@ namespace mocapress {
 
 namespace {
 
-/// Those of some frames, into the first rows of `tracks`.
+/// Writes the tracks of some frames into the first rows of `tracks`.
 void fill_tracks(const Skeleton& skeleton, const std::vector<Landmark>& points,
                  const Eigen::MatrixXd& channels, int from, int end, Eigen::MatrixXd& tracks) {
   const Eigen::Index shell = 3 * std::ssize(points);
   visit_poses(skeleton, channels, from, end, [&](const PoseBlock& poses, int first, int frames) {
     const int row = first - from;
     place_landmarks(points, poses, row, frames, tracks);
-    // The points of shell_points(): of each joint along its axes.
+    // The points of shell_points(): three for each joint, along its axes.
     for (int j = 0; j < skeleton.joint_count(); ++j)
       for (int axis = 0; axis < 3; ++axis)
         for (int i = 0; i < 3; ++i)
@@ -54,7 +54,7 @@ JointErrors::JointErrors(const Skeleton& skeleton,
 
 namespace {
 
-/// Columns of two matrices of tracks, and where what differs between them goes.
+/// Columns of two matrices of tracks, and their differences.
 struct TrackColumns {
   const double* original;
   const double* decoded;
@@ -71,7 +71,8 @@ struct TrackColumns {
   }
 };
 
-/// Errors of a joint from row t on, as OfJoint has them; returns the first row that is left over.
+/// Writes errors of a joint, laid out as OfJoint, from row t on; returns the first row that fills
+/// no whole vector.
 template <typename Vector>
 MOCAPRESS_INLINE Eigen::Index find_errors(const TrackColumns& tracks, Eigen::Index origin,
                                           Eigen::Index shell, Eigen::Index t, double* errors) {
@@ -120,8 +121,8 @@ const JointErrors::OfJoint& JointErrors::of(int joint) {
 
 namespace {
 
-/// The squared error of a point from row t on, of as many rows as make up vectors; returns the
-/// first that is left over. `columns` as OfJoint has them.
+/// Writes the squared error of a point from row t on; returns the first row that fills no whole
+/// vector. `columns` are laid out as OfJoint.
 template <typename Vector>
 MOCAPRESS_INLINE Eigen::Index square_of(const double* columns, Eigen::Index rows,
                                         const Eigen::Vector3d& in_joint, Eigen::Index t,
@@ -168,7 +169,7 @@ void JointErrors::find_squares(const OfJoint& of_joint, const Eigen::Vector3d& i
 }
 
 Eigen::VectorXd JointErrors::degrees(const OfJoint& of_joint) {
-  // Of a rotation by the angle a, the axes' squared differences come to 8 sin(a / 2)^2.
+  // A rotation by the angle a moves the ends of the axes by 8 sin(a / 2)^2 in all, squared.
   Eigen::ArrayXd sine = of_joint.col(3).cwiseAbs2();
   for (Eigen::Index i = 4; i < 12; ++i) sine += of_joint.col(i).array().square();
   sine = (sine / 8).min(1).sqrt();
@@ -176,7 +177,7 @@ Eigen::VectorXd JointErrors::degrees(const OfJoint& of_joint) {
 }
 
 void visit_tracks(const Skeleton& skeleton, const Clip& clip, const TrackBlock& visit) {
-  constexpr int kBlock = 512;  // frames at a time: in memory that stays near the processor
+  constexpr int kBlock = 512;  // frames at a time, so that memory stays near the processor
   const std::vector<Landmark> points = landmarks(skeleton);
   Eigen::MatrixXd tracks;
   for (int first = 0; first == 0 || first < clip.frames(); first += kBlock) {

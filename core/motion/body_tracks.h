@@ -10,23 +10,23 @@
 
 namespace mocapress {
 
-/// Where a body is over a clip: the world positions (cm) of landmark_tracks(), then of
+/// World positions (cm) of a body over a clip: those of landmark_tracks(), then those of
 /// shell_points(). Frames x 3 * (landmarks + 3 * joints). The position of any point that is fixed
 /// to a joint is an affine combination of that joint's origin and its shell points.
 Eigen::MatrixXd body_tracks(const Skeleton& skeleton, const Clip& clip);
 
-/// How far each joint has moved and turned: differences of body_tracks(), joint by joint.
+/// The movement and turn of each joint's error: differences of body_tracks(), joint by joint.
 class JointErrors {
  public:
   /// Frames x 12: the error of the origin (cm), then of each axis (per cm along it).
   using OfJoint = Eigen::Matrix<double, Eigen::Dynamic, 12>;
 
-  /// Rows of body_tracks() of both clips; they must outlive this. Of few rows at a time what is
-  /// computed stays near the processor.
+  /// Takes rows of body_tracks() of both clips, which must outlive this. With few rows at a time
+  /// the results stay near the processor.
   JointErrors(const Skeleton& skeleton, const Eigen::Ref<const Eigen::MatrixXd>& original,
               const Eigen::Ref<const Eigen::MatrixXd>& decoded);
 
-  /// Computed when first asked for.
+  /// Errors of a joint, computed when first asked for.
   const OfJoint& of(int joint);
 
   /// The squared error of a point at each frame, cm^2.

@@ -24,7 +24,7 @@ void unwrap_angles(const Skeleton& skeleton, Clip& clip) {
 
 Motion with_up_axis(const Motion& motion, UpAxis from, UpAxis to) {
   if (from == to) return motion;
-  // What Y and Z become: each the other, one of them with its sign turned.
+  // Y and Z change places, and one of them changes its sign.
   const double y_as_z = from == UpAxis::Z ? -1 : 1;
   Eigen::Matrix3d to_from;
   to_from << 1, 0, 0, 0, 0, -y_as_z, 0, y_as_z, 0;

@@ -31,15 +31,15 @@ struct Turns {
   }
 };
 
-/// The angle about `axis` that comes nearest to `rotation`.
+/// The angle about `axis` that brings a turn nearest to `rotation`.
 double nearest_angle(int axis, const Eigen::Matrix3d& rotation) {
   const int b = (axis + 1) % 3;
   const int c = (axis + 2) % 3;
   return std::atan2(rotation(c, b) - rotation(b, c), rotation(b, b) + rotation(c, c));
 }
 
-/// One angle at a time, the others held: each step brings the product nearer to `rotation`. With
-/// two axes, which are at right angles, it is there in a few rounds.
+/// Solves one angle at a time while the others are held. Each step brings the product nearer to
+/// `rotation`; with two axes, at right angles, a few rounds suffice.
 void approach(Turns& turns, const Eigen::Matrix3d& rotation) {
   constexpr int kMostRounds = 32;
   constexpr double kSettled = 1e-10;

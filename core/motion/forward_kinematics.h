@@ -10,7 +10,7 @@
 
 namespace mocapress {
 
-// Rotations of a joint as one matrix, whatever its channels.
+// The rotation of a joint as one matrix, from any number of channels.
 
 /// The product R of a joint's rotation channels, about its own axes (Joint). `values`: one for each
 /// of `joint.channels`.
@@ -18,11 +18,11 @@ Eigen::Matrix3d joint_rotation(const Joint& joint, const Eigen::RowVectorXd& val
 
 /// Sets the rotation channels among `values` so that joint_rotation() comes as near to `rotation`
 /// as the joint can. A joint with three different axes reaches it exactly. `values` holds the frame
-/// before: angles go on from there without jumps.
+/// before: angles continue from there without jumps.
 void turn_joint(const Joint& joint, const Eigen::Matrix3d& rotation, Eigen::RowVectorXd& values);
 
-/// Angles with rotation = R_i(a) R_j(b) R_k(c) about three different axes (0 1 2: x y z). Of the
-/// two solutions it takes the one nearer to `previous`.
+/// Angles with rotation = R_i(a) R_j(b) R_k(c) about three different axes (0 1 2: x y z). Takes
+/// the solution nearer to `previous`.
 Eigen::Vector3d three_angles(const std::array<int, 3>& axes, const Eigen::Matrix3d& rotation,
                              const Eigen::Vector3d& previous);
 
@@ -32,7 +32,7 @@ bool turns(const Joint& joint);
 /// One row of Clip::channels: a frame. Rows of a column-major matrix are strided.
 using FrameRow = Eigen::Ref<const Eigen::RowVectorXd, 0, Eigen::InnerStride<>>;
 
-/// Where every joint's frame is in the world: x_in_world = origin + world_from_joint * x_in_joint.
+/// The frame of every joint in the world: x_in_world = origin + world_from_joint * x_in_joint.
 struct Pose {
   std::vector<Eigen::Matrix3d> world_from_joint;
   std::vector<Eigen::Vector3d> origin;  // cm, in the world

@@ -21,7 +21,7 @@ class PoseBlock;
 struct Landmark {
   int joint;
   Eigen::Vector3d in_joint;  // cm
-  std::string name;          // the joint whose origin it is, or "<joint> end"
+  std::string name;          // the joint at the landmark, or "<joint> end"
 };
 
 std::vector<Landmark> joint_origins(const Skeleton& skeleton);
@@ -29,14 +29,14 @@ std::vector<Landmark> joint_origins(const Skeleton& skeleton);
 /// Every joint's origin (landmark j is joint j), then every end site.
 std::vector<Landmark> landmarks(const Skeleton& skeleton);
 
-/// What an error is measured on. The first two are readings of the paper's weights l_i / l. The
-/// values are part of the file format.
+/// The points that an error is measured on. The first two are readings of the paper's weights l_i /
+/// l. The values are part of the file format.
 enum class Weighting : std::uint8_t {
   BoneEnds = 0,      // a segment's far end carries its length: hands, feet and head count too
   JointOrigins = 1,  // a joint's origin carries the length of the segments it drives: the paper's
-  Surface = 2,       // points on the body, which every turn of a joint moves: what people see
-  Shell = 3,         // three points 3 cm from each joint, all alike: ACL's
-  Skin = 4,          // points on a character's mesh, which has to be there
+  Surface = 2,  // points on the body, which every turn of a joint moves: this is what people see
+  Shell = 3,    // three points 3 cm from each joint, all alike: ACL's
+  Skin = 4,     // points on a character's mesh, which must be present
 };
 
 inline constexpr std::initializer_list<Weighting> kWeightingsWithoutMesh = {
@@ -51,7 +51,7 @@ std::string_view name(Weighting weighting);
 /// One weight for each of landmarks(skeleton), summing to 1. Requires is_on_bones(weighting).
 Eigen::VectorXd landmark_weights(const Skeleton& skeleton, Weighting weighting);
 
-/// Writes the world positions of landmarks into a row of landmark_tracks(), or into some.
+/// Writes the world positions of landmarks into one row of landmark_tracks(), or into several.
 void place_landmarks(const std::vector<Landmark>& points, const Pose& pose, int frame,
                      Eigen::MatrixXd& tracks);
 void place_landmarks(const std::vector<Landmark>& points, const PoseBlock& poses, int first,
@@ -61,7 +61,7 @@ void place_landmarks(const std::vector<Landmark>& points, const PoseBlock& poses
 /// first. Frames are computed in parallel.
 Eigen::MatrixXd landmark_tracks(const Skeleton& skeleton, const Clip& clip);
 
-/// The same for any points.
+/// The same for points of any kind.
 Eigen::MatrixXd point_tracks(const Skeleton& skeleton, const std::vector<Landmark>& points,
                              const Clip& clip);
 
@@ -71,24 +71,24 @@ struct MeasuredPoints {
   Eigen::VectorXd weights;
 };
 
-inline constexpr double kShellRadius = 3;  // cm, as ACL has it for characters
+inline constexpr double kShellRadius = 3;  // cm, ACL's radius for characters
 
-/// What a weighting looks at:
+/// The points of a weighting:
 /// - on bones: landmarks(), weighted by landmark_weights();
-/// - on the surface: surface_points(), whose error is that of all the skin there;
+/// - on the surface: surface_points(), whose error equals that of all the skin there;
 /// - on the shell: three points for each joint, along its axes;
 /// - on the skin: carried_points(); see require_measurable().
 MeasuredPoints measured_points(const Skeleton& skeleton, Weighting weighting);
 
-/// Throws Error where a weighting finds nothing to look at.
+/// Throws Error if a weighting has no points on this skeleton.
 void require_measurable(const Skeleton& skeleton, Weighting weighting);
 
-/// Whether a weighting looks at landmarks() and nothing else.
+/// Whether a weighting measures landmarks() only.
 constexpr bool is_on_bones(Weighting weighting) {
   return weighting == Weighting::BoneEnds || weighting == Weighting::JointOrigins;
 }
 
-/// Three points of each joint in turn, kShellRadius along its axes.
+/// Three points for each joint in turn, at kShellRadius along its axes.
 std::vector<Landmark> shell_points(const Skeleton& skeleton);
 
 }  // namespace mocapress

@@ -17,7 +17,7 @@ double rms(const Places& differences) {
   return std::sqrt(differences.squaredNorm() / static_cast<double>(differences.cols()));
 }
 
-/// Turned about the vertical so as to be most like another pose, both about their middle.
+/// The rotation about the vertical that brings `places` nearest to `other`, both centred.
 Eigen::Matrix3d turn_onto(const Places& other, const Places& places) {
   const Places from = places.colwise() - places.rowwise().mean();
   const Places to = other.colwise() - other.rowwise().mean();
@@ -26,7 +26,7 @@ Eigen::Matrix3d turn_onto(const Places& other, const Places& places) {
   return axis_rotation(1, std::atan2(across, along));
 }
 
-/// What is left of the difference when the one is turned and shifted on the floor.
+/// The difference that remains between two poses after a turn and the best shift along the floor.
 double apart(const Places& other, const Places& places, const Eigen::Matrix3d& turn) {
   Places left = other - turn * places;
   for (const int floor : {0, 2}) left.row(floor).array() -= left.row(floor).mean();
@@ -40,7 +40,7 @@ class LoopFinder {
 
   Loop find() const {
     constexpr int kLeastFrames = 8;
-    constexpr double kAlike = 0.5;   // of a step
+    constexpr double kAlike = 0.5;   // share of a usual step
     constexpr double kStill = 1e-3;  // cm a frame
     const int frames = motion_.clip.frames();
     if (frames < kLeastFrames) return Loop::None;
@@ -75,13 +75,13 @@ class LoopFinder {
     return poses;
   }
 
-  /// How far landmarks go from one frame to the next, and how much that changes to the one after.
+  /// The usual movement of landmarks from frame to frame, and the usual change of that movement.
   struct Usual {
     double step = 0;  // cm
     double bend = 0;  // cm
   };
 
-  /// RMS over some places of the clip.
+  /// The usual changes, as RMS over some places of the clip.
   Usual usual_changes() const {
     constexpr int kMost = 256;
     const int starts = motion_.clip.frames() - 2;
@@ -102,8 +102,8 @@ class LoopFinder {
   }
 
   const Motion& motion_;
-  const Eigen::MatrixXd* tracks_;  // null: computed where they are needed
-  Eigen::Index count_;             // of landmarks
+  const Eigen::MatrixXd* tracks_;  // null: computed when needed
+  Eigen::Index count_;             // number of landmarks
 };
 
 }  // namespace

@@ -14,10 +14,10 @@ namespace {
 
 constexpr int kMost = PoseBlock::kMostFrames;
 
-// Loops below are over so many frames as are known beforehand, and over restricted pointers: so the
-// compiler makes vector instructions of them.
+// The loops below run over a number of frames known at compile time, and over restricted pointers,
+// so that the compiler vectorises them.
 
-/// Calls work(count) with a count that is known beforehand and not below `frames`.
+/// Calls work(count) with a compile-time count of at least `frames`.
 template <typename Work>
 void for_frames(int frames, const Work& work) {
   if (frames <= 4)
@@ -29,11 +29,11 @@ void for_frames(int frames, const Work& work) {
 }
 
 MOCAPRESS_INLINE double rounded(double value) {
-  constexpr double kWhole = 6755399441055744;  // 1.5 * 2^52: what is added to it loses its fraction
+  constexpr double kWhole = 6755399441055744;  // 1.5 * 2^52: adding it drops the fraction
   return value + kWhole - kWhole;
 }
 
-/// Sines and cosines, to the last digit or so, of angles up to kMostTurned. The polynomials are
+/// The largest angle whose sine and cosine are right to the last digit or so. The polynomials are
 /// fdlibm's for a quarter turn about zero.
 constexpr double kMostTurned = 1e5;  // radians
 
@@ -64,7 +64,7 @@ MOCAPRESS_INLINE void find_sines_and_cosines(const double* __restrict radians,
                                                 z * -1.13596475577881948265e-11))))));
     const double odd = quarters - 2 * rounded(0.5 * quarters);    // -1, 0 or 1
     const double turn = quarters - 4 * rounded(0.25 * quarters);  // -2 to 2
-    // No branches, of which no vector instructions are made.
+    // Computed without branches, since branches would not be vectorised.
     const double sine_sign = std::copysign(1.0, 1 - std::abs(turn - 0.5));
     const double cosine_sign = std::copysign(1.0, 1 - std::abs(turn + 0.5));
     const double swapped = odd * odd;  // 0 or 1
@@ -73,7 +73,7 @@ MOCAPRESS_INLINE void find_sines_and_cosines(const double* __restrict radians,
   }
 }
 
-/// Mixes two columns.
+/// Rotates two columns into one another.
 template <int kFrames>
 MOCAPRESS_INLINE void turn_columns(const double* __restrict sines, const double* __restrict cosines,
                                    double* __restrict first, double* __restrict second) {
@@ -85,10 +85,10 @@ MOCAPRESS_INLINE void turn_columns(const double* __restrict sines, const double*
   }
 }
 
-/// Numbers of so many frames each: x, y, z of a joint's axes.
+/// x, y, z of a joint's three axes, each a column of frames.
 using Axes = std::array<double*, 9>;
 
-/// Axes a and b of a joint turn by angles, given by their sines and cosines.
+/// Turns axes a and b of a joint by angles, given by their sines and cosines.
 template <int kFrames>
 MOCAPRESS_INLINE void turn_axes(const double* sines, const double* cosines, const Axes& axes, int a,
                                 int b) {
@@ -104,7 +104,7 @@ MOCAPRESS_INLINE void combine(const double* __restrict a, const double* __restri
   for (int t = 0; t < kFrames; ++t) sum[t] = a[t] * of_a + b[t] * of_b + c[t] * of_c;
 }
 
-/// to = from * matrix, for each frame. Of different joints, or of copies.
+/// to = from * matrix, for each frame. `from` and `to` must not overlap.
 template <int kFrames>
 MOCAPRESS_INLINE void multiply_axes(const Axes& from, const Eigen::Matrix3d& matrix,
                                     const Axes& to) {
@@ -131,7 +131,7 @@ MOCAPRESS_FOR_AVX2 void multiply_axes_with_avx2(const Axes& from, const Eigen::M
 }
 #endif
 
-/// Whether so many frames are worth vectors of four, and the machine has them.
+/// Whether this many frames are worth vectors of four, and the machine has them.
 bool takes_avx2(int frames) {
   return frames == kMost && has_avx2();
 }

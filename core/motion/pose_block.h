@@ -9,21 +9,22 @@
 
 namespace mocapress {
 
-/// The poses of some frames at a time, a column a number, so that the processor works on several
-/// frames at once: three times as fast as compute_pose() of each, to the same digits but the last.
+/// Poses of several frames at a time, one column for each number, so that the processor works on
+/// several frames at once: three times as fast as compute_pose() for each, and equal up to the last
+/// digit.
 class PoseBlock {
  public:
   static constexpr int kMostFrames = 64;
 
   explicit PoseBlock(const Skeleton& skeleton);
 
-  /// Of `frames` rows of the channels, from `first` on. Into `axes` (all frames x 3 * channels), if
-  /// any, goes what each channel turns about or moves along, in the world.
+  /// Computes `frames` poses from row `first` of the channels on. `axes` (all frames x 3 *
+  /// channels), if given, gets the world axis that each channel turns about or moves along.
   void compute(const Eigen::MatrixXd& channels, int first, int frames,
                Eigen::MatrixXd* axes = nullptr);
 
-  /// Frames x 3: where a joint's origin is, its axis 0, 1 or 2, and a point beside it. cm, in the
-  /// world
+  /// Frames x 3, world space: a joint's origin (cm), its axis 0, 1 or 2, and a point fixed to it
+  /// (cm).
   auto origin(int joint) const {
     return origins_.block(0, Eigen::Index{3} * joint, frames_, 3).array();
   }
@@ -38,7 +39,7 @@ class PoseBlock {
  private:
   void compute_joint(int joint, const Eigen::MatrixXd& channels, int first, Eigen::MatrixXd* axes);
 
-  /// axes of `joint` = those of `from` * matrix.
+  /// Sets the axes of `joint` to those of `from` * matrix.
   void multiply(int from, const Eigen::Matrix3d& matrix, int joint);
   void turn(int joint, int axis, const Eigen::Ref<const Eigen::VectorXd>& radians);
 
@@ -51,11 +52,11 @@ class PoseBlock {
 };
 
 /// Calls visit(poses, first frame, frames) for the frames of a clip from `from` to before `end`, on
-/// all cores and in any order. `axes` as for PoseBlock::compute().
+/// all cores and in any order. `axes`: see PoseBlock::compute().
 template <typename Visit>
 void visit_poses(const Skeleton& skeleton, const Eigen::MatrixXd& channels, int from, int end,
                  const Visit& visit, Eigen::MatrixXd* axes = nullptr) {
-  constexpr int kBlocks = 4;  // at least, for one PoseBlock
+  constexpr int kBlocks = 4;  // least number of blocks for one PoseBlock
   const int blocks = (end - from + PoseBlock::kMostFrames - 1) / PoseBlock::kMostFrames;
   parallel_ranges(0, blocks, kBlocks, [&](int first_block, int end_block) {
     PoseBlock poses(skeleton);

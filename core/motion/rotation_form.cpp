@@ -17,7 +17,7 @@ namespace {
 constexpr std::array<std::array<int, 3>, kRotationOrders> kAxes = {
     {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
 
-/// Of the joint's rotation channels, from the left.
+/// Axes of the joint's rotation channels, from the left.
 std::vector<int> rotation_axes(const Joint& joint) {
   std::vector<int> axes;
   for (const ChannelKind kind : joint.channels)
@@ -34,7 +34,8 @@ Joint with_form(Joint joint, const RotationForm& form) {
   return joint;
 }
 
-/// Of both solutions the one whose middle angle is within a right one, as most sources have it.
+/// The one of the two solutions whose middle angle is within a right angle of zero, as in most
+/// sources.
 Eigen::Vector3d first_angles(const std::array<int, 3>& axes, const Eigen::Matrix3d& rotation) {
   using std::numbers::pi;
   Eigen::Vector3d angles = three_angles(axes, rotation, Eigen::Vector3d::Zero());
@@ -43,7 +44,7 @@ Eigen::Vector3d first_angles(const std::array<int, 3>& axes, const Eigen::Matrix
   return {turned(angles(0)), std::remainder(pi - angles(1), 2 * pi), turned(angles(2))};
 }
 
-/// A joint's angles in another form, frame after frame.
+/// Converts a joint's angles to another form, frame after frame.
 class Conversion {
  public:
   Conversion(const Joint& joint, const RotationForm& form)
@@ -67,7 +68,7 @@ class Conversion {
   std::optional<Eigen::Vector3d> last_;
 };
 
-/// Where a joint's rotation channels are among its channels.
+/// Places of a joint's rotation channels among all its channels.
 std::vector<Eigen::Index> rotation_places(const Joint& joint) {
   std::vector<Eigen::Index> places;
   for (std::size_t i = 0; i < joint.channels.size(); ++i)
@@ -157,7 +158,7 @@ Skeleton with_forms(const Skeleton& skeleton, const RotationForms& forms) {
     const Joint& joint = skeleton.joints()[j];
     result.add(turns_freely(joint) ? with_form(joint, forms[j]) : joint);
   }
-  result.set_skin(skeleton.skin());  // joints turn as they did
+  result.set_skin(skeleton.skin());  // still right: the joints' rotations are the same
   return result;
 }
 

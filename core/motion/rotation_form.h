@@ -17,7 +17,7 @@ enum class RotationOrder : std::uint8_t { Xyz, Xzy, Yxz, Yzx, Zxy, Zyx };
 
 inline constexpr int kRotationOrders = 6;
 
-/// 0 1 2: x y z.
+/// Axes in this order, as 0, 1, 2 for x, y, z.
 std::array<int, 3> axes_of(RotationOrder order);
 
 /// The order of the joint's rotation channels. Requires turns_freely().
@@ -26,14 +26,14 @@ RotationOrder rotation_order(const Joint& joint);
 /// Whether a joint has three rotation channels about three different axes.
 bool turns_freely(const Joint& joint);
 
-/// A rotation that stays: axis times angle, x y z in units of pi / 16, each -16 .. 15.
+/// A constant rotation: axis times angle, x y z in units of pi / 16, each -16 .. 15.
 using FixedTurn = std::array<std::int8_t, 3>;
 
 inline constexpr int kFixedTurns = 16;  // in half a turn
 
 Eigen::Matrix3d rotation_of(const FixedTurn& turn);
 
-/// The nearest such turn: most are within 10 degrees of the rotation.
+/// The nearest fixed turn; most are within 10 degrees of the rotation.
 FixedTurn fixed_turn_near(const Eigen::Matrix3d& rotation);
 
 /// R = before * (three angles about coordinate axes) * after.
@@ -46,14 +46,14 @@ struct RotationForm {
   bool operator==(const RotationForm&) const = default;
 };
 
-/// One for each joint. Joints that do not turn freely have one without meaning.
+/// One form for each joint. Forms of joints that do not turn freely have no meaning.
 using RotationForms = std::vector<RotationForm>;
 
-/// The forms of a source's skeleton: they have an order and nothing else.
+/// The forms of a source's skeleton: an order, without fixed turns.
 RotationForms rotation_forms(const Skeleton& skeleton);
 
-/// The skeleton with the rotation channels of its joints in other forms, in the same places among
-/// the channels. `forms`: one for each joint.
+/// The skeleton with its joints' rotation channels in other forms, at the same places among the
+/// channels. `forms`: one for each joint.
 Skeleton with_forms(const Skeleton& skeleton, const RotationForms& forms);
 
 /// The same motion in the channels of with_forms(), continuous over time. It begins with the middle
@@ -62,8 +62,8 @@ Motion with_forms(const Motion& motion, const RotationForms& forms);
 Motion with_forms(const Motion& motion, const RotationForms& forms,
                   const Eigen::Matrix3Xd& first_angles);
 
-/// The angles (radians) of each joint, 3 x joints, at some frames of with_forms(). Parts of the
-/// motion that begin at these frames begin with them. The frames are in order of time.
+/// Angles (radians) of each joint, 3 x joints, at some frames of with_forms(), in order of time. A
+/// part of the motion that begins at one of these frames takes them as its first angles.
 std::vector<Eigen::Matrix3Xd> angles_at(const Motion& motion, const RotationForms& forms,
                                         const std::vector<int>& frames);
 

@@ -12,7 +12,7 @@ namespace mocapress {
 enum class TrackKind : std::uint8_t {
   Property = 0,     // custom properties, IK and event curves
   MorphWeight = 1,  // 0: not at all, 1: all of the shape
-  ScaleX = 2,       // of a joint, against its parent
+  ScaleX = 2,       // a joint's, relative to its parent
   ScaleY = 3,
   ScaleZ = 4,
 };
@@ -27,20 +27,20 @@ constexpr TrackKind scale_along(int axis) {
   return static_cast<TrackKind>(2 + axis);
 }
 
-/// One number that changes over time, without a unit.
+/// One number over time, without a unit.
 struct ScalarTrack {
   TrackKind kind = TrackKind::Property;
-  std::string node;           // what has it: a joint, or the node of a mesh; empty: the clip
-  std::string name;           // of the property or the morph target; empty: a scale
-  bool steps = false;         // between two frames it has the value of the first; else it is linear
-  std::vector<float> values;  // one a frame; finite
+  std::string node;           // the owner: a joint, or the node of a mesh; empty: the clip
+  std::string name;           // the property or the morph target; empty for a scale
+  bool steps = false;         // true: constant between frames; false: linear
+  std::vector<float> values;  // one for each frame; finite
 
   bool operator==(const ScalarTrack&) const = default;
 };
 
 using ScalarTracks = std::vector<ScalarTrack>;
 
-/// How far a decoded value may be off, unless asked otherwise: less of a morph is not seen.
+/// The default bound on a decoded value's error: a smaller error of a morph is not seen.
 inline constexpr double kUsualTrackError = 0.002;
 
 /// "property", "morph-weight", "scale-x" ...

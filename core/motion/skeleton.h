@@ -12,7 +12,8 @@
 
 namespace mocapress {
 
-/// What one degree of freedom moves. The values are part of the file format: never reassign one.
+/// The quantity that one degree of freedom moves. The values are part of the file format: never
+/// reassign one.
 enum class ChannelKind : std::uint8_t {
   TranslationX = 0,  // cm
   TranslationY = 1,
@@ -28,7 +29,7 @@ constexpr bool is_rotation(ChannelKind kind) {
   return kind >= ChannelKind::RotationX;
 }
 
-/// 0, 1, 2 for X, Y, Z.
+/// 0, 1 or 2 for X, Y or Z.
 constexpr int axis_of(ChannelKind kind) {
   return static_cast<int>(kind) % 3;
 }
@@ -46,7 +47,7 @@ std::string_view short_name(ChannelKind kind);
 /// The rotation by `radians` about coordinate axis 0, 1 or 2.
 Eigen::Matrix3d axis_rotation(int axis, double radians);
 
-/// The shortest turn of one direction to another, of any lengths but zero.
+/// The shortest turn from one direction to another. Lengths do not matter, but must not be zero.
 Eigen::Matrix3d shortest_turn(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
 /// One joint, with the frame it carries. A point moves from the joint's frame to its parent's by
@@ -56,8 +57,8 @@ Eigen::Matrix3d shortest_turn(const Eigen::Vector3d& from, const Eigen::Vector3d
 ///   R           = before * (the product of the rotation channels, the first leftmost) * after
 ///
 /// where `translation` gathers the translation channels. `joint_from_axes` is ASF's `axis`; in BVH
-/// it is identity. No source has `before` and `after`: they suit coded angles to how a joint moves
-/// (RotationForm).
+/// it is identity. Sources never set `before` and `after`: they fit coded angles to the joint's
+/// movement (RotationForm).
 struct Joint {
   std::string name;
   int parent = -1;                                   // -1: a root
@@ -75,7 +76,7 @@ struct JointAxes {
   Eigen::Matrix3d axes_from_joint;
 };
 
-/// A bone: from a joint's origin to where a child joint or an end site sits.
+/// A bone: from a joint's origin to a child joint or an end site.
 struct Segment {
   int joint;                     // the joint that drives it
   int child;                     // the joint at its far end, -1 for an end site
@@ -83,8 +84,8 @@ struct Segment {
   double length;                 // cm
 };
 
-/// A point of a character's surface, by what carries it: it is where the weighted mean of its
-/// shares is. Weights sum to 1; the largest comes first.
+/// One joint's share of a point on a character's surface. The point lies at the weighted mean of
+/// its shares. Weights sum to 1; the largest comes first.
 struct SkinPointShare {
   int joint;
   Eigen::Vector3d in_joint;  // cm
@@ -115,13 +116,13 @@ class Skeleton {
   /// "lfemur.rx".
   std::string channel_name(int channel) const;
 
-  /// The joint of that name, or -1.
+  /// The joint with this name, or -1.
   int find(const std::string& name) const;
 
-  /// Every segment, in the order of the driving joints.
+  /// Every segment, in the order of their driving joints.
   std::vector<Segment> segments() const;
 
-  /// What its joints carry, by which Weighting::Skin measures. Null: nobody knows.
+  /// The points of the mesh that Weighting::Skin measures. Null: no mesh is known.
   const std::shared_ptr<const SkinPoints>& skin() const { return skin_; }
   void set_skin(std::shared_ptr<const SkinPoints> skin) { skin_ = std::move(skin); }
 

@@ -25,7 +25,7 @@ constexpr double kSameAxes = 0.8;        // share of the bones' length that lies
 constexpr double kShortest = 0.1;        // cm, of what has a direction
 constexpr double kLeastCarried = 0.5;    // share of the surface that joints of the clip carry
 
-/// From the joints of one skeleton to those of another; -1: it has none of that name.
+/// Maps joints of one skeleton to joints of another with the same name; -1: none.
 std::vector<int> joints_by_name(const Skeleton& from, const Skeleton& to) {
   std::unordered_map<std::string, int> found;
   for (int j = 0; j < to.joint_count(); ++j) found.emplace(without_namespace(to.joint(j).name), j);
@@ -77,7 +77,8 @@ void hold_missing(Skin& skin, const Skeleton& from, const std::vector<int>& join
   }
 }
 
-/// Whether joints have the same axes in both skeletons: their children lie the same way.
+/// Whether joints have the same axes in both skeletons, that is, their children lie in the same
+/// directions.
 bool have_same_axes(const Skeleton& from, const Skeleton& to, const std::vector<int>& joint_in_to) {
   double same = 0;
   double all = 0;
@@ -95,8 +96,9 @@ bool have_same_axes(const Skeleton& from, const Skeleton& to, const std::vector<
   return same >= kSameAxes * all;
 }
 
-/// How the mesh around each joint of `from` has to turn from the bind pose to the rest pose of
-/// another skeleton: its bone points the other way there. Where none says, as around the parent.
+/// The turn of the mesh around each joint of `from`, from the bind pose to the rest pose of another
+/// skeleton, in which the joint's bone points elsewhere. A joint without exactly one bone turns as
+/// its parent does.
 std::vector<Matrix3d> rest_from_bind(const Skin& skin, const Skeleton& from, const Skeleton& to,
                                      const std::vector<int>& joint_in_to) {
   const auto count = static_cast<std::size_t>(from.joint_count());

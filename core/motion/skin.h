@@ -17,13 +17,13 @@
 
 namespace mocapress {
 
-/// How a joint carries vertices. Scales that the joint lacks are in here.
+/// A joint that carries vertices. The matrix includes scales, which joints lack.
 struct SkinBone {
   int joint = 0;
   Eigen::Affine3d joint_from_bind = Eigen::Affine3d::Identity();
 };
 
-/// What carries a vertex: the four bones with the most weight. Weights sum to 1; unused ones are 0.
+/// The four bones with the most weight at a vertex. Weights sum to 1; unused ones are 0.
 struct BoneWeights {
   std::array<std::uint8_t, 4> bones{};
   std::array<float, 4> weights{};
@@ -50,19 +50,20 @@ struct SkinPicture {
   std::string bytes;
 };
 
-/// A triangle mesh in the pose in which it was bound to the joints of a skeleton.
+/// A triangle mesh in its bind pose: the pose in which it was bound to a skeleton's joints.
 struct Skin {
-  // Bones have bytes as indices, and so many fit into what every graphics driver gives a shader.
+  // The limit on bones: indices are bytes, and every graphics driver gives a shader room for this
+  // many.
   static constexpr std::size_t kMostBones = 256;
 
   struct Vertex {
-    Eigen::Vector3f in_bind;  // cm, y up, in the world of the bind pose
-    Eigen::Vector3f normal;   // unit, likewise
-    Eigen::Vector3f colour;   // red, green, blue as screens have them, 0 ... 1
+    Eigen::Vector3f in_bind;  // cm, y up, world space of the bind pose
+    Eigen::Vector3f normal;   // unit vector in the same space
+    Eigen::Vector3f colour;   // red, green, blue of a screen (sRGB), 0 ... 1
     BoneWeights carried_by;
-    // Where in its picture: from the upper left corner, 1 is its width and height; it repeats.
+    // Place in the picture: measured from the upper left corner, in widths and heights; it repeats.
     Eigen::Vector2f in_picture = Eigen::Vector2f::Zero();
-    int picture = -1;  // of `pictures`, multiplied by the colour; -1: the colour alone
+    int picture = -1;  // index into `pictures`, multiplied by the colour; -1: the colour alone
   };
 
   std::vector<Vertex> vertices;
@@ -74,22 +75,22 @@ struct Skin {
   bool empty() const { return triangles.empty(); }
 };
 
-/// A skin with the skeleton whose joints carry it.
+/// A skin and the skeleton whose joints carry it.
 struct Character {
   Skeleton skeleton;
-  std::shared_ptr<const Skin> skin;  // null: nobody
+  std::shared_ptr<const Skin> skin;  // null: no character
 };
 
-/// Where a material has no colour of its own.
+/// The colour of a material that has none of its own.
 inline const Eigen::Vector3f kPlainSkin{0.72F, 0.69F, 0.66F};
 
-/// The largest four of any number of weights, made to sum to 1. Of none: all on bone 0.
+/// The four largest weights, made to sum to 1. Without any weight, all of it goes to bone 0.
 BoneWeights largest_weights(std::vector<std::pair<std::uint8_t, double>> weights);
 
-/// What each bone does to the mesh in a pose.
+/// The transform of each bone's mesh from the bind pose to a pose.
 std::vector<Eigen::Affine3d> world_from_bind(const Skin& skin, const Pose& pose);
 
-/// Where the vertices are in a pose, cm.
+/// Positions (cm) of the vertices in a pose.
 std::vector<Eigen::Vector3d> skinned_positions(const Skin& skin, const Pose& pose);
 
 /// The skin on a skeleton that has joints of the same names, whatever stands before a colon in

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kPoints = 512;
-constexpr double kGoodPart = 0.25;  // of a point
+constexpr double kGoodPart = 0.25;  // least weight of a joint at a point
 
 double area_of(const Skin& skin, const std::array<std::uint32_t, 3>& triangle) {
   const auto at = [&](std::size_t corner) -> const Eigen::Vector3f& {
@@ -25,8 +25,8 @@ double area_of(const Skin& skin, const std::array<std::uint32_t, 3>& triangle) {
   return (at(1) - at(0)).cross(at(2) - at(0)).cast<double>().norm() / 2;
 }
 
-/// Engines move vertices, and what lies between them as they do: that is linear in the joints'
-/// poses too.
+/// Engines move vertices, and a point between them moves linearly with them, so it is linear in the
+/// joints' poses as well.
 SkinPoint point_in(const Skin& skin, const std::array<std::uint32_t, 3>& triangle,
                    const Vector3d& shares_of_corners) {
   std::map<int, SkinPointShare> by_joint;
@@ -54,7 +54,7 @@ SkinPoint point_in(const Skin& skin, const std::array<std::uint32_t, 3>& triangl
   return point;
 }
 
-/// Moments of what one joint carries.
+/// Moments of the points that one joint carries.
 struct Carried {
   double weight = 0;
   Vector3d sum = Vector3d::Zero();
@@ -112,8 +112,7 @@ std::vector<CarriedMesh> carried_meshes(const SkinPoints& skin) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(around);
     const Eigen::Matrix3d root =
         axes.eigenvectors() * axes.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
-    // Corners of a tetrahedron: their mean is 0 and their second moments are those of a unit
-    // ball's.
+    // Corners of a tetrahedron with mean 0 and the second moments of a unit ball.
     meshes.push_back({joint,
                       carried.weight / static_cast<double>(skin.size()),
                       {mean + root * Vector3d(1, 1, 1), mean + root * Vector3d(1, -1, -1),

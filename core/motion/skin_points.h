@@ -11,33 +11,33 @@
 
 namespace mocapress {
 
-/// Points of the mesh, each for as much of its area as the others, in the pose it was bound in. The
-/// same for the same mesh. Empty for a mesh without area.
+/// Points on the mesh in its bind pose, each standing for the same area. Equal meshes give equal
+/// points. Empty for a mesh without area.
 SkinPoints points_on(const Skin& skin);
 
-/// From now on Weighting::Skin measures this skin on the skeleton's joints. Null, or without area:
-/// none.
+/// Makes Weighting::Skin measure this skin on the skeleton's joints. Null or a skin without area:
+/// it measures nothing.
 void measure_on(const Skin* skin, Skeleton& skeleton);
 
-/// A squared error of all points, as one of points that are fixed to joints, which is what an
-/// ErrorModel takes. Each share of a point stands alone there: where joints that carry a point move
-/// apart, its error is overrated, as the square of a mean is less than the mean of squares. What
-/// one joint carries alone is exact. Four points a joint, with the mean and the second moments of
-/// its shares.
+/// The squared error of all skin points, expressed by points that are each fixed to one joint, as
+/// an ErrorModel takes them. Each share of a point counts by itself: where joints that carry a
+/// point move apart, its error is overrated, since the square of a mean is less than the mean of
+/// squares. The error of points that one joint carries alone is exact. Each joint has four points,
+/// with the mean and the second moments of its shares.
 MeasuredPoints carried_points(const SkinPoints& skin, const Skeleton& skeleton);
 
-/// Corners of the box around what each joint carries for a good part: where none of them is far
-/// off, no point between them is.
+/// Corners of the box around the points that each joint mostly carries. If every corner is near its
+/// place, so is every point between them.
 std::vector<Landmark> corners_of(const SkinPoints& skin, const Skeleton& skeleton);
 
-/// What one joint carries of the mesh, as four points with its mean and second moments.
+/// The part of a mesh that one joint carries, as four points with its mean and second moments.
 struct CarriedMesh {
   int joint;
-  double share;                             // of all points
+  double share;                             // share of all points
   std::array<Eigen::Vector3d, 4> in_joint;  // cm
 };
 
-/// Of each joint that carries some, in their order.
+/// The carried part of each joint that has one, in order of joints.
 std::vector<CarriedMesh> carried_meshes(const SkinPoints& skin);
 
 }  // namespace mocapress

@@ -9,7 +9,7 @@
 
 namespace mocapress {
 
-/// The axis of a file that points up. In memory it is always Y. The values are part of the file
+/// The axis that points up in a file; in memory it is always Y. The values are part of the file
 /// format.
 enum class UpAxis : std::uint8_t { Y = 0, Z = 1 };
 
@@ -18,8 +18,8 @@ constexpr std::string_view name(UpAxis up) {
   return up == UpAxis::Y ? "y" : "z";
 }
 
-/// Whether translation channels of a BVH add to OFFSET or replace it (MotionBuilder, Mixamo,
-/// LAFAN1, and how Blender reads all of them). The values are part of the file format.
+/// Whether a BVH's translation channels add to OFFSET or replace it (as MotionBuilder, Mixamo and
+/// LAFAN1 write, and Blender reads). The values are part of the file format.
 enum class TranslationConvention : std::uint8_t { Adds = 0, Replaces = 1 };
 
 /// "add", "replace".
@@ -28,13 +28,13 @@ constexpr std::string_view name(TranslationConvention convention) {
 }
 
 struct SourceFormat {
-  /// The values are part of the file format.
+  /// The kind of the source file. The values are part of the file format.
   enum class Kind : std::uint8_t { None = 0, Bvh = 1, Acclaim = 2, Fbx = 3, Gltf = 4 };
 
   Kind kind = Kind::None;
-  double cm_per_unit = 1;  // of files of that kind; of other kinds there is no saying
+  double cm_per_unit = 1;  // scale of files of that kind; unused without a kind
   UpAxis up = UpAxis::Y;
-  std::optional<TranslationConvention> root;  // unset: no BVH, or both come to the same
+  std::optional<TranslationConvention> root;  // unset: no BVH, or both conventions agree
 
   bool operator==(const SourceFormat&) const = default;
 };

@@ -21,7 +21,7 @@ struct SurfacePoint {
 using Surface = std::vector<SurfacePoint>;
 
 Surface around_bones(const Skeleton& skeleton) {
-  const double kNear = 0.5 - 1 / std::sqrt(12.0);  // of the axis, where Gauss has his two points
+  const double kNear = 0.5 - 1 / std::sqrt(12.0);  // share of the axis: Gauss' two-point quadrature
   Surface surface;
   for (const BodyLimb& limb : body_limbs(skeleton)) {
     Eigen::Index least = 0;
@@ -45,7 +45,8 @@ Surface around_bones(const Skeleton& skeleton) {
   return surface;
 }
 
-/// Gives joints the mesh that they carry further out than their bones have a body.
+/// Replaces the points of joints whose mesh reaches much further out than the body around their
+/// bones.
 std::vector<FarMesh> follow_mesh(const Skeleton& skeleton, Surface& surface) {
   std::vector<FarMesh> far;
   if (!skeleton.skin()) return far;

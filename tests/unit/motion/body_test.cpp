@@ -27,7 +27,8 @@ const BodyLimb& limb_of(const std::vector<BodyLimb>& limbs, int joint) {
                        [&](const BodyLimb& limb) { return limb.joint == joint; });
 }
 
-/// As game clips have them: a root on the floor, six channels on every joint, nothing at the end.
+/// A skeleton as game clips have it: a root on the floor, six channels on every joint, no end
+/// sites.
 Skeleton game_skeleton() {
   Skeleton skeleton;
   const auto add = [&](const std::string& name, const std::string& parent,
@@ -148,7 +149,7 @@ TEST(Body, SeesEveryJointThatTurnsThoughAllBelowItSlides) {
     shares += limb.share;
     EXPECT_GT(limb.radius, 0);
   }
-  EXPECT_EQ(seen, (std::set<int>{0, 2}));  // what tip turns, bend turns as well
+  EXPECT_EQ(seen, (std::set<int>{0, 2}));  // bend also turns what tip turns
   EXPECT_NEAR(shares, 1, 1e-12);
 }
 

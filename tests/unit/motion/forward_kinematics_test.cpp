@@ -91,7 +91,7 @@ TEST(JointRotation, KnowsWhichJointsTurn) {
 constexpr double kTolerance = 1e-12;
 constexpr double kRightAngle = std::numbers::pi / 2;
 
-/// Two joints in a row; the first has the channels, the second sits at `offset` from it.
+/// Two joints in a row: the first has the channels, the second sits at `offset` from it.
 Skeleton two_joints(std::vector<ChannelKind> channels, const Eigen::Vector3d& offset) {
   Skeleton skeleton;
   skeleton.add({.name = "a", .channels = std::move(channels)});
@@ -110,7 +110,7 @@ TEST(ForwardKinematics, MultipliesRotationsInChannelOrderForAllSixOrders) {
       frame(static_cast<int>(i)) = 0.3 + 0.5 * static_cast<double>(i);
       Eigen::Vector3d axis = Eigen::Vector3d::Zero();
       axis(order[i]) = frame(static_cast<int>(i));
-      // The exponential of the cross-product matrix: another road to the same rotation.
+      // The exponential of the cross-product matrix, an independent way to the same rotation.
       Eigen::Matrix3d generator;
       generator << 0, -axis.z(), axis.y(), axis.z(), 0, -axis.x(), -axis.y(), axis.x(), 0;
       Eigen::Matrix3d term = Eigen::Matrix3d::Identity();
@@ -129,7 +129,7 @@ TEST(ForwardKinematics, MultipliesRotationsInChannelOrderForAllSixOrders) {
 }
 
 TEST(ForwardKinematics, TurnsARightHandedQuarter) {
-  // z up to x: a quarter turn about y takes z to x.
+  // A quarter turn about y takes z to x.
   Pose pose;
   Eigen::RowVectorXd frame(1);
   frame << kRightAngle;

@@ -98,7 +98,8 @@ TEST(MeasuredPoints, OnTheShellMoveWithEveryTurnOfTheirJoint) {
     const Eigen::Index first = Eigen::Index{9} * motion.skeleton.channel_joint(c);
     const Eigen::MatrixXd moved =
         (point_tracks(motion.skeleton, points, turned) - before).middleCols(first, 9);
-    // Two of three axes at 3 cm turn by a tenth, were the third the axis itself.
+    // Two of the three points 3 cm away turn by a tenth, as if the third axis were the axis of
+    // rotation.
     EXPECT_NEAR(moved.row(0).norm(), 2 * 3 * std::sin(0.05) * std::sqrt(2), 1e-9);
   }
 }

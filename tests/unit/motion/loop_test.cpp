@@ -11,7 +11,7 @@
 namespace mocapress {
 namespace {
 
-/// Swinging limbs, one turn in so many frames; the root walks 1 cm a frame on an arc that turns by
+/// Limbs that swing once in `turn_frames`; the root walks 1 cm a frame along an arc that turns by
 /// `heading` about the vertical.
 Motion walk(int turn_frames, int frames, double heading = 1e-6) {
   Motion motion = test::smooth_motion(frames);

@@ -9,7 +9,7 @@
 namespace mocapress {
 namespace {
 
-/// All channels a joint may have, in several orders, and joints without any.
+/// Joints with all channels in several orders, and joints without any.
 Skeleton varied_skeleton() {
   using enum ChannelKind;
   Skeleton skeleton;
@@ -29,7 +29,7 @@ Skeleton varied_skeleton() {
 
 void expect_poses_of_single_frames(double most_radians) {
   const Skeleton skeleton = varied_skeleton();
-  constexpr int kFrames = 150;  // the last block is a part of one
+  constexpr int kFrames = 150;  // the last block is not full
   Random random(3);
   Eigen::MatrixXd channels(kFrames, skeleton.channel_count());
   for (double& value : channels.reshaped()) value = most_radians * (2 * random.unit() - 1);

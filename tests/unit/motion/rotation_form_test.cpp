@@ -13,7 +13,7 @@
 namespace mocapress {
 namespace {
 
-/// Orders 0 to 5 as they are, then the same about turned axes.
+/// Orders 0 to 5 with the plain axes, then the same with turned axes.
 constexpr int kForms = 2 * kRotationOrders;
 
 RotationForms all_alike(const Skeleton& skeleton, int form) {

@@ -17,8 +17,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A strip from x = 0 to 300, a third of whose length has nine tenths of the triangles. Carried by
-/// joint 0, then by 0 and 1 alike in the middle, then by 1.
+/// A strip from x = 0 to 300. One third of its length has nine tenths of the triangles. Joint 0
+/// carries one end and joint 1 the other; in the middle they share.
 Skin strip() {
   Skin skin;
   skin.bones = {{0, Eigen::Affine3d::Identity()},
@@ -103,7 +103,7 @@ TEST(SkinPoints, StayOnTheMeshAsEnginesBendIt) {
     double sum = 0;
     for (const auto& share : point) sum += share.weight;
     EXPECT_NEAR(sum, 1, 1e-6);
-    // In one of the triangles: where it has coordinates from 0 to 1 and no height.
+    // A point lies in a triangle if its coordinates there are from 0 to 1 and its height is 0.
     const Vector3d at = place(point, pose);
     const bool lies_on_it =
         std::any_of(skin.triangles.begin(), skin.triangles.end(), [&](const auto& triangle) {
@@ -153,7 +153,7 @@ TEST(SkinPoints, AreMovedAsTheirShares) {
       found.skin->rms, 1e-9);
 }
 
-/// Small errors as the model has them over errors as they are.
+/// The modelled error over the exact one, for small errors.
 double modelled_over_exact(const Motion& motion) {
   const ErrorModel model(motion.skeleton, motion.clip, Weighting::Skin);
   ErrorState state(model);

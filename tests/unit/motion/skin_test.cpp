@@ -71,7 +71,7 @@ void expect_places(const std::vector<Vector3d>& found, const std::vector<Vector3
 
 TEST(Skin, BlendsWhatItsBonesDo) {
   const Pose pose = pose_of(arm(), 7, std::numbers::pi / 2);
-  // The halfway vertex: 2 cm beyond the elbow, straight on and around the corner.
+  // The halfway vertex lies between 2 cm beyond the elbow straight on and 2 cm around the corner.
   expect_places(skinned_positions(sleeve(), pose),
                 {{10, 7, 2}, (Vector3d(32, 7, 2) + Vector3d(30, 9, 2)) / 2, {30, 32, 2}});
 }
@@ -102,7 +102,7 @@ TEST(Skin, IsBoundToJointsOfTheSameNamesInAnotherOrder) {
                 skinned_positions(sleeve(), pose_of(arm(), 7, 1)));
 }
 
-/// A BVH's: axes as the world's at rest, where the arm hangs down.
+/// A BVH skeleton has the world's axes at rest; in this one the arm hangs down.
 TEST(Skin, IsBoundToJointsWithOtherAxesByTheirRestPose) {
   Skeleton other;
   const Skeleton same = arm();

@@ -38,7 +38,7 @@ void add_cube(Skin& skin, int joint, const Vector3d& centre, double half) {
     }
 }
 
-/// A thing without bones that turns where it is.
+/// A thing without bones that turns on the spot.
 Motion turning_thing() {
   Skeleton skeleton;
   Joint joint;
@@ -90,7 +90,7 @@ TEST(SurfacePoints, OfAPropInAHandReachToItsEndAndWeighAsTheHand) {
     if (point.joint == hand) {
       EXPECT_NEAR(point.in_joint.y(), 400, 20);
     }
-  // The other joints have what they had.
+  // The other joints keep their points.
   std::size_t same = 0;
   for (const Landmark& point : bare.points)
     same +=
