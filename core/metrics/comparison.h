@@ -12,18 +12,18 @@
 
 namespace mocapress {
 
-/// A decoded motion against its original.
+/// A decoded motion measured against its original.
 struct Comparison {
   Distortion distortion;
-  Footskate footskate;  // beyond the original's own
+  Footskate footskate;  // beyond the original's own sliding
   Visibility visibility;
 };
 
-/// Throws Error if `decoded` has other channels than the original or another number of frames.
+/// Throws Error if `decoded` differs from the original in its number of channels or frames.
 void require_same_shape(const Clip& original, const Clip& decoded);
 
-/// `original_body` is body_tracks() of the original, `contacts` those of its feet. Throws as
-/// require_same_shape() does.
+/// `original_body` is body_tracks() of the original, `contacts` are those of its feet. Throws like
+/// require_same_shape().
 Comparison compare(const Motion& original, const Eigen::MatrixXd& original_body,
                    const Clip& decoded, const std::vector<ContactSpan>& contacts);
 

@@ -30,8 +30,8 @@ double DistanceCounts::percentile(double share) const {
 
 namespace {
 
-/// The smallest value that at least `share` of all values do not exceed. Reorders `values`. What
-/// was asked for a smaller share before left the larger ones behind: `after` is where.
+/// The smallest value that at least `share` of all values do not exceed. Reorders `values`. `after`
+/// in/out: the place where the previous call, for a smaller share, partitioned `values`.
 double percentile(std::vector<float>& values, double share, std::ptrdiff_t* after = nullptr) {
   if (values.empty()) return 0;
   const auto rank =
@@ -86,7 +86,8 @@ double Distortion::degrees(const std::vector<int>& joints) const {
 
 namespace {
 
-/// The points of the skin themselves, not what stands for them where errors are modelled.
+/// The points of a weighting; for the skin its own points instead of those that approximate its
+/// error.
 MeasuredPoints points_of(const Skeleton& skeleton, Weighting weighting) {
   MeasuredPoints measured = measured_points(skeleton, weighting);
   if (weighting != Weighting::Skin) return measured;
@@ -100,7 +101,7 @@ MeasuredPoints points_of(const Skeleton& skeleton, Weighting weighting) {
   return measured;
 }
 
-/// cm^2, frames x points.
+/// Squared errors (cm^2) of the skin's points: frames x points.
 Eigen::MatrixXd squared_on(const SkinPoints& skin, JointErrors& errors, Eigen::Index frames) {
   Eigen::MatrixXd squared(frames, std::ssize(skin));
   Eigen::MatrixX3d moved(frames, 3);
@@ -131,7 +132,7 @@ Eigen::MatrixXd PointErrors::squared(const TrackRows& original, const TrackRows&
                                      JointErrors& errors) const {
   const std::vector<Landmark>& points = measured_.points;
   Eigen::MatrixXd squared(original.rows(), std::ssize(points));
-  if (is_on_bones(weighting_)) {  // which tracks begin with
+  if (is_on_bones(weighting_)) {  // the first columns of the tracks
     const auto along = [&](Eigen::Index i) {
       return (original.col(i) - decoded.col(i)).cwiseAbs2();
     };
@@ -148,7 +149,7 @@ Eigen::MatrixXd PointErrors::squared(const TrackRows& original, const TrackRows&
 
 namespace {
 
-constexpr std::size_t kSkinSet = 3;  // after landmarks, surface and shell
+constexpr std::size_t kSkinSet = 3;  // index after landmarks, surface and shell
 
 }  // namespace
 
@@ -212,7 +213,7 @@ void DistortionMeter::add_turns(int first_frame, Eigen::Index frames, JointError
     if (detail_ == Detail::Distances)
       turns_.col(j).segment(first_frame, frames) = degrees.cast<float>();
   }
-  // Ends of bones come after all joints and turn with theirs.
+  // Bone ends follow all joints in the list and turn with their joint.
   const std::vector<Landmark>& points = sets_.front().errors.measured().points;
   for (Eigen::Index end = skeleton_.joint_count(); end < turns_.cols(); ++end)
     turns_.col(end).segment(first_frame, frames) =
@@ -220,7 +221,7 @@ void DistortionMeter::add_turns(int first_frame, Eigen::Index frames, JointError
 }
 
 void DistortionMeter::add(int first_frame, const TrackRows& original, const TrackRows& decoded) {
-  constexpr Eigen::Index kFrames = 64;  // at a time: what joints have in common stays in the cache
+  constexpr Eigen::Index kFrames = 64;  // at a time, so that the joints' errors stay in the cache
   for (Eigen::Index first = 0; first < original.rows(); first += kFrames) {
     const Eigen::Index frames = std::min(kFrames, original.rows() - first);
     add_some(first_frame + static_cast<int>(first), original.middleRows(first, frames),

@@ -16,14 +16,14 @@
 
 namespace mocapress {
 
-/// How many of many distances are about how large, in memory that does not grow with them: a
-/// count for each 4096th of an octave, in the octaves there are.
+/// A histogram of distances, in memory that does not grow with their number: one count for each
+/// 4096th of an octave, for the octaves that occur.
 class DistanceCounts {
  public:
   static constexpr double kPrecision = 1.0 / 4096;
 
   void add(float distance) {
-    // Ordered as the floats are, where these are not negative.
+    // The bits of non-negative floats are ordered as the floats are.
     const auto bits = std::bit_cast<std::uint32_t>(distance) & 0x7FFFFFFFU;
     const std::uint32_t exponent = bits >> kFraction;
     if (places_[exponent] == kNone) open(exponent);
@@ -31,18 +31,18 @@ class DistanceCounts {
     ++all_;
   }
 
-  /// The smallest distance that at least `share` of all do not exceed, or up to kPrecision of it
-  /// less. 0 where there are none.
+  /// The smallest distance that at least `share` of all do not exceed; may read up to kPrecision of
+  /// it low. 0 without distances.
   double percentile(double share) const;
 
  private:
-  static constexpr int kFraction = 23;  // bits of a float
-  static constexpr int kBits = 12;      // of its fraction
+  static constexpr int kFraction = 23;  // bits of a float's fraction
+  static constexpr int kBits = 12;      // bits of the fraction that count
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
   void open(std::uint32_t exponent);
 
-  std::array<std::size_t, 256> places_ = [] {  // in counts_, by the exponent of a float
+  std::array<std::size_t, 256> places_ = [] {  // places in counts_, by a float's exponent
     std::array<std::size_t, 256> none{};
     none.fill(kNone);
     return none;
@@ -51,7 +51,7 @@ class DistanceCounts {
   std::uint64_t all_ = 0;
 };
 
-/// Where the largest distance is.
+/// The place and time of the largest distance.
 struct WorstPoint {
   int frame = 0;
   int landmark = 0;  // index into landmarks(skeleton)
@@ -60,65 +60,66 @@ struct WorstPoint {
   bool operator==(const WorstPoint&) const = default;
 };
 
-/// How far points of a kind are off, in centimetres.
+/// Errors of one kind of points, in centimetres.
 struct Spread {
-  double rms = 0;  // each point by its weight
-  double p95 = 0;  // of all points and frames alike, but for 1 / 4096 (DistanceCounts)
+  double rms = 0;  // each point counts by its weight
+  double p95 = 0;  // over all points and frames, unweighted, within 1 / 4096 (DistanceCounts)
   double p99 = 0;
-  WorstPoint max;  // its landmark: the joint that carries the point
+  WorstPoint max;  // `landmark` is the joint that carries the point
 
   bool operator==(const Spread&) const = default;
 };
 
-/// How far a decoded clip is from its original, in centimetres.
+/// Errors of a decoded clip against its original, in centimetres.
 struct Distortion {
-  double eps_bone_ends = 0;  // the paper's eps_x with each weighting
+  double eps_bone_ends = 0;  // the paper's eps_x in each weighting
   double eps_joint_origins = 0;
   double p95 = 0;  // over all landmarks and frames, unweighted
   double p99 = 0;
   WorstPoint max;
-  Eigen::MatrixXf distances;  // frames x landmarks; empty where only figures were asked for
-  Spread surface;             // of the points of these weightings
+  Eigen::MatrixXf distances;  // frames x landmarks; empty unless Detail::Distances
+  Spread surface;             // these: over the points of the weighting
   Spread shell;
-  std::optional<Spread> skin;  // unset: the skeleton has none
-  // RMS and greatest distance of the points of the skin that each joint carries most of, joints x
-  // 2; -1: there are none. No rows without a skin.
+  std::optional<Spread> skin;  // unset: the skeleton has no skin
+  // RMS and largest distance for each joint, over the skin points that it carries most: joints x 2;
+  // -1: none. No rows without a skin.
   Eigen::MatrixX2d skin_of_joints;
-  Eigen::VectorXd joint_degrees;  // how far each joint is turned in the world, RMS over the frames
-  Eigen::VectorXd joint_max_degrees;  // the same at most
-  Eigen::VectorXd joint_max_cm;       // how far each joint's origin is off, at most
-  Eigen::MatrixXf turns;   // as distances: by how many degrees a landmark's joint is turned
-  double p99_degrees = 0;  // over all of them
+  // Rotation of each joint's error in the world, RMS over the frames.
+  Eigen::VectorXd joint_degrees;
+  Eigen::VectorXd joint_max_degrees;  // the same, largest of all frames
+  Eigen::VectorXd joint_max_cm;       // largest distance of each joint's origin
+  Eigen::MatrixXf turns;   // frames x landmarks: degrees by which the landmark's joint is turned
+  double p99_degrees = 0;  // over all of `turns`
   EndErrors ends;
 
-  /// On the skin 0 where there is none.
+  /// eps_x in this weighting; 0 for the skin if there is none.
   double eps(Weighting weighting) const;
   WorstPoint worst(Weighting weighting) const;
 
-  /// RMS of joint_degrees over some joints. 0 for none.
+  /// RMS of joint_degrees over some joints; 0 without joints.
   double degrees(const std::vector<int>& joints) const;
 };
 
-/// What a DistortionMeter is asked for.
+/// The amount that a DistortionMeter measures.
 enum class Detail {
-  Means,      // eps_x and the worst point of one weighting
-  Figures,    // and percentiles, but for 1 / 4096 of them (DistanceCounts)
-  Distances,  // and every distance and angle; percentiles are exact
+  Means,      // eps_x and the worst point, in one weighting
+  Figures,    // also percentiles, within 1 / 4096 (DistanceCounts)
+  Distances,  // also every distance and angle; percentiles are exact
 };
 
-/// How far the points of a weighting are off.
+/// Errors of the points of one weighting.
 class PointErrors {
  public:
   PointErrors(const Skeleton& skeleton, Weighting weighting);
 
-  /// cm^2, frames x points, of rows of body_tracks() of both clips.
+  /// Squared errors (cm^2), frames x points, from rows of body_tracks() of both clips.
   Eigen::MatrixXd squared(const TrackRows& original, const TrackRows& decoded) const;
 
-  /// The same where their JointErrors are there.
+  /// The same from JointErrors already computed for these rows.
   Eigen::MatrixXd squared(const TrackRows& original, const TrackRows& decoded,
                           JointErrors& errors) const;
 
-  /// Of the skin: each by the joint that carries most of it.
+  /// The points; a point of the skin belongs to the joint that carries most of it.
   const MeasuredPoints& measured() const { return measured_; }
   Weighting weighting() const { return weighting_; }
 
@@ -128,29 +129,31 @@ class PointErrors {
   MeasuredPoints measured_;
 };
 
-/// Compares two clips whose tracks come some frames at a time, each once. Without distances its
-/// memory does not grow with them.
+/// Compares two clips whose tracks arrive in blocks of frames, each once. Without Detail::Distances
+/// its memory does not grow with them.
 class DistortionMeter {
  public:
-  /// Of clips of so many frames. Means are those of the weighting; else all are measured.
+  /// Takes clips of `frames` frames. Detail::Means measures the given weighting; other details
+  /// measure all.
   DistortionMeter(const Skeleton& skeleton, int frames, Detail detail,
                   Weighting weighting = Weighting::BoneEnds);
 
-  /// Rows of body_tracks() of both clips, from first_frame on.
+  /// Adds rows of body_tracks() of both clips, starting at first_frame.
   void add(int first_frame, const TrackRows& original, const TrackRows& decoded);
 
-  /// Once all are there. Not of means.
+  /// The result, once all frames were added. Not with Detail::Means.
   Distortion distortion() const;
 
-  double eps() const { return eps(0); }                            // of the weighting
-  const WorstPoint& worst() const { return sets_.front().worst; }  // among its points
+  double eps() const { return eps(0); }  // in the weighting of Detail::Means
+  // Among the points of that weighting.
+  const WorstPoint& worst() const { return sets_.front().worst; }
 
  private:
   /// Points of one kind.
   struct Set {
     PointErrors errors;
-    Eigen::VectorXd squares;   // cm^2, the sum over the frames so far of each point
-    Eigen::VectorXd greatest;  // cm^2, likewise the greatest
+    Eigen::VectorXd squares;   // cm^2, each point's sum over the frames so far
+    Eigen::VectorXd greatest;  // cm^2, each point's maximum so far
     double worst_square = -1;  // cm^2
     WorstPoint worst;
     DistanceCounts counts;
@@ -165,57 +168,58 @@ class DistortionMeter {
 
   Skeleton skeleton_;
   Detail detail_;
-  std::vector<Set> sets_;  // landmarks, surface, shell, skin if there is one; of means one alone
+  // Landmarks, surface, shell and, if any, skin; one set alone for Detail::Means.
+  std::vector<Set> sets_;
   Eigen::Index frames_ = 0;
   Eigen::MatrixXf distances_;
   Eigen::MatrixXf turns_;           // degrees
-  Eigen::VectorXd squared_turns_;   // degrees^2, the sum over the frames so far of each joint
-  Eigen::VectorXd greatest_turns_;  // degrees, likewise the greatest
+  Eigen::VectorXd squared_turns_;   // degrees^2, each joint's sum over the frames so far
+  Eigen::VectorXd greatest_turns_;  // degrees, each joint's maximum so far
   EndErrorMeter ends_;
 };
 
 /// Compares clips of one skeleton. Requires equal shapes.
 Distortion measure(const Skeleton& skeleton, const Clip& original, const Clip& decoded);
 
-/// The same against body_tracks(skeleton, original) computed before.
+/// The same with body_tracks(skeleton, original) already computed.
 Distortion measure(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
                    const Clip& decoded);
 
-/// The same of two body_tracks().
+/// The same for two body_tracks().
 Distortion measure(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
                    const Eigen::MatrixXd& decoded_tracks);
 
-/// eps_x alone, by full forward kinematics: the exact value the quadratic model approximates.
+/// eps_x alone, by full forward kinematics: the exact value that the quadratic model approximates.
 double exact_eps(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
                  const Clip& decoded, Weighting weighting);
 
-/// How far a part of the body is turned in the world, by the one of its joints that fares worst:
-/// the left hand is not averaged with the right one, nor with its wrist.
+/// The world rotation error of a body part, taken from its worst joint: the left hand is not
+/// averaged with the right one, nor with its wrist.
 struct PartTurn {
   double rms_degrees = 0;  // over the frames
-  double max_degrees = 0;  // at any frame
+  double max_degrees = 0;  // largest of all frames
 
   bool operator==(const PartTurn&) const = default;
 };
 
-/// A distortion of the body in a few figures.
+/// Distortion of the body, summarised.
 struct BodyFigures {
   Spread surface;  // cm
   Spread shell;
-  std::optional<Spread> skin;    // unset: there is no mesh
-  std::optional<PartTurn> head;  // by namesakes_of(); unset: no joint has such a name
+  std::optional<Spread> skin;    // unset: no mesh
+  std::optional<PartTurn> head;  // over namesakes_of(); unset: no joint has such a name
   std::optional<PartTurn> hand;
   std::optional<PartTurn> finger;
   std::optional<PartTurn> foot;
-  double root_max_cm = 0;        // how far the root is off, at any frame
-  double root_max_degrees = 0;   // how far it is turned
+  double root_max_cm = 0;        // largest distance of the root
+  double root_max_degrees = 0;   // largest rotation error of the root
   double angle_rms_degrees = 0;  // over all joints
   EndErrors ends;
 
   bool operator==(const BodyFigures&) const = default;
 };
 
-/// The turn of the worst of some joints; unset for none.
+/// The rotation error of the worst among some joints; unset without joints.
 std::optional<PartTurn> worst_turn(const Distortion& distortion, const std::vector<int>& joints);
 
 BodyFigures body_figures(const Skeleton& skeleton, const Distortion& distortion);

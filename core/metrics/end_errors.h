@@ -9,14 +9,16 @@
 
 namespace mocapress {
 
-/// How the ends of a decoded clip fare. The error of a landmark is where it is less where it should
-/// be; a seam's is how much that changes from the last frame to the first, as played in a loop.
+/// Errors at the ends of a decoded clip. A landmark's error is its decoded position minus its
+/// original one. The seam's error is the change of that from the last frame to the first, as a loop
+/// plays them.
 struct EndErrors {
-  double first_cm = 0;  // of the first pose, RMS over the body's surface
+  double first_cm = 0;  // at the first pose, RMS over the body's surface
   double last_cm = 0;
   double seam_cm = 0;            // RMS over the landmarks
-  double seam_cm_per_frame = 0;  // the same of velocities
-  // What a seam compares with: frames in a row, RMS over the clip and the worst of them.
+  double seam_cm_per_frame = 0;  // the same for velocities
+  // Values to compare the seam with: changes between successive frames, RMS over the clip and
+  // largest.
   double neighbours_cm = 0;
   double neighbours_cm_per_frame = 0;
   double worst_neighbours_cm = 0;
@@ -25,13 +27,14 @@ struct EndErrors {
   bool operator==(const EndErrors&) const = default;
 };
 
-/// Compares clips whose tracks come some frames at a time, each once.
+/// Compares clips whose tracks arrive in blocks of frames, each once.
 class EndErrorMeter {
  public:
-  /// Of skeletons with so many landmarks.
+  /// Takes skeletons with so many landmarks.
   explicit EndErrorMeter(Eigen::Index landmarks) : landmarks_(landmarks) {}
 
-  /// Rows of body_tracks() of both clips, and how far the body's surface is off at each. cm^2
+  /// Adds rows of body_tracks() of both clips, and the squared error (cm^2) of the body's surface
+  /// at each.
   void add(const TrackRows& original, const TrackRows& decoded, const Eigen::VectorXd& squares);
 
   EndErrors errors() const;
@@ -39,8 +42,9 @@ class EndErrorMeter {
  private:
   Eigen::Index landmarks_;
   Eigen::Index frames_ = 0;
-  std::array<Eigen::RowVectorXd, 2> first_;  // errors of the first two frames. cm
-  std::array<Eigen::RowVectorXd, 2> last_;   // of the last two so far, the last one first
+  std::array<Eigen::RowVectorXd, 2> first_;  // errors of the first two frames, cm
+  // Errors of the last two frames so far, the last one first.
+  std::array<Eigen::RowVectorXd, 2> last_;
   double first_square_ = 0;
   double last_square_ = 0;
   struct Squares {
@@ -51,7 +55,7 @@ class EndErrorMeter {
       most = std::max(most, square);
     }
   };
-  Squares changes_;  // over all frames in a row
+  Squares changes_;  // over all successive frames
   Squares bends_;
 };
 

@@ -6,19 +6,19 @@
 
 namespace mocapress {
 
-/// A frame at which a point of the decoded clip jumps out of its way and back: what the eye catches
-/// first, and what means hide.
+/// A frame at which a point of the decoded clip jumps off its path and back. The eye catches such
+/// frames first, and means hide them.
 struct Glitch {
   int frame = 0;
   int landmark = 0;
-  double cm = 0;  // off the middle of the error before and after
+  double cm = 0;  // distance from the middle of the errors before and after
 
   bool operator==(const Glitch&) const = default;
 };
 
-/// Frames whose error stands out from both neighbours' by `least_cm` or more, in the order of time,
-/// each by the landmark that jumps furthest. What the original does itself is no error. Tracks as
-/// landmark_tracks() gives them, equal in shape.
+/// Frames whose error differs from both neighbours' by `least_cm` or more, in order of time, each
+/// with the landmark that jumps furthest. Jumps of the original itself do not count. Tracks as from
+/// landmark_tracks(), equal in shape.
 std::vector<Glitch> find_glitches(const Eigen::MatrixXd& original_tracks,
                                   const Eigen::MatrixXd& decoded_tracks, double least_cm = 0.5);
 

@@ -24,7 +24,8 @@ Jitter::Jitter(int joints, int windows, int window_frames, double sample_rate_hz
       states_(static_cast<std::size_t>(joints)),
       squares_(Eigen::MatrixXf::Zero(windows, joints)) {}
 
-/// So many lanes from `lane` on, over all rows: the same operations for vectors of any length.
+/// Filters the lanes from `lane` on over all rows, with the same operations for vectors of any
+/// length.
 template <typename Vector>
 MOCAPRESS_INLINE void Jitter::filter_lanes(std::size_t lane, State& state, Stretch& stretch) const {
   constexpr std::size_t kCount = kLanes<Vector, double>;
@@ -78,7 +79,7 @@ void Jitter::filter(State& state, Stretch& stretch) const {
   filter_lanes<Doubles2>(2, state, stretch);
 }
 
-/// As if it had moved as evenly for ever.
+/// The filter's state as if the joint had always moved at its first velocity.
 Jitter::State Jitter::state_before(const TrackRows& tracks, Eigen::Index joint) const {
   const Section& s = sections_[0];
   State state{};

@@ -10,44 +10,45 @@
 
 namespace mocapress {
 
-/// How joints of one clip tremble above 10 Hz (Butterworth, fourth order), window by window. Its
-/// tracks come some frames at a time, in time and none left out.
+/// Trembling of a clip's joints above 10 Hz (Butterworth, fourth order), window by window. Its
+/// tracks arrive in blocks of frames, in order and without gaps.
 class Jitter {
  public:
   static constexpr double kAboveHz = 10;
 
-  /// The last of the windows takes what frames are left over.
+  /// The last window also takes the remaining frames.
   Jitter(int joints, int windows, int window_frames, double sample_rate_hz);
 
-  /// Whether a sample rate has frequencies above. add() does nothing where it has not.
+  /// Whether a sample rate carries frequencies above 10 Hz. If not, add() does nothing.
   static bool is_defined(double sample_rate_hz) { return sample_rate_hz > 2 * kAboveHz; }
 
-  /// Rows of tracks that begin with the joints' origins.
+  /// Adds rows of tracks whose first columns are the joints' origins.
   void add(int first_frame, const TrackRows& tracks);
 
-  /// Squares of what a joint is off its smooth way (cm^2), summed over a window's frames: windows x
-  /// joints.
+  /// Squared distance of a joint from its smooth path (cm^2), summed over a window's frames:
+  /// windows x joints.
   const Eigen::MatrixXf& squares() const { return squares_; }
 
   /// The sum of all squared accelerations above 10 Hz, (cm/s^2)^2.
   double energy() const { return energy_; }
 
  private:
-  /// Of second order.
+  /// A filter section of second order.
   struct Section {
     Section(double sample_rate_hz, double quality);
     double b0, b1, b2, a1, a2;
   };
 
-  /// Of one joint: its three coordinates side by side; one lane is left over.
+  /// Filter state of one joint: three coordinates side by side, and one lane unused.
   struct State {
-    std::array<std::array<double, 4>, 4> delays;   // two of each section
-    std::array<std::array<double, 4>, 2> outputs;  // the last and the one before
+    std::array<std::array<double, 4>, 4> delays;   // two for each section
+    std::array<std::array<double, 4>, 2> outputs;  // the last output and the one before
   };
 
-  /// Some coordinates of a joint, and what they add to the sums of a window and of the clip.
+  /// A run of coordinates of one joint, and their additions to the sums of a window and of the
+  /// clip.
   struct Stretch {
-    std::array<const double*, 4> places;  // of the first row
+    std::array<const double*, 4> places;  // the first row's
     int rows;
     std::array<double, 4> squares{};
     std::array<double, 4> accelerations{};  // squared, per frame
@@ -64,7 +65,7 @@ class Jitter {
   int window_frames_;
   double sample_rate_hz_;
   std::array<Section, 2> sections_;
-  std::vector<State> states_;  // of joints
+  std::vector<State> states_;  // one for each joint
   Eigen::MatrixXf squares_;
   double energy_ = 0;
 };

@@ -51,7 +51,8 @@ void ContactsMeter::add(int first_frame, const TrackRows& original, const TrackR
       standing.decoded += decoded.block<1, 3>(row, column).transpose();
       ++standing.frames;
       const bool is_full =
-          standing.windows + 1 < windows && standing.frames == window_frames_;  // not the last
+          // A full window that is not the last.
+          standing.windows + 1 < windows && standing.frames == window_frames_;
       if (is_full || t == span.last_frame) finish_window(standing);
     }
   }

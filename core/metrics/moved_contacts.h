@@ -9,17 +9,17 @@
 
 namespace mocapress {
 
-/// How far a foot that stands in the original moves in the decoded clip, in the mean of windows, so
-/// that a foot that only trembles stands.
+/// Movement in the decoded clip of a foot that stands in the original. It is measured on means of
+/// windows, so a foot that only trembles stands still.
 struct MovedContact {
   ContactSpan span;
-  double slide_cm = 0;  // how much wider the ground is over which it moves than the original's
-  double lift_cm = 0;   // how far above the original it comes
+  double slide_cm = 0;  // diagonal of the ground covered, beyond the original's
+  double lift_cm = 0;   // largest height above the original
 
   bool operator==(const MovedContact&) const = default;
 };
 
-/// The same of a clip.
+/// The largest values over a clip.
 struct MovedContacts {
   double worst_slide_cm = 0;
   double worst_lift_cm = 0;
@@ -27,15 +27,15 @@ struct MovedContacts {
   bool operator==(const MovedContacts&) const = default;
 };
 
-/// Measures clips whose tracks come some frames at a time, in time and none left out.
+/// Measures clips whose tracks arrive in blocks of frames, in order and without gaps.
 class ContactsMeter {
  public:
   ContactsMeter(const std::vector<ContactSpan>& contacts, int window_frames);
 
-  /// Rows of landmark_tracks() of both clips, from first_frame on.
+  /// Adds rows of landmark_tracks() of both clips, starting at first_frame.
   void add(int first_frame, const TrackRows& original, const TrackRows& decoded);
 
-  /// Once all are there: one a contact, in their order.
+  /// One result for each contact, in order, once all frames were added.
   std::vector<MovedContact> contacts() const;
 
  private:
@@ -49,9 +49,9 @@ class ContactsMeter {
   };
   struct Standing {
     MovedContact moved;
-    int windows = 0;                                     // that are finished
-    int frames = 0;                                      // in the one that is not
-    Eigen::Vector3d original = Eigen::Vector3d::Zero();  // sums over these, cm
+    int windows = 0;  // number of full windows
+    int frames = 0;   // number of frames in the window being filled
+    Eigen::Vector3d original = Eigen::Vector3d::Zero();  // sums over those frames, cm
     Eigen::Vector3d decoded = Eigen::Vector3d::Zero();
     Ground original_ground;
     Ground decoded_ground;

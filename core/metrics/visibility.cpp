@@ -19,7 +19,7 @@ int windows_in(int frames, double sample_rate_hz) {
   return frames > 0 ? std::max(1, frames / window_frames(sample_rate_hz)) : 0;
 }
 
-/// Of a clip of which nothing was seen yet.
+/// Jitter without any frame measured.
 Jitter no_jitter(const Skeleton& skeleton, int frames, double sample_rate_hz) {
   return {skeleton.joint_count(), windows_in(frames, sample_rate_hz), window_frames(sample_rate_hz),
           sample_rate_hz};
@@ -39,7 +39,7 @@ Eigen::VectorXd reaches(const Skeleton& skeleton, const std::vector<Landmark>& p
   return reaches;
 }
 
-/// How much each point has of the body's centre.
+/// Each point's weight in the body's centre.
 Eigen::VectorXd shares(const Skeleton& skeleton) {
   Eigen::VectorXd shares = landmark_weights(skeleton, Weighting::BoneEnds);
   const double sum = shares.sum();
@@ -287,7 +287,7 @@ void VisibilityMeter::compare_velocities(const Both& first, const Both& before, 
 void VisibilityMeter::compare_flight(const Both& first, const Both& before, const Both& now) {
   constexpr double kGravity = 981;  // cm/s^2
   constexpr double kFalling = 0.25;
-  constexpr double kWay = 10;  // cm/s: below, it goes nowhere
+  constexpr double kWay = 10;  // cm/s: below, the body goes nowhere
   const double early = before.original.seconds - first.original.seconds;
   const double late = now.original.seconds - before.original.seconds;
   const Eigen::Vector3d acceleration = 2 / (early + late) *
@@ -325,10 +325,11 @@ void VisibilityMeter::see(Visibility& seen, int window, WorstSight what) {
 }
 
 void VisibilityMeter::see_jitter(Visibility& seen) const {
-  constexpr float kLeast = 1e-8F;  // cm^2: what is never off by a thousandth of a mm has no jitter
+  constexpr float kLeast = 1e-8F;  // cm^2: below a thousandth of a mm there is no jitter
   if (original_jitter().squares().size() > 0 && original_jitter().squares().maxCoeff() > kLeast)
     seen.jitter_ratio = decoded_jitter_.energy() / original_jitter().energy();
-  // Two windows at a time: what is a little late is no trembling.
+  // Judges two windows at a time, so that movement that is a little late does not count as
+  // trembling.
   for (int window = 0; window < seen.table.windows(); ++window) {
     const int before = std::max(window - 1, 0);
     const double count = end_of(window) - seen.table.first_frame(before);

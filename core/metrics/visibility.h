@@ -27,21 +27,21 @@
 
 namespace mocapress {
 
-/// Whether somebody who looks at a decoded clip sees that it is not the original.
+/// Whether a viewer of a decoded clip sees that it is not the original.
 enum class Sight { NotVisible, Borderline, Visible };
 
 /// "not-visible", "borderline", "visible".
 std::string_view name(Sight sight);
 
-/// By what an error is seen.
+/// The cue by which an error is seen.
 enum class Cue : std::uint8_t {
   Velocity,  // a joint moves about the body, or the body through the world, at another velocity
-  Place,     // a joint is elsewhere about the body, as if limbs had other lengths
-  Jitter,    // a joint trembles that did not
+  Place,     // a joint is elsewhere relative to the body, as if limbs had other lengths
+  Jitter,    // a joint trembles more than in the original
   Slide,     // a standing foot slides
   Lift,      // a standing foot floats
   Floor,     // a joint is below the floor
-  Flight,    // the body in the air flies another way
+  Flight,    // an airborne body follows another path
   Head,      // the head is turned
   Hand,      // a hand is turned
 };
@@ -54,38 +54,41 @@ std::string_view name(Cue cue);
 /// "cm/s", "cm" or "degrees".
 std::string_view unit(Cue cue);
 
-/// From where on errors are noticed. Places are looked at in the mean of kWindowSeconds: what is
-/// shorter is seen as trembling, if at all; velocities in the mean of two such windows. The figure
-/// is seen from five metres (ours), so that 1 cm is 7 minutes of arc.
+/// Thresholds above which errors are noticed. Places are compared in means over kWindowSeconds:
+/// anything shorter is seen as trembling, if at all. Velocities are compared in means over two such
+/// windows. The viewer is five metres from the figure (our choice), so that 1 cm is 7 minutes of
+/// arc. "Ours" marks thresholds that no study gives.
 namespace noticed {
-inline constexpr double kWindowSeconds = 0.1;     // ours
-inline constexpr double kShareOfSpeed = 0.07;     // De Bruyn and Orban
-inline constexpr double kLeastVelocity = 2.4;     // cm/s: their 7 % of 4 degrees/s at five metres
-inline constexpr double kShareOfReach = 0.03;     // Harrison et al., of the way from the root
-inline constexpr double kLeastPlace = 1;          // cm, ours
-inline constexpr double kSlide = 1.05;            // cm: half of where Prazak et al. saw it
-inline constexpr double kLift = 1;                // cm, ours
-inline constexpr double kDepth = 1;               // cm, ours
-inline constexpr double kFlightOfVelocity = 0.5;  // in the air, of what is noticed else: ours
-inline constexpr double kFlightEasier = 2;  // slowed down, vertical: Reitsma and Pollard; how: ours
-inline constexpr double kHead = 1.9;        // degrees, Wilson et al.
-inline constexpr double kHand = 3.8;        // degrees, ours: twice the head's
-inline constexpr double kJitter = 0.1;      // cm RMS, ours: by a minute of arc
-inline constexpr double kJitterShare = 1;   // of the original's own, ours
-inline constexpr double kVisible = 2;       // times of these: not only noticed; ours
+inline constexpr double kWindowSeconds = 0.1;  // ours
+inline constexpr double kShareOfSpeed = 0.07;  // De Bruyn and Orban
+inline constexpr double kLeastVelocity = 2.4;  // cm/s: their 7 % of 4 degrees/s at five metres
+inline constexpr double kShareOfReach = 0.03;  // Harrison et al., share of the way from the root
+inline constexpr double kLeastPlace = 1;       // cm, ours
+inline constexpr double kSlide = 1.05;  // cm: half the distance at which Prazak et al. saw it
+inline constexpr double kLift = 1;      // cm, ours
+inline constexpr double kDepth = 1;     // cm, ours
+// Factor on the velocity threshold in the air: ours.
+inline constexpr double kFlightOfVelocity = 0.5;
+// Factor for slower or vertical flight: Reitsma and Pollard; its use: ours.
+inline constexpr double kFlightEasier = 2;
+inline constexpr double kHead = 1.9;       // degrees, Wilson et al.
+inline constexpr double kHand = 3.8;       // degrees, ours: twice the head's
+inline constexpr double kJitter = 0.1;     // cm RMS, ours: seven tenths of a minute of arc
+inline constexpr double kJitterShare = 1;  // share of the original's own jitter, ours
+inline constexpr double kVisible = 2;  // factor above noticed from which errors are visible, ours
 }  // namespace noticed
 
-/// Which that is of an error so many times as large as what is noticed.
+/// Classifies an error given as a multiple of the noticeable threshold.
 constexpr Sight sight_of(double times_noticed) {
   if (times_noticed <= 1) return Sight::NotVisible;
   return times_noticed <= noticed::kVisible ? Sight::Borderline : Sight::Visible;
 }
 
-/// What is seen most of all.
+/// The most noticeable error.
 struct WorstSight {
   Cue cue = Cue::Velocity;
   int joint = 0;
-  int frame = 0;  // in the middle of where it is seen
+  int frame = 0;  // middle of the time over which it is seen
   double value = 0;
   double noticed_from = 1;
 
@@ -93,53 +96,57 @@ struct WorstSight {
   bool operator==(const WorstSight&) const = default;
 };
 
-/// By joint and time: windows of equal length, the last longer by what is left over.
+/// Errors by joint and time, in windows of equal length; the last also takes the remaining frames.
 struct SightTable {
   int window_frames = 1;
-  Eigen::MatrixXf times_noticed;                                     // windows x joints
-  Eigen::Matrix<std::uint8_t, Eigen::Dynamic, Eigen::Dynamic> cues;  // of these
-  Eigen::MatrixXf noticed_from;                                      // likewise
+  Eigen::MatrixXf times_noticed;  // windows x joints
+  // The cue behind each of times_noticed.
+  Eigen::Matrix<std::uint8_t, Eigen::Dynamic, Eigen::Dynamic> cues;
+  Eigen::MatrixXf noticed_from;  // the threshold behind each of times_noticed
 
   int windows() const { return static_cast<int>(times_noticed.rows()); }
   int window_of(int frame) const;
   int first_frame(int window) const { return window * window_frames; }
 
-  /// What is seen most of a joint at a frame, and of all joints.
+  /// The most noticeable error of a joint at a frame, and of all joints.
   WorstSight at(int frame, int joint) const;
   WorstSight at(int frame) const;
 
-  /// How much each joint is noticed where it is noticed most: the power mean by 8 over time.
+  /// One number for each joint that stresses its most noticeable moments: the power mean by 8 over
+  /// time.
   Eigen::ArrayXd by_joint() const;
 };
 
-/// What the eye sees of a decoded clip against its original. Worst figures are the largest of any
+/// Visible differences of a decoded clip from its original. Worst values are the largest of any
 /// joint and window.
 struct Visibility {
-  std::array<WorstSight, kCues> worst_of{};  // each cue
+  std::array<WorstSight, kCues> worst_of{};  // one for each cue
   double velocity_error = 0;                 // cm/s, RMS over joints and windows
   double worst_velocity_error = 0;
-  std::optional<double> jitter_ratio;     // energy of acceleration above 10 Hz, decoded / original;
-                                          // unset: none, or the sample rate is too low for it
-  std::optional<MovedContacts> contacts;  // unset: there are none
+  // Energy of acceleration above 10 Hz, decoded / original; unset: the original has none, or the
+  // sample rate is too low.
+  std::optional<double> jitter_ratio;
+  std::optional<MovedContacts> contacts;  // unset: no contacts
   double floor_depth = 0;                 // cm below the original's lowest point
   std::optional<double> flight_error;     // cm/s; unset: the body is never in the air
   std::optional<double> worst_head;       // degrees; unset: no joint has such a name
   std::optional<double> worst_hand;
-  double visible_share = 0;  // of the frames
+  double visible_share = 0;  // share of the frames
   SightTable table;
 
   const WorstSight& worst() const;
   Sight sight() const { return sight_of(worst().times_noticed()); }
 };
 
-/// "velocity of rhand at frame 321: 5.2 cm/s, noticed from 3.1 cm/s"; empty where nothing differs.
+/// A sentence about an error, as "velocity of rhand at frame 321: 5.2 cm/s, noticed from 3.1 cm/s";
+/// empty if nothing differs.
 std::string reason(const WorstSight& worst, const Skeleton& skeleton);
 
-/// The verdict alone.
+/// The verdict without the table.
 struct Seen {
-  double times_noticed = 0;  // of the worst
-  double visible_share = 0;  // of the frames
-  std::string reason;        // as reason() has it
+  double times_noticed = 0;  // the worst error's
+  double visible_share = 0;  // share of the frames
+  std::string reason;        // the text from reason()
 
   Sight sight() const { return sight_of(times_noticed); }
   bool operator==(const Seen&) const = default;
@@ -147,26 +154,26 @@ struct Seen {
 
 Seen seen_in(const Visibility& visibility, const Skeleton& skeleton);
 
-/// Looks at clips whose tracks come some frames at a time, in time and none left out. Up is y. Its
+/// Measures clips whose tracks arrive in blocks of frames, in order and without gaps. Up is y. Its
 /// memory grows by a few numbers for each joint and window.
 class VisibilityMeter {
  public:
-  /// Of clips of so many frames, with feet that stand on the ground in the original, whose
-  /// jitter_of() may be known: then it must outlive this.
+  /// Takes clips of `frames` frames and the contacts of the original's feet. `original_jitter`, if
+  /// known, is jitter_of() of the original and must outlive this.
   VisibilityMeter(const Skeleton& skeleton, int frames, double sample_rate_hz,
                   const std::vector<ContactSpan>& contacts,
                   const Jitter* original_jitter = nullptr);
 
-  /// Rows of body_tracks() of both clips, from first_frame on.
+  /// Adds rows of body_tracks() of both clips, starting at first_frame.
   void add(int first_frame, const TrackRows& original, const TrackRows& decoded);
 
-  /// Once all are there.
+  /// The result, once all frames were added.
   Visibility visibility() const;
 
  private:
-  /// Positions in the mean of a window: x y z of each landmark, and of the body's centre.
+  /// Mean positions over a window: x y z of each landmark, and of the body's centre.
   struct Means {
-    double seconds = 0;  // of its middle
+    double seconds = 0;  // middle of the window
     Eigen::Matrix3Xd points;
     Eigen::Vector3d centre;
   };
@@ -192,31 +199,31 @@ class VisibilityMeter {
   int frames_;
   double sample_rate_hz_;
   std::vector<Landmark> points_;
-  Eigen::VectorXd shares_;   // of the points in the body's centre
+  Eigen::VectorXd shares_;   // each point's weight in the body's centre
   Eigen::VectorXd reaches_;  // cm from the root, along the bones
   std::vector<int> heads_;
   std::vector<int> hands_;
 
-  int window_ = 0;  // that is being filled
+  int window_ = 0;  // the one being filled
   Eigen::RowVectorXd original_sum_;
   Eigen::RowVectorXd decoded_sum_;
-  std::vector<Both> last_;         // windows that are finished, the latest last
-  Eigen::VectorXd squared_turns_;  // degrees^2 of heads and hands, the sum so far of the window
+  std::vector<Both> last_;         // finished windows, the latest last
+  Eigen::VectorXd squared_turns_;  // degrees^2 of heads and hands, summed over the window so far
   double squared_velocities_ = 0;  // (cm/s)^2
   std::int64_t velocities_ = 0;
   double floor_;                // cm
-  Eigen::MatrixXf lowest_;      // windows x joints: cm, of the decoded
-  const Jitter* known_jitter_;  // the original's; null: it is measured here
+  Eigen::MatrixXf lowest_;      // windows x joints: cm, decoded
+  const Jitter* known_jitter_;  // the original's; null: measured here
   Jitter own_jitter_;
   Jitter decoded_jitter_;
   ContactsMeter contacts_;
   Visibility seen_;
 };
 
-/// How a clip trembles, in the windows that are looked at.
+/// Jitter of a clip, in the windows that VisibilityMeter uses.
 Jitter jitter_of(const Skeleton& skeleton, const TrackRows& tracks, double sample_rate_hz);
 
-/// The same of whole body_tracks().
+/// The same for complete body_tracks().
 Visibility measure_visibility(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
                               const Eigen::MatrixXd& decoded_tracks, double sample_rate_hz,
                               const std::vector<ContactSpan>& contacts);

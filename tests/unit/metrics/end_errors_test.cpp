@@ -10,7 +10,7 @@
 namespace mocapress {
 namespace {
 
-/// With the root shifted along x by so much at each frame. cm
+/// End errors of a clip whose root is shifted along x by so much (cm) at each frame.
 EndErrors errors_of_shifts(const Eigen::VectorXd& shifts) {
   const Motion motion = test::smooth_motion(static_cast<int>(shifts.size()));
   Clip decoded = motion.clip;
@@ -39,7 +39,7 @@ TEST(EndErrors, OfASeamAreWhatChangesFromTheLastFrameToTheFirst) {
   EXPECT_NEAR(drifting.seam_cm_per_frame, 0, 1e-6);
   EXPECT_NEAR(drifting.neighbours_cm, 0.1, 1e-6);
   EXPECT_NEAR(drifting.neighbours_cm_per_frame, 0, 1e-6);
-  shifts(0) = 1;  // then 0.1
+  shifts(0) = 1;  // 0.1 in the other frames
   const EndErrors jumping = errors_of_shifts(shifts);
   EXPECT_NEAR(jumping.seam_cm, 0.9, 1e-6);
   EXPECT_NEAR(jumping.seam_cm_per_frame, 1, 1e-6);  // -0.9 beside 0.1

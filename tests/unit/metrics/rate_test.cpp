@@ -9,7 +9,7 @@ namespace mocapress {
 namespace {
 
 TEST(Rate, CountsFourBytesASampleAsThePaperDoes) {
-  Clip running;  // the paper's: 148 frames of 62 channels, 35.8 KB
+  Clip running;  // the paper's run: 148 frames of 62 channels, 35.8 KB
   running.channels.resize(148, 62);
   EXPECT_EQ(raw_bytes(running), 36704u);
   EXPECT_DOUBLE_EQ(compression_ratio(running, 3670), 36704.0 / 3670);

@@ -26,12 +26,12 @@ Skeleton stick(const char* end) {
   return skeleton;
 }
 
-/// Stands at height 0.
+/// A clip that stands at height 0.
 Clip still(int frames, double rate = kRate) {
   return {rate, Eigen::MatrixXd::Zero(frames, 3)};
 }
 
-/// One coordinate of the root moves: `place(seconds)` cm.
+/// A clip in which one coordinate of the root is place(seconds), in cm.
 template <typename Place>
 Clip moved(Clip clip, int coordinate, const Place& place) {
   for (int t = 0; t < clip.frames(); ++t)
@@ -95,7 +95,7 @@ TEST(Visibility, RemovedWobbleIsNotVisible) {
   EXPECT_LT(*seen.jitter_ratio, 1e-9);
 }
 
-/// Rounding alone would make any trembling 1e25 times the original's.
+/// Rounding alone would be 1e25 times the trembling of an original that does not tremble.
 TEST(Visibility, HasNoShareOfAJitterThatIsNone) {
   const Skeleton skeleton = stick("top");
   const Clip evenly = moved(still(200), 0, [](double s) { return 100 * s; });
@@ -140,7 +140,7 @@ TEST(Visibility, ALiftedFootFloats) {
   EXPECT_NEAR(seen.contacts->worst_lift_cm, 1.5, 1e-9);
   EXPECT_EQ(seen.worst().cue, Cue::Lift);
   EXPECT_EQ(seen.sight(), Sight::Borderline);
-  EXPECT_EQ(seen.table.times_noticed(0, 0), 0);  // before it stands
+  EXPECT_EQ(seen.table.times_noticed(0, 0), 0);  // before the foot stands
   EXPECT_FALSE(compare(skeleton, still(120), lifted).contacts.has_value());
 }
 
@@ -200,7 +200,7 @@ TEST(Visibility, OfTheBodysWayIsTheRootsAndOfALimbTheJoints) {
   EXPECT_EQ(seen.worst().cue, Cue::Velocity);
 }
 
-/// Thrown at 300 cm/s upwards and `speed` along x.
+/// A body thrown at 300 cm/s upwards and `speed` along x.
 Clip thrown(double speed) {
   return moved(moved(still(72), 0, [&](double s) { return speed * s; }), 1,
                [](double s) { return 300 * s - 981 * s * s / 2; });
