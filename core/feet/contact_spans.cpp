@@ -13,7 +13,7 @@
 namespace mocapress {
 namespace {
 
-/// cm/s at each frame, by central differences.
+/// Speed (cm/s) at each frame, by central differences.
 Eigen::VectorXd speeds(const Eigen::MatrixXd& tracks, int landmark, double sample_rate_hz) {
   const Eigen::Index frames = tracks.rows();
   Eigen::VectorXd speed = Eigen::VectorXd::Zero(frames);
@@ -28,8 +28,8 @@ Eigen::VectorXd speeds(const Eigen::MatrixXd& tracks, int landmark, double sampl
   return speed;
 }
 
-/// Runs of planted frames of one landmark, gaps of fewer than `least` frames closed, then runs of
-/// fewer dropped.
+/// Runs of planted frames of one landmark. First closes gaps of fewer than `least` frames, then
+/// drops runs of fewer.
 std::vector<ContactSpan> spans_of(const std::vector<bool>& planted, int landmark, int least) {
   std::vector<ContactSpan> spans;
   for (int t = 0; t < static_cast<int>(planted.size()); ++t) {
@@ -82,7 +82,7 @@ std::vector<ContactSpan> find_contacts(const Eigen::MatrixXd& tracks, double sam
 std::vector<ContactSpan> find_foot_contacts(const Skeleton& skeleton, const Eigen::MatrixXd& tracks,
                                             double sample_rate_hz,
                                             const ContactSettings& settings) {
-  std::vector<int> landmarks;  // a joint's number is that of the landmark at its origin
+  std::vector<int> landmarks;  // joint j's origin is landmark j
   for (const Effector& foot : find_feet(skeleton)) landmarks.push_back(foot.joint);
   return find_contacts(tracks, sample_rate_hz, landmarks, settings);
 }

@@ -8,10 +8,10 @@
 
 namespace mocapress {
 
-/// When a point counts as planted. Two thresholds each, so that a foot does not flicker: contact
-/// begins below the first and ends above the second.
+/// Thresholds at which a point counts as planted. There are two for each quantity, so that a foot
+/// does not flicker: contact begins below the first and ends above the second.
 struct ContactSettings {
-  double begin_height = 2.5;   // cm above the lowest the point comes to
+  double begin_height = 2.5;   // cm above the point's lowest height
   double end_height = 4.0;     // cm
   double begin_speed = 30.0;   // cm/s
   double end_speed = 50.0;     // cm/s
@@ -30,25 +30,26 @@ struct ContactSpan {
   bool operator==(const ContactSpan&) const = default;
 };
 
-/// The contacts of `count` frames from `first` on, which become frame 0 and so on.
+/// The contacts within `count` frames from `first` on, renumbered so that `first` is frame 0.
 std::vector<ContactSpan> frames_of(const std::vector<ContactSpan>& contacts, int first, int count);
 
-/// The height (cm) a landmark rests at: low, but not so low as a glitch. `tracks` as
-/// landmark_tracks() gives them, y up.
+/// The height (cm) at which a landmark rests: a low one, yet above single glitches. `tracks` as
+/// from landmark_tracks(), y up.
 double ground_height(const Eigen::MatrixXd& tracks, int landmark);
 
-/// Contact spans of the landmarks, by height and speed with hysteresis, in the order of `landmarks`
-/// and then of time. Found on the original: data from then on, to be edited as one likes.
+/// Contact spans of landmarks, by height and speed with hysteresis, in the order of `landmarks` and
+/// then of time. They are found on the original; afterwards they are plain data that users may
+/// edit.
 std::vector<ContactSpan> find_contacts(const Eigen::MatrixXd& tracks, double sample_rate_hz,
                                        const std::vector<int>& landmarks,
                                        const ContactSettings& settings = {});
 
-/// The same for the feet of a skeleton, as find_feet() finds them. None where there are no feet.
+/// The same for the feet that find_feet() finds in a skeleton. Empty without feet.
 std::vector<ContactSpan> find_foot_contacts(const Skeleton& skeleton, const Eigen::MatrixXd& tracks,
                                             double sample_rate_hz,
                                             const ContactSettings& settings = {});
 
-/// The same of a motion: of its landmarks only those of the feet are ever all in memory.
+/// The same for a motion, keeping tracks of the feet's landmarks only.
 std::vector<ContactSpan> find_foot_contacts(const Motion& motion,
                                             const ContactSettings& settings = {});
 

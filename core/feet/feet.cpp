@@ -43,8 +43,8 @@ bool names_a_ball(const std::string& name) {
   return contains_any(lower(name), {"toe", "ball", "forefoot"});
 }
 
-/// Feet by name: the outermost joint of each limb that is called a foot and not a toe, then its
-/// first child that is called a toe or ball.
+/// Feet by name: the outermost joint of each limb that is named a foot and not a toe, then its
+/// first child that is named a toe or ball.
 std::vector<int> feet_by_name(const Skeleton& skeleton) {
   std::vector<int> feet;
   for (int j = 0; j < skeleton.joint_count(); ++j) {
@@ -62,7 +62,7 @@ std::vector<int> feet_by_name(const Skeleton& skeleton) {
   return feet;
 }
 
-/// Feet by topology: of the limbs of three joints or more, the two whose ends hang lowest at rest.
+/// Feet by topology: among limbs of at least three joints, the two whose ends hang lowest at rest.
 std::vector<int> feet_by_topology(const Skeleton& skeleton) {
   constexpr std::size_t kLegJoints = 3;
   const Pose pose = rest_pose(skeleton);

@@ -7,20 +7,20 @@
 namespace mocapress {
 namespace {
 
-/// Horizontal way (cm) of a landmark from one row of tracks to another.
+/// Horizontal distance (cm) of a landmark between two rows of tracks.
 template <typename Row, typename Next>
 double way(const Row& row, const Next& next, int landmark) {
   return std::hypot(next(3 * landmark) - row(3 * landmark),
                     next(3 * landmark + 2) - row(3 * landmark + 2));
 }
 
-/// The same to row t of some, from the one before or, at the first, from `last`.
+/// The same for row t and the row before it; for row 0 that is `last`.
 double step(const Eigen::RowVectorXd& last, const TrackRows& tracks, int t, int landmark) {
   return t == 0 ? way(last, tracks.row(0), landmark)
                 : way(tracks.row(t - 1), tracks.row(t), landmark);
 }
 
-/// How far a decoded landmark is from the original one, in x and z.
+/// Offset of a decoded landmark from the original one, in x and z.
 Eigen::Vector2d error(const TrackRows& original, const TrackRows& decoded, int t, int landmark) {
   const auto along = [&](int axis) {
     return decoded(t, 3 * landmark + axis) - original(t, 3 * landmark + axis);

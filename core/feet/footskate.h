@@ -11,61 +11,61 @@
 
 namespace mocapress {
 
-/// A contact during which the decoded foot slid further than the original.
+/// A contact during which the decoded foot slid further than the original one.
 struct SlideFinding {
   ContactSpan span;
-  double slid_cm = 0;           // horizontal way from frame to frame, decoded minus original
-  double drift_cm = 0;          // how far its error moved horizontally since the contact began
+  double slid_cm = 0;           // horizontal path length, decoded minus original
+  double drift_cm = 0;          // largest horizontal change of the error since the contact began
   double worst_speed_cm_s = 0;  // horizontal, of the decoded point
   int worst_frame = 0;
 };
 
-/// Footskate of a decoded clip: what it adds to the original's own sliding. The way sums every
-/// step, so that trembling of a foot that stays in its place adds up; drift does not: it is how far
-/// the foot gets from where it would be, had the error at the contact's first frame remained.
+/// Footskate of a decoded clip: the sliding beyond the original's own. The slid distance sums every
+/// step, so trembling on the spot adds up. Drift does not: it is the largest distance of the foot
+/// from where the error of the contact's first frame would have kept it.
 struct Footskate {
-  double total_cm = 0;  // over all contacts; a contact that slid less than the original counts 0
-  std::vector<SlideFinding> findings;  // one a contact that slid further, the worst first
-  double drift_total_cm = 0;           // over all contacts, also those that slid no further
-  double drift_worst_cm = 0;           // of one of them
+  double total_cm = 0;  // over all contacts; one that slid less than in the original counts 0
+  std::vector<SlideFinding> findings;  // one for each contact that slid further, the worst first
+  double drift_total_cm = 0;           // over all contacts, whether they slid further or not
+  double drift_worst_cm = 0;           // the largest of a single contact
 };
 
-/// Measures clips whose tracks come some frames at a time, in time and none left out.
+/// Measures clips whose tracks arrive in blocks of frames, in order and without gaps.
 class FootskateMeter {
  public:
   FootskateMeter(const std::vector<ContactSpan>& contacts, double sample_rate_hz);
 
-  /// Rows of landmark_tracks() of both clips, from first_frame on.
+  /// Adds rows of landmark_tracks() of both clips, starting at first_frame.
   void add(int first_frame, const TrackRows& original, const TrackRows& decoded);
 
-  /// Once all are there.
+  /// The result, once all frames were added.
   Footskate footskate() const;
 
  private:
   double sample_rate_hz_;
-  std::vector<SlideFinding> findings_;         // one a contact, slid further or not
-  std::vector<Eigen::Vector2d> first_errors_;  // of each contact: in its first frame, x and z
-  Eigen::RowVectorXd last_original_;           // of the frames before
+  std::vector<SlideFinding> findings_;         // one for each contact, slid further or not
+  std::vector<Eigen::Vector2d> first_errors_;  // each contact's error in its first frame, x and z
+  Eigen::RowVectorXd last_original_;           // row before the present block
   Eigen::RowVectorXd last_decoded_;
 };
 
-/// Horizontal (x, z) way of each contact's landmark in the decoded clip and in the original, frame
-/// to frame. Tracks as landmark_tracks() gives them, equal in shape.
+/// Compares the horizontal (x, z) path of each contact's landmark in the decoded clip with the
+/// original's, frame to frame. Tracks as from landmark_tracks(), equal in shape.
 Footskate measure_footskate(const std::vector<ContactSpan>& contacts,
                             const Eigen::MatrixXd& original_tracks,
                             const Eigen::MatrixXd& decoded_tracks, double sample_rate_hz);
 
-/// Footskate a contact. A total grows with the clip; these compare clips of any length.
+/// Footskate for each contact. Unlike a total, it compares between clips of any length.
 struct SlidePerContact {
-  double mean_cm = 0;   // over all contacts; one that slid no further than the original counts 0
-  double worst_cm = 0;  // of the contact that slid furthest
+  double mean_cm = 0;   // over all contacts; one that slid no further than in the original counts 0
+  double worst_cm = 0;  // largest of any contact
   double drift_mean_cm = 0;
   double drift_worst_cm = 0;
 
   bool operator==(const SlidePerContact&) const = default;
 };
 
-/// Of footskate measured over so many contacts; unset without any.
+/// Footskate divided among so many contacts; unset without contacts.
 std::optional<SlidePerContact> slide_per_contact(const Footskate& footskate, std::size_t contacts);
 
 }  // namespace mocapress

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kRate = 120;
 
-/// One landmark that stands at `height` from frame 60 to 179 and is lifted before and after.
+/// A landmark that stands at `height` from frame 60 to 179 and is lifted before and after.
 Eigen::MatrixXd one_step(double height = 3, int frames = 240) {
   Eigen::MatrixXd tracks = Eigen::MatrixXd::Zero(frames, 3);
   for (int t = 0; t < frames; ++t) {

@@ -25,8 +25,8 @@ Skeleton skeleton_of(const std::vector<Named>& joints) {
   return skeleton;
 }
 
-/// Two legs, a spine and two arms, with the names of the legs' joints as given for the left; the
-/// right side's have every `left` replaced by `right`.
+/// Two legs, a spine and two arms. `leg` names the left leg's joints; the right leg's names have
+/// `right` for every `left`.
 Skeleton person(const std::vector<std::string>& leg, const std::string& left,
                 const std::string& right) {
   const std::vector<Eigen::Vector3d> leg_offsets = {

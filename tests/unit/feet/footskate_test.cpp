@@ -15,7 +15,7 @@ Eigen::MatrixXd still() {
   return Eigen::MatrixXd::Constant(100, 3, 7.0);
 }
 
-/// Slides steadily in x and z through frames [first, last]: `cm` in all.
+/// Tracks that slide steadily in x and z through frames [first, last], by `cm` in all.
 Eigen::MatrixXd slid(Eigen::MatrixXd tracks, int first, int last, double cm) {
   for (int t = first + 1; t < tracks.rows(); ++t) {
     const double share = std::min(1.0, double(t - first) / (last - first));
@@ -42,7 +42,7 @@ TEST(Footskate, FindsAPlantedSlideWithItsPlaceSizeAndSpeed) {
   EXPECT_LE(footskate.findings[0].worst_frame, 80);
 }
 
-/// Two feet that stand for nine seconds "slid 12.8 cm" at an error of 2.5 mm.
+/// Feet once counted as sliding 12.8 cm in nine seconds, though they only trembled by 2.5 mm.
 TEST(Footskate, DriftDoesNotSumTrembling) {
   Eigen::MatrixXd trembling = still();
   for (int t = 0; t < 100; ++t) trembling(t, 0) += t % 2 == 0 ? 0.25 : 0.0;
@@ -53,7 +53,7 @@ TEST(Footskate, DriftDoesNotSumTrembling) {
   const Footskate slides = measure_footskate(kContacts, still(), slid(still(), 70, 80, 5), kRate);
   EXPECT_NEAR(slides.drift_worst_cm, 5, 1e-9);
   EXPECT_NEAR(slides.findings.at(0).drift_cm, 5, 1e-9);
-  // A foot that stands elsewhere than the original's, but stands, does not drift.
+  // A foot that stands beside the original's place does not drift.
   EXPECT_EQ(
       measure_footskate(kContacts, still(), (still().array() + 3).matrix(), kRate).drift_worst_cm,
       0);
