@@ -39,7 +39,7 @@ int odds_in(int length) {
   return length / 2;
 }
 
-/// Calls visit(even sample, weight) for those that predict odd sample `i`.
+/// Calls visit(even sample, weight) for the even samples that predict odd sample `i`.
 template <typename Visit>
 void visit_neighbours(Basis basis, int i, int evens, const Visit& visit) {
   const auto wavelet = static_cast<runtime::Wavelet>(basis);
@@ -49,7 +49,7 @@ void visit_neighbours(Basis basis, int i, int evens, const Visit& visit) {
   for (int k = 0; k < neighbours.count; ++k) visit(neighbours.first + k, weights[k]);
 }
 
-// Loops over many samples are whole expressions: Eigen makes vector instructions of them.
+// Loops over many samples are written as whole expressions, which Eigen vectorises.
 
 template <typename Real>
 auto some(Real* values, int count) {
@@ -57,7 +57,7 @@ auto some(Real* values, int count) {
   return Eigen::Map<std::conditional_t<std::is_const_v<Real>, const Array, Array>>(values, count);
 }
 
-/// Which odd samples are predicted with the same weights.
+/// The range of odd samples that are predicted with the same weights.
 struct Inner {
   int first;
   int end;
@@ -105,7 +105,7 @@ void predict(Basis basis, const Real* even, int evens, Real* odd, int odds, Real
 }
 
 /// even[i] += sign * a quarter of the details on either side, mirrored at the borders. (Haar: half
-/// of the one after it, which makes it the mean.) Keeps the mean of the signal in the coarse
+/// of the detail after it, which makes it the mean.) Keeps the mean of the signal in the coarse
 /// samples.
 template <typename Real>
 void update(Basis basis, Real* even, int evens, const Real* detail, int details, Real sign) {
@@ -120,8 +120,8 @@ void update(Basis basis, Real* even, int evens, const Real* detail, int details,
   if (evens > details) even[evens - 1] += quarter * 2 * detail[details - 1];
 }
 
-/// even += the transpose of predict() with +1, of the odd samples. `around` is memory for 4 more
-/// values than there are even samples.
+/// even += the transpose of predict() with +1, applied to the odd samples. `around` is memory for 4
+/// more values than there are even samples.
 template <typename Real>
 void predict_transposed(Basis basis, const Real* odd, int odds, Real* even, int evens,
                         Real* around) {
@@ -129,7 +129,8 @@ void predict_transposed(Basis basis, const Real* odd, int odds, Real* even, int 
     some(even, odds) += some(odd, odds);
     return;
   }
-  // The inner ones between zeros, so that each even sample gathers what its neighbours hand it.
+  // Pads the inner odd samples with zeros, so that each even sample sums its neighbours'
+  // contributions.
   const Inner inner(basis, evens, odds);
   std::fill_n(around, evens + 4, Real(0));
   std::copy(odd + inner.first, odd + inner.end, around + 2 + inner.first);
@@ -148,7 +149,7 @@ void predict_transposed(Basis basis, const Real* odd, int odds, Real* even, int 
   });
 }
 
-/// detail += the transpose of update() with -1, of the even samples.
+/// detail += the transpose of update() with -1, applied to the even samples.
 template <typename Real>
 void update_transposed(Basis basis, const Real* even, int evens, Real* detail, int details) {
   if (basis == Basis::Haar) {
@@ -227,8 +228,8 @@ std::unique_ptr<Real[]> memory_for(int count) {
   return std::make_unique_for_overwrite<Real[]>(static_cast<std::size_t>(count));
 }
 
-/// Takes a signal apart, level after level: `details` makes of the even and the odd samples of each
-/// what they are to become.
+/// Splits a signal level by level. `details` turns each level's even and odd samples into coarser
+/// samples and details.
 template <typename Real, typename Details>
 void take_apart(const std::vector<int>& lengths, std::span<const Real> samples,
                 std::span<Real> coefficients, const Details& details) {
@@ -343,7 +344,8 @@ double Lifting::norm(int coefficient) const {
 }
 
 std::vector<double> Lifting::norms_of_band(const Band& band) const {
-  // Away from the borders the functions of a band are shifts of one another: one stands for all.
+  // Away from the borders the functions of a band are shifts of one another, so one is computed for
+  // all.
   constexpr int kBorder = 10;
   std::vector<double> norms(static_cast<std::size_t>(band.size));
   const bool has_interior = band.size > 2 * kBorder;

@@ -12,31 +12,31 @@
 
 namespace mocapress {
 
-/// The interpolating wavelet bases, by the neighbours that predict an odd sample. The values are
-/// part of the file format.
+/// The interpolating wavelet bases, by the even neighbours that predict an odd sample. The values
+/// are part of the file format.
 enum class Basis : std::uint8_t {
   Haar = 0,    // the even sample before it
   Linear = 1,  // 2 neighbours
-  Cubic = 2,   // 4 neighbours: the paper's
+  Cubic = 2,   // 4 neighbours, as in the paper
 };
 
 /// "haar", "linear", "cubic".
 std::string_view name(Basis basis);
 
-/// A contiguous run of coefficients of one scale.
+/// A contiguous run of coefficients at one scale.
 struct Band {
   int first;
   int size;
 };
 
-/// The wavelet transform of signals of one length, any length. Coefficients are ordered coarse to
-/// fine: bands()[0] holds the coarse samples (fewer than 4), each further band the details that
-/// double the resolution.
+/// The wavelet transform for signals of one length, which may be any. Coefficients run from coarse
+/// to fine: bands()[0] holds the coarse samples (fewer than 4), each further band holds the details
+/// that double the resolution.
 ///
-/// One level splits a signal into even and odd samples; the odd ones keep what their even
-/// neighbours do not predict (cubic: -1/16, 9/16, 9/16, -1/16; near the borders the Lagrange
-/// polynomial through the nearest 4, beyond the last even sample a line through the last 2), the
-/// even ones are updated by a quarter of the details beside them.
+/// One level splits a signal into even and odd samples. Even neighbours predict each odd sample,
+/// which keeps the difference (cubic: -1/16, 9/16, 9/16, -1/16; near the borders the Lagrange
+/// polynomial through the nearest 4, beyond the last even sample a line through the last 2). A
+/// quarter of the details beside it is then added to each even sample.
 class Lifting {
  public:
   Lifting(Basis basis, int length);
@@ -55,12 +55,13 @@ class Lifting {
   void correlate(std::span<const double> samples, std::span<double> products) const;
   void correlate(std::span<const float> samples, std::span<float> products) const;
 
-  /// L2 norm of each coefficient's synthesis function: what one unit of it adds to the signal.
+  /// L2 norm of each coefficient's synthesis function, that is, of the signal that one unit of it
+  /// adds.
   std::vector<double> norms() const;
 
-  /// What the norms would be in an orthonormal basis: 2^(depth / 2), the finest details at depth 1,
-  /// the coarse samples at the depth of the coarsest details. Within a factor of 1.5 of norms()
-  /// and, unlike them, the same everywhere: part of the file format.
+  /// The norms of an orthonormal basis: 2^(depth / 2), with the finest details at depth 1 and the
+  /// coarse samples at the depth of the coarsest details. Within a factor of 1.5 of norms(), and,
+  /// unlike those, equal throughout a band: part of the file format.
   std::vector<double> gains() const;
 
  private:
@@ -70,7 +71,7 @@ class Lifting {
   Basis basis_;
   int length_;
   std::vector<Band> bands_;
-  std::vector<int> lengths_;  // of the signal at each level, finest first
+  std::vector<int> lengths_;  // signal length at each level, finest first
 };
 
 }  // namespace mocapress

@@ -9,7 +9,7 @@
 namespace mocapress {
 namespace {
 
-/// Sums of every kVector-th product, as the vectors have it.
+/// Partial sums over every kVector-th product, in the order of vector instructions.
 template <typename Vector, bool squared>
 MOCAPRESS_INLINE float dot_of(const float* values, int size, const float* samples) {
   constexpr int kVectors = ShortFunction::kVector / kLanes<Vector, float>;
@@ -51,12 +51,14 @@ float dot(const float* values, int size, const float* samples) {
 }  // namespace
 
 Synthesis::Synthesis(const Lifting& lifting) {
-  constexpr int kBorder = 10;  // coefficients whose functions feel a border, at either end
+  // Number of coefficients at either end whose functions touch a border.
+  constexpr int kBorder = 10;
   const std::vector<Band>& bands = lifting.bands();
   const auto finest = static_cast<int>(bands.size()) - 1;
   for (int b = 0; b <= finest; ++b) {
     const Band& band = bands[static_cast<std::size_t>(b)];
-    const int stride = 1 << std::min(finest - std::max(b, 1) + 1, 30);  // samples between them
+    // Samples between coefficients.
+    const int stride = 1 << std::min(finest - std::max(b, 1) + 1, 30);
     const bool has_interior = band.size > 2 * kBorder;
     Place interior{};
     for (int i = 0; i < band.size; ++i) {
@@ -94,7 +96,7 @@ float ShortFunction::dot_of_squares(const float* samples) const {
 
 ShortFunctions::ShortFunctions(const Lifting& lifting) {
   const Synthesis synthesis(lifting);
-  const double* last = nullptr;  // of the one before: those of a band have the same values
+  const double* last = nullptr;  // the previous function: those of a band share their values
   for (int c = 0; c < lifting.length(); ++c) {
     const auto& [first, values] = synthesis[c];
     const auto size = static_cast<int>(values.size());

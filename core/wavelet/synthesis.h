@@ -8,14 +8,14 @@
 
 namespace mocapress {
 
-/// What one unit of a coefficient adds to the signal: zero but for a stretch of samples.
+/// The signal that one unit of a coefficient adds: zero outside a run of samples.
 struct SynthesisFunction {
   int first;  // sample
   Eigen::Map<const Eigen::VectorXd> values;
 };
 
-/// The synthesis functions of a transform, for work on single coefficients. Away from the borders
-/// those of a band are shifts of one another and kept once.
+/// Synthesis functions of a transform, for work on single coefficients. Away from the borders the
+/// functions of a band are shifts of one another and stored once.
 class Synthesis {
  public:
   explicit Synthesis(const Lifting& lifting);
@@ -47,16 +47,18 @@ class ShortFunction {
       : first_(first), size_(size), values_(values) {}
 
   int first() const { return first_; }  // sample
-  int size() const { return size_; }    // without zeros
+  int size() const { return size_; }    // number of values without the zeros
   int end() const { return first_ + size_; }
 
-  /// Calls visit(index, kVector values) for all of it. Up to kVector - 1 beyond the last sample.
+  /// Calls visit(index, kVector values) for all of it. The last index may reach up to kVector - 1
+  /// beyond the last sample.
   template <typename Visit>
   void visit(const Visit& visit) const {
     for (int i = 0; i < size_; i += kVector) visit(first_ + i, Values(values_ + i));
   }
 
-  /// The inner product with samples that go on for kVector - 1 more; and that of its squares.
+  /// Inner product with samples, and with squares of the function's values. kVector - 1 samples
+  /// more must be readable.
   float dot(const float* samples) const;
   float dot_of_squares(const float* samples) const;
 
@@ -71,7 +73,7 @@ class ShortFunction {
   const float* values_;
 };
 
-/// Those of a transform.
+/// The short functions of a transform.
 class ShortFunctions {
  public:
   explicit ShortFunctions(const Lifting& lifting);

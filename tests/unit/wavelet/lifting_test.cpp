@@ -78,7 +78,7 @@ TEST(Lifting, BandsCoverEveryCoefficientCoarseToFine) {
 TEST(Lifting, DetailsOfAPolynomialVanishUpToTheDegreeOfTheBasis) {
   struct Case {
     Basis basis;
-    int degree;  // highest that the prediction reproduces, borders included
+    int degree;  // highest degree that the prediction reproduces, borders included
   };
   for (const auto& [basis, degree] :
        {Case{Basis::Haar, 0}, Case{Basis::Linear, 1}, Case{Basis::Cubic, 3}}) {
@@ -88,7 +88,7 @@ TEST(Lifting, DetailsOfAPolynomialVanishUpToTheDegreeOfTheBasis) {
       const auto exact = forward(lifting, polynomial(length, degree));
       const auto beyond = forward(lifting, polynomial(length, degree + 1));
       double largest_beyond = 0;
-      // One after the last even sample goes on in a line from two.
+      // The odd sample after the last even one lies on a line through two samples.
       const int guessed = basis == Basis::Cubic && length % 2 == 0 ? 1 : 0;
       for (int i = finest.first; i < finest.first + finest.size - guessed; ++i) {
         EXPECT_NEAR(exact[static_cast<std::size_t>(i)], 0, 1e-9) << name(basis) << ' ' << length;
@@ -101,7 +101,7 @@ TEST(Lifting, DetailsOfAPolynomialVanishUpToTheDegreeOfTheBasis) {
 
 TEST(Lifting, PredictsWithTheCubicWeightsOfThePaper) {
   std::vector<double> samples(16, 0.0);
-  samples[6] = 1;  // an even sample inside: the odd ones beside it see 9/16, the next -1/16
+  samples[6] = 1;  // an inner even sample: 9/16 to the odd ones beside it, -1/16 to the next
   const Lifting lifting(Basis::Cubic, 16);
   const auto coefficients = forward(lifting, samples);
   const auto detail = [&](int odd) {
@@ -123,7 +123,7 @@ TEST(Lifting, GoesOnInALineBeyondTheLastEvenSample) {
 }
 
 TEST(Lifting, UpdateKeepsTheMeanOfAnEvenSplit) {
-  // Away from borders the update makes coarse samples carry the mean: a constant stays itself.
+  // Away from borders the update keeps the mean in the coarse samples, so a constant stays itself.
   const std::vector<double> constant(64, 2.5);
   const Lifting lifting(Basis::Cubic, 64);
   const auto coefficients = forward(lifting, constant);
