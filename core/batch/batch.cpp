@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 7> kFormatNames = {"mcpr", "bvh", "amc",      "csv",
                                                           "glb",  "fbx", "review.js"};
 
-/// "walks", for "../walks", "walks/", and "." in walks.
+/// The folder's own name: "walks" for "../walks", "walks/", and "." in walks.
 std::string name_of_folder(const fs::path& folder) {
   std::error_code error;
   const fs::path canonical = fs::canonical(folder, error);
@@ -29,7 +29,7 @@ std::string name_of_folder(const fs::path& folder) {
   return (canonical.has_filename() ? canonical : canonical.parent_path()).filename().string();
 }
 
-/// The clips below a folder in the order of their names; what cannot be read, too.
+/// The clips below a folder in the order of their names, with those that cannot be read.
 std::vector<SourceClip> sources_below(const fs::path& folder,
                                       const std::optional<FileIdentity>& left_out) {
   const std::string found_by = name_of_folder(folder);
@@ -150,7 +150,8 @@ void check(const Batch& batch) {
 }
 
 void mark_collisions(Batch& batch) {
-  std::unordered_map<std::uint64_t, std::size_t> first;  // index of an item, by its output's hash
+  // Index of the first item with this output, by the output's hash.
+  std::unordered_map<std::uint64_t, std::size_t> first;
   const auto place = [&](const std::string& output, std::size_t index) {
     Fnv1a hash;
     hash.add(output);
@@ -170,7 +171,7 @@ void mark_collisions(Batch& batch) {
     while (!place(item.output, i).second);
     batch.items.replace(i, item);
   };
-  // A clip that cannot be done anyway takes no name from one that can.
+  // Clips with a problem come last, so that they take no name from others.
   std::vector<std::size_t> problems;
   for (std::size_t i = 0; i < batch.items.size(); ++i)
     if (const BatchItem item = batch.items[i]; item.problem.empty())

@@ -26,32 +26,34 @@ inline constexpr std::array<OutputFormat, 7> kOutputFormats = {
 /// report's viewer shows): the extension too.
 std::string_view name(OutputFormat format);
 
-/// Unset when it is none of them.
+/// The format of this name; unset if there is none.
 std::optional<OutputFormat> output_format(std::string_view name);
 
-/// A clip as it was found. Paths are texts: a long list of std::filesystem::path is heavy.
+/// A clip found on disk. Paths are strings, since many objects of std::filesystem::path take much
+/// memory.
 struct SourceClip {
   std::string path;
-  std::string folder;   // the folder it was found by, by name, and those between: "walks/slow"
-  std::string problem;  // why it cannot be read, known beforehand; else empty
+  std::string folder;   // names of the searched folder and of those below it: "walks/slow"
+  std::string problem;  // reason why it cannot be read, if known already; else empty
 
   bool operator==(const SourceClip&) const = default;
 };
 
-/// Files as they are, and every clip below the folders, in the order of their names, each
-/// once. What is not there, cannot be read or holds no clip is a clip with a problem. A folder
-/// `outputs` below an input is left out of it: what a batch writes is not its input.
+/// Finds clips: files as given, and every clip below the folders, in the order of their names, each
+/// once. An input that is absent, unreadable or without clips becomes a clip with a problem. A
+/// folder `outputs` below an input is skipped, since a batch's results are not its input.
 std::vector<SourceClip> find_sources(const std::vector<std::string>& inputs,
                                      const std::string& outputs = {});
 
-/// Everything that is asked for, but where it goes.
+/// Everything asked of a batch except its folder.
 struct Batch {
   std::vector<Settings> presets;
   std::vector<OutputFormat> formats = {OutputFormat::Mcpr};
   ReadOptions reading;
-  WriteOptions writing;                   // of formats other than .mcpr
-  std::optional<runtime::BankForm> bank;  // made of the .mcpr files when all are done
-  bool learn = false;  // the bank, a packed one, codes motions by what its clips teach
+  WriteOptions writing;  // for formats other than .mcpr
+  // Form of a bank made of the .mcpr files at the end; unset: none.
+  std::optional<runtime::BankForm> bank;
+  bool learn = false;  // true: the bank, which must be packed, learns its coding from its clips
   ItemList items;
 
   const ReadOptions& reading_of(const BatchItem& item) const {
@@ -61,27 +63,27 @@ struct Batch {
 
 inline constexpr const char* kUsualNames = "{folder}/{stem}";
 
-/// The output of a clip by a pattern of {folder}, {stem}, {type} (its extension), {preset}
-/// and {method}. An extension of
-/// one of the formats at its end is left out: each file gets its own. Throws Error on any other
-/// {word}, an empty name and one that leaves the folder.
+/// The output of a clip, from a pattern of {folder}, {stem}, {type} (its extension), {preset} and
+/// {method}. If the pattern ends with an extension of one of the formats, it is dropped, since each
+/// file gets its own. Throws Error for any other {word}, an empty name or a name outside the
+/// folder.
 std::string output_name(std::string_view pattern, const SourceClip& source, const Settings& preset);
 
-/// An item of each, with the preset of that index. A clip whose name makes no output's is an item
-/// with a problem. Throws Error for a pattern that no clip fits.
+/// Adds an item for each source, with the preset of that index. A source whose name makes no valid
+/// output becomes an item with a problem. Throws Error for a pattern that fits no clip.
 void add_items(Batch& batch, const std::vector<SourceClip>& sources, std::size_t preset,
                std::string_view pattern);
 
-/// Throws Error for what cannot be made: a bank without .mcpr files, a bank that is to learn and is
-/// not packed.
+/// Throws Error for a batch that cannot be made: a bank without .mcpr files, or one that is to
+/// learn but is not packed.
 void check(const Batch& batch);
 
-/// Gives every item that would be written where an earlier one is a problem that says so, and
-/// another output: no two items have the same.
+/// Gives a problem to every item whose output an earlier item already has, and another output, so
+/// that all outputs differ.
 void mark_collisions(Batch& batch);
 
-/// The part of a batch that one of several machines does: clips belong to a shard by their output's
-/// name alone, so that a clip more or less moves no other.
+/// One machine's part of a batch shared by several. A clip's shard depends on its output's name
+/// alone, so adding or removing a clip moves no other.
 struct Shard {
   int index = 1;  // from 1
   int count = 1;
@@ -90,10 +92,10 @@ struct Shard {
   bool operator==(const Shard&) const = default;
 };
 
-/// "2/8". Throws Error.
+/// Reads "2/8". Throws Error.
 Shard parse_shard(std::string_view text);
 
-/// Changes with any output's name or their order: tells shards of one batch from others.
+/// A hash of all outputs' names and their order, which tells the shards of one batch from others.
 std::string fingerprint(const Batch& batch);
 
 }  // namespace mocapress

@@ -31,7 +31,7 @@ Journal::Start start_of(const BatchRunOptions& options) {
   return options.overwrite ? Journal::Start::Anew : Journal::Start::New;
 }
 
-/// Before any work.
+/// Checks, before any work, that a bank can be made.
 void check_bank(const fs::path& folder, const Batch& batch, const BatchRunOptions& options) {
   if (!batch.bank) return;
   if (options.shard.count > 1)
@@ -43,7 +43,7 @@ void check_bank(const fs::path& folder, const Batch& batch, const BatchRunOption
     throw WriteError(bank.string() + " exists: not overwritten");
 }
 
-/// False: there was no clip to put in, or it was ended early.
+/// Makes the bank. False: it would have no clip, or the observer stopped it.
 bool make_bank_of(const fs::path& folder, const BankOptions& options, const JournalReader& reader,
                   BatchControl& control, BatchProgress progress, Warnings& warnings,
                   const Observer<BatchProgress>& observer) {
@@ -116,8 +116,8 @@ std::vector<fs::path> journals_in(const fs::path& folder) {
   return found;
 }
 
-/// Gives the rows of several journals in the order of the batch. Every journal has its rows in that
-/// order, and no two have the same ones.
+/// Visits the rows of several journals in the order of the batch. Each journal has its rows in that
+/// order, and no row is in two of them.
 void visit_in_order(std::vector<std::unique_ptr<JournalReader>>& journals,
                     const std::function<void(const BatchRow&)>& visit) {
   std::map<std::size_t, std::pair<JournalReader*, std::size_t>> places;  // by index of the clip

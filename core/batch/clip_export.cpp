@@ -33,7 +33,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The observer said no.
+/// Thrown when the observer stops the export.
 struct Stopped {};
 
 using Bytes = std::vector<std::byte>;
@@ -49,7 +49,8 @@ std::string hash_of_bytes(const Bytes& bytes) {
   return hash.text();
 }
 
-/// A search for a target has no known end: every pass is taken for a fifth of what is left.
+/// Progress of the search for a target, whose end is not known: each pass counts as a fifth of the
+/// rest.
 double encoding_fraction(const EncodeProgress& progress) {
   double within = 0;
   if (progress.first_step > 1)
@@ -59,14 +60,15 @@ double encoding_fraction(const EncodeProgress& progress) {
   return 0.1 + 0.75 * (1 - std::pow(0.8, progress.pass + within));
 }
 
-/// Names of the files of an output, by format; an .amc has its .asf with it.
+/// Names of an output's files in a format; an .amc comes with its .asf.
 std::vector<std::string> file_names(const std::string& output, OutputFormat format) {
   std::vector<std::string> names = {output + '.' + std::string(name(format))};
   if (format == OutputFormat::Amc) names.insert(names.begin(), output + ".asf");
   return names;
 }
 
-/// Throws Error unless a motion file says what was meant, within what its decimals can hold.
+/// Throws Error unless a motion file reads back as it was meant, within the precision of its
+/// decimals.
 void compare(const Motion& meant, const Motion& found, const std::vector<std::string>& names,
              const std::string& file) {
   constexpr double kMost = 0.02;  // cm
@@ -88,7 +90,7 @@ void compare(const Motion& meant, const Motion& found, const std::vector<std::st
   }
 }
 
-/// One clip on its way.
+/// The export of one clip.
 class Export {
  public:
   Export(const Batch& batch, std::size_t index, const fs::path& folder, const ExportRights& rights,
@@ -127,7 +129,7 @@ class Export {
     if (!should_continue(observer_, ClipProgress{stage, fraction})) throw Stopped{};
   }
 
-  /// Before any work: files that may not be replaced, and the clip's own.
+  /// Checks, before any work, for files that must not be replaced, and for the clip's own source.
   void look_at_places() const {
     for (const OutputFormat format : batch_.formats)
       for (const std::string& name : file_names(item_.output, format)) {
@@ -175,7 +177,7 @@ class Export {
     made.file =
         with_tracks(with_source(made.file, clip.source()), clip.tracks(), preset_.track_error);
     report(ClipProgress::Stage::Verifying, 0.85);
-    // It is measured whether it is among the outputs or not.
+    // The .mcpr is measured even if it is not among the outputs.
     StagedFile mcpr = staged(item_.output + ".mcpr", made.file);
     verify(clip, mcpr.read_back(), options.contacts.value_or(clip.contacts()), made);
     std::vector<StagedFile> files;
@@ -205,7 +207,7 @@ class Export {
 
   EncodeOptions options_for(const Motion& motion) const {
     EncodeOptions options = encode_options(preset_, motion.skeleton);
-    options.figures_only = true;  // what is put in place is measured anew
+    options.figures_only = true;  // no measurement here: the written file is measured
     for (const ContactSpan& span : options.contacts.value_or(std::vector<ContactSpan>()))
       if (span.last_frame >= motion.clip.frames())
         throw Error("the preset has a contact up to frame " + std::to_string(span.last_frame) +
@@ -213,8 +215,8 @@ class Export {
     return options;
   }
 
-  /// Measures what the disk gave back; the decoded motion, where a format wants it, is from there
-  /// on.
+  /// Measures the file as read back from the disk, and keeps the decoded motion if a format needs
+  /// it.
   void verify(const LoadedClip& clip, const Bytes& bytes, const std::vector<ContactSpan>& contacts,
               Compression& made) {
     const bool asks_for_motion =
@@ -301,7 +303,7 @@ class Export {
     }
   }
 
-  /// In folders made for it.
+  /// Writes a file beside its place, making its folders.
   StagedFile staged(const std::string& name, const Bytes& bytes) const {
     const fs::path path = folder_ / name;
     make_folders(path.parent_path());
@@ -310,7 +312,7 @@ class Export {
     return file;
   }
 
-  /// Written, read back and the same; it is what will be put in place.
+  /// Writes a file, reads it back and compares; the result is ready to be put in place.
   void stage_file(const char* extension, const Bytes& bytes, std::vector<StagedFile>& files) {
     const std::string name = item_.output + extension;
     files.push_back(staged(name, bytes));
@@ -386,7 +388,7 @@ std::set<FileIdentity> source_files(const Batch& batch) {
       add(item.input);
       for (const fs::path& file : files_of_motion(item.input, skeleton, batch.reading_of(item)))
         add(file);
-    } catch (const InputError&) {  // its row will say so
+    } catch (const InputError&) {  // reported in the clip's row later
     }
   }
   return found;

@@ -12,32 +12,32 @@
 
 namespace mocapress {
 
-/// How far one clip is.
+/// The progress of one clip.
 struct ClipProgress {
   enum class Stage { Reading, Encoding, Verifying };
   Stage stage = Stage::Reading;
-  double fraction = 0;  // of the clip; the searches for a target are guessed
+  double fraction = 0;  // share of the clip's work; a guess while a target is searched
 };
 
 /// "reading", "encoding", "verifying".
 std::string_view name(ClipProgress::Stage stage);
 
-/// What may be done to files that are there.
+/// Rights to replace files that exist.
 struct ExportRights {
   bool overwrite = false;
-  bool resumed = false;               // a file with the very same bytes is this batch's own
-  const BatchRow* earlier = nullptr;  // what was written before may be replaced while unchanged
-  const std::set<FileIdentity>* sources = nullptr;  // files of the whole batch: never written to
+  bool resumed = false;  // true: a file with exactly the same bytes belongs to this batch
+  const BatchRow* earlier = nullptr;  // its files may be replaced if they are unchanged
+  const std::set<FileIdentity>* sources = nullptr;  // sources of the whole batch, never written to
 };
 
-/// The files that the clips of a batch are made from.
+/// The source files of all clips of a batch.
 std::set<FileIdentity> source_files(const Batch& batch);
 
-/// The row of a clip that was given up.
+/// The row of a clip that failed.
 BatchRow failed_row(const Batch& batch, std::size_t index, const std::string& why);
 
-/// Whether nothing has changed since a row was done: clip, settings, how files are read
-/// and written, and the files it wrote.
+/// Whether everything that a row records is unchanged: clip, settings, options for reading and
+/// writing, and the written files.
 bool still_done(const BatchRow& row, const Batch& batch, const BatchItem& item,
                 const std::filesystem::path& folder);
 

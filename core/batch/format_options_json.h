@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// How files are read and written, as JSON: {"rate_hz": 60, "cm_per_unit": 2.54, "up": "z",
-// "bvh_root": "add", "character": "HERO.glb"}. What is not set is left out.
+// Options for reading and writing files, as JSON: {"rate_hz": 60, "cm_per_unit": 2.54, "up": "z",
+// "bvh_root": "add", "character": "HERO.glb"}. Options that are not set are left out.
 
 #include <string>
 
@@ -10,10 +10,10 @@
 
 namespace mocapress {
 
-/// Puts what is set into an object, under keys that begin with `prefix`.
+/// Puts the options that are set into an object, under keys that begin with `prefix`.
 void put(Json& json, const ReadOptions& options, const std::string& prefix = {});
 
-/// The inverse. Throws Error on a word that is not known, and like the JSON library does.
+/// Reads what put() wrote. Throws Error for an unknown word, and as the JSON library does.
 ReadOptions format_options(const Json& json, const std::string& prefix = {});
 
 }  // namespace mocapress

@@ -9,10 +9,10 @@
 
 namespace mocapress {
 
-/// Reasons for which a clip that is done may still be refused.
+/// Reasons to refuse a clip although it is done.
 enum class Gate {
   Visible,     // an attentive viewer sees its error
-  Borderline,  // the same, or may see it
+  Borderline,  // an attentive viewer sees or may see its error
   Rejected,    // a reviewer rejected it, or the verdict is stale
   Warning      // its reader repaired or guessed something
 };
@@ -20,10 +20,10 @@ enum class Gate {
 /// "visible", "borderline", "rejected", "warning".
 std::string_view name(Gate gate);
 
-/// Unset when it is none of them.
+/// The gate of this name; unset if there is none.
 std::optional<Gate> gate_named(std::string_view word);
 
-/// Whether a clip that is done is refused by one of the gates.
+/// Whether one of the gates refuses a clip that is done.
 bool is_refused(const BatchRow& row, const std::vector<Gate>& gates);
 
 }  // namespace mocapress

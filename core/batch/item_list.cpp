@@ -8,12 +8,12 @@
 namespace mocapress {
 namespace {
 
-/// How much of a path is its folder, with the / at its end.
+/// The length of a path's folder, with the / at its end.
 std::size_t folder_length(const std::string& path) {
   return path.rfind('/') + 1;  // npos + 1 is 0
 }
 
-/// Empty for unset.
+/// The options as JSON text; empty if unset.
 std::string reading_text(const std::optional<ReadOptions>& reading) {
   if (!reading) return {};
   Json json = Json::object();
@@ -32,7 +32,8 @@ ItemList::ItemList(std::initializer_list<BatchItem> items) {
   for (const BatchItem& item : items) push_back(item);
 }
 
-/// No file name holds a 0, and a problem or note that does is cut there.
+/// Fields are separated by zeros: no file name holds one, and a problem or note that does is cut
+/// there.
 ItemList::Place ItemList::append(const BatchItem& item) {
   const Place place{text_.size(), index_of_folder(item.input), index_of_folder(item.output)};
   for (const std::string& field :
@@ -47,7 +48,8 @@ ItemList::Place ItemList::append(const BatchItem& item) {
   return place;
 }
 
-/// Clips come folder by folder: only those of the last few items are looked for.
+/// The index of a path's folder, added if it is new. Clips come folder by folder, so only the
+/// latest few folders are searched.
 std::uint32_t ItemList::index_of_folder(const std::string& path) {
   constexpr std::ptrdiff_t kLooked = 4;
   const std::string folder = path.substr(0, folder_length(path));
@@ -62,7 +64,7 @@ void ItemList::push_back(const BatchItem& item) {
   places_.push_back(append(item));
 }
 
-/// What was there stays behind: few are replaced.
+/// The old text stays in memory, since few items are replaced.
 void ItemList::replace(std::size_t index, const BatchItem& item) {
   places_[index] = append(item);
 }

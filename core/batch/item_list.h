@@ -16,17 +16,17 @@ namespace mocapress {
 /// One clip of a batch.
 struct BatchItem {
   std::string input;
-  std::string skeleton;    // .asf; empty: beside the .amc
+  std::string skeleton;    // the .asf; empty: beside the .amc
   std::string output;      // below the batch's folder, without extension
   std::size_t preset = 0;  // index into Batch::presets
-  std::string problem;     // why it cannot be done; else empty
+  std::string problem;     // reason why it cannot be done; else empty
   ClipReview review = {};
   std::optional<ReadOptions> reading = {};  // unset: Batch::reading
 
   bool operator==(const BatchItem&) const = default;
 };
 
-/// The clips of a batch, packed: a list of 100,000 should not weigh more than a clip.
+/// The clips of a batch in packed form, so that a list of 100,000 takes no more memory than a clip.
 class ItemList {
  public:
   ItemList() = default;
@@ -36,7 +36,7 @@ class ItemList {
   void replace(std::size_t index, const BatchItem& item);
   void erase(std::size_t index);
 
-  /// Gives back what growing took in advance.
+  /// Frees memory reserved for growth.
   void shrink();
 
   std::size_t size() const { return places_.size(); }
@@ -72,10 +72,10 @@ class ItemList {
   Place append(const BatchItem& item);
   std::uint32_t index_of_folder(const std::string& path);
 
-  // Of each item, each ended by 0: the last part of input, skeleton, the last part of output,
-  // preset, problem, all of its review and how it is read.
+  // Texts of all items, each ended by 0: the last part of input, skeleton, the last part of output,
+  // preset, problem, the fields of its review and its options for reading.
   std::string text_;
-  std::vector<std::string> folders_;  // each ends with a /, or is empty
+  std::vector<std::string> folders_;  // each ends with / or is empty
   std::vector<Place> places_;
 };
 

@@ -31,7 +31,7 @@ std::string to_line(const JournalHeader& header) {
                  {kHolderKey, to_json(this_process())}});
 }
 
-/// The run that a journal's first line names. Unset: it names none.
+/// The run named by a journal's first line; unset if it names none.
 std::optional<LockHolder> holder_of(const fs::path& path) {
   try {
     std::string line;
@@ -44,7 +44,7 @@ std::optional<LockHolder> holder_of(const fs::path& path) {
   }
 }
 
-/// Takes the lock where it can be had, and goes on where it cannot.
+/// Tries to take the lock and reports success either way.
 int lock_if_free(int file, int operation) {
   ::flock(file, operation);
   return 0;
@@ -83,7 +83,8 @@ std::string first_line(const fs::path& path) {
   return line;
 }
 
-/// A row's clip may have left the batch; but not because its folder cannot be listed just now.
+/// Throws if a row's clip is missing only because its folder cannot be listed now. Otherwise the
+/// clip has left the batch.
 void refuse_to_forget(const BatchRow& row, const Batch& batch) {
   for (const BatchItem item : batch.items)
     if (!item.problem.empty() && row.input.starts_with(item.input + '/'))
@@ -139,7 +140,7 @@ Journal::Journal(const fs::path& path, const Batch& batch, const Shard& shard, S
     lines_.append(to_line(header));
 }
 
-/// Copies what counts to a new file, which takes the old one's place.
+/// Copies the rows that still count to a new file, which replaces the old one.
 void Journal::keep_rows_of(const Batch& batch, const JournalHeader& header) {
   places_.resize(batch.items.size());
   std::unordered_map<std::uint64_t, std::size_t> wanted;
@@ -155,7 +156,7 @@ void Journal::keep_rows_of(const Batch& batch, const JournalHeader& header) {
       return place;
     };
     write(to_line(header));
-    // Whoever began it was killed within the header, and there are no rows.
+    // A run that was killed while it wrote the header left no rows.
     if (first_line(path_).size() == lines_.size()) return;
     JournalReader(path_).for_each([&](const BatchRow& row) {
       const auto found = wanted.find(key_of(row.output));

@@ -15,29 +15,29 @@
 
 namespace mocapress {
 
-/// Which batch a journal is of, and which part of it.
+/// The batch and the part of it that a journal belongs to.
 struct JournalHeader {
-  std::size_t clips = 0;  // of the whole batch
+  std::size_t clips = 0;  // number in the whole batch
   std::string list;       // fingerprint() of the batch
   Shard shard;
 
   bool operator==(const JournalHeader&) const = default;
 };
 
-/// The whole rows of a journal. Only their places are in memory.
+/// Reads the complete rows of a journal. Only their places are kept in memory.
 class JournalReader {
  public:
-  /// Throws InputError when it cannot be read or has no header.
+  /// Throws InputError if the journal cannot be read or has no header.
   explicit JournalReader(const std::filesystem::path& path);
 
   const JournalHeader& header() const { return header_; }
 
-  /// The last row of each output, in the order of their index.
+  /// Visits the last row of each output, in the order of their index.
   void for_each(const std::function<void(const BatchRow&)>& visit) const;
 
   std::size_t rows() const { return places_.size(); }
 
-  /// The same one by one. Throws InputError where it cannot be read any more.
+  /// The same rows one by one. Throws InputError if a row can no longer be read.
   std::size_t index_at(std::size_t place) const { return places_[place].index; }
   BatchRow row_at(std::size_t place) const;
 
@@ -54,40 +54,39 @@ class JournalReader {
   std::vector<Place> places_;
 };
 
-/// The journal of a run, which nobody else may have open at a time.
+/// The journal of a run. Only one run at a time may have it open.
 class Journal {
  public:
   enum class Start { New, Resume, Anew };
 
-  /// New: throws WriteError where there is one already. Resume: its rows are kept as far as they
-  /// are of `batch` and `shard`, whatever is left half-written. Anew: it is emptied. Throws
-  /// WriteError, also when another run has it open: it says who, as the journal's first line does;
-  /// and InputError where rows cannot be read: then the file stays as it was. With `take_over` a run
-  /// on another computer does not count: its lock may stand when it is gone.
+  /// New: throws WriteError if a journal exists. Resume: keeps the rows that belong to `batch` and
+  /// `shard`, and drops a row that is not complete. Anew: empties the journal. Throws WriteError,
+  /// also if another run has it open, and names that run by the journal's first line. Throws
+  /// InputError if rows cannot be read, and then leaves the file as it was. `take_over` ignores a
+  /// run on another computer, whose lock may outlive it.
   Journal(const std::filesystem::path& path, const Batch& batch, const Shard& shard, Start start,
           bool take_over = false);
 
-  /// That other runs could not be kept away from it.
+  /// Set if other runs could not be locked out.
   const std::optional<Warning>& warning() const { return lines_.warning(); }
 
-  /// The row of a clip of the batch that was kept on resuming, if there is one. Throws InputError
-  /// where it cannot be read.
+  /// The row of a clip that resuming has kept, if any. Throws InputError if it cannot be read.
   std::optional<BatchRow> find(std::size_t index) const;
 
-  /// Appends a row; it is on the disk then. Throws WriteError.
+  /// Appends a row and returns once it is on the disk. Throws WriteError.
   void append(const BatchRow& row);
 
  private:
   struct Place {
     std::uint64_t offset = 0;
-    std::size_t length = 0;  // 0: there is no row
+    std::size_t length = 0;  // 0: no row
   };
 
   void keep_rows_of(const Batch& batch, const JournalHeader& header);
 
   std::filesystem::path path_;
   AppendedFile lines_;
-  std::vector<Place> places_;  // by the index of the clip; empty: nothing is kept
+  std::vector<Place> places_;  // by the index of the clip; empty: no rows were kept
 };
 
 }  // namespace mocapress

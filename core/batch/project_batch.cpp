@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr int kNewestProject = 1;
 
-/// Paths in a project are relative to its folder. Empty where there is none.
+/// A path, which projects store relative to their folder. Empty if the key is absent.
 std::string path_at(const Json& json, const char* key, const fs::path& folder) {
   const auto found = json.find(key);
   if (found == json.end() || found->is_null()) return "";
@@ -25,8 +25,8 @@ std::string path_at(const Json& json, const char* key, const fs::path& folder) {
   return text.empty() ? "" : (folder / text).lexically_normal().string();
 }
 
-/// For {folder} in names: the folders between the project and the clip. A clip elsewhere has the
-/// name of its own folder.
+/// The text for {folder} in names: the folders between the project and the clip, or the name of the
+/// clip's own folder if it is elsewhere.
 std::string folder_of(const fs::path& clip, const fs::path& project_folder) {
   const fs::path below = clip.parent_path().lexically_relative(
       project_folder.empty() ? fs::path(".") : project_folder.lexically_normal());
@@ -34,9 +34,9 @@ std::string folder_of(const fs::path& clip, const fs::path& project_folder) {
   return below == "." ? "" : below.generic_string();
 }
 
-/// Settings of a project need no name; rows of a batch do.
+/// Settings with a name, which rows of a batch need and projects may lack.
 Settings settings_of_clip(Json json) {
-  json.erase("contact_settings");  // of the studio's search for contacts
+  json.erase("contact_settings");  // belongs to the studio's search for contacts
   Settings settings = settings_from(json);
   if (settings.name.empty()) settings.name = "Project";
   return settings;

@@ -10,7 +10,7 @@ namespace mocapress {
 
 std::string queue_text(const Batch& batch);
 
-/// Throws InputError.
+/// Reads a queue of clips with their settings from JSON. Throws InputError.
 Batch parse_queue(const std::string& file, const std::string& text);
 
 }  // namespace mocapress

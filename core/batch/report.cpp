@@ -52,20 +52,20 @@ double times_noticed(const BatchRow& row) {
   return row.measured->seen ? row.measured->seen->times_noticed : 0;
 }
 
-/// Orders rows by what the eye sees, then by how far a point is off; the worst first.
+/// Orders rows by the visibility of their error, then by the largest distance; the worst first.
 bool is_worse(const BatchRow& a, const BatchRow& b) {
   return std::pair(times_noticed(a), a.measured->max_error_cm) >
          std::pair(times_noticed(b), b.measured->max_error_cm);
 }
 
-/// Keeps the first `most` of rows in that order.
+/// Keeps the first `most` rows in that order.
 void add_worst(const BatchRow& row, std::size_t most, std::vector<BatchRow>& worst) {
   if (worst.size() == most && !is_worse(row, worst.back())) return;
   worst.insert(std::upper_bound(worst.begin(), worst.end(), row, is_worse), row);
   if (worst.size() > most) worst.pop_back();
 }
 
-/// What the whole batch came to.
+/// Totals over the batch.
 struct Totals {
   std::size_t done = 0;
   std::size_t failed = 0;
@@ -79,8 +79,8 @@ struct Totals {
   double motion_bytes = 0;
   double worst_eps_cm = 0;
   double worst_cm = 0;
-  std::vector<BatchRow> worst;      // to be drawn
-  std::vector<BatchRow> most_seen;  // to be charted
+  std::vector<BatchRow> worst;      // drawn in the report
+  std::vector<BatchRow> most_seen;  // charted in the report
 
   void add(const BatchRow& row) {
     warned += !row.warnings.empty();
@@ -181,7 +181,7 @@ std::string text_cell(std::string_view text, std::string_view css) {
   return text.empty() ? cell(kNothing, css) : cell(escaped(text), css);
 }
 
-/// The eye's verdict, and on what.
+/// A table cell with the verdict on visibility, and its reason.
 std::string seen_cell(const std::optional<Seen>& seen) {
   if (!seen) return cell(kNothing, "name");
   std::string text(seen->sight() == Sight::NotVisible ? "not visible" : name(seen->sight()));
@@ -254,7 +254,7 @@ void write_clips(std::ostream& out, const BatchRows& rows) {
   out << "</tbody></table></div></section>\n";
 }
 
-/// The clips of which most is seen.
+/// Writes charts of the clips with the most visible errors.
 void write_sights(std::ostream& out, const Totals& totals) {
   const std::size_t seen = totals.visible + totals.borderline;
   std::string legend = kSightLegend;
@@ -276,13 +276,13 @@ void write_sights(std::ostream& out, const Totals& totals) {
   out << "</div></section>\n";
 }
 
-/// A warning without its file and line, so that equal ones of many clips are equal.
+/// A warning without its file and line, so that equal warnings of several clips become equal texts.
 std::string without_place(const std::string& warning) {
   const std::size_t end = warning.find(": ");
   return end == warning.npos ? warning : warning.substr(end + 2);
 }
 
-/// Each warning once, with the clips that have it.
+/// Writes each warning once, with the clips that have it.
 void write_warnings(std::ostream& out, const BatchRows& rows) {
   constexpr std::size_t kNamed = 8;
   struct Clips {

@@ -11,13 +11,13 @@
 
 namespace mocapress {
 
-/// Gives every row to the visitor, one at a time and in the order of the batch; as often as asked.
+/// Passes every row to the visitor, one at a time and in the order of the batch; may be called
+/// repeatedly.
 using BatchRows = std::function<void(const std::function<void(const BatchRow&)>&)>;
 
-/// Writes report.csv, report.json and report.html, `suffix` before their extensions. One row is in
-/// memory at a time. The same rows make the same bytes at the same
-/// report_time(). `waiting` clips have no row yet. Throws
-/// WriteError.
+/// Writes report.csv, report.json and report.html, with `suffix` before their extensions. One row
+/// is in memory at a time. Equal rows make equal bytes at the same report_time(). `waiting` clips
+/// have no row yet. Throws WriteError.
 void write_batch_report(const std::filesystem::path& folder, const std::string& suffix,
                         const BatchRows& rows, std::size_t waiting);
 

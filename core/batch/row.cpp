@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The character, where there is one, is the last.
+/// All source files of a clip. A character, if any, comes last.
 std::vector<fs::path> files_of(const BatchItem& item, const ReadOptions& reading) {
   std::optional<fs::path> skeleton;
   if (!item.skeleton.empty()) skeleton = item.skeleton;
@@ -35,7 +35,7 @@ void add_file(Fnv1a& hash, const fs::path& file) {
   if (!stream.eof()) throw InputError(file.string(), 0, 0, "cannot be read");
 }
 
-/// Without the hash.
+/// A stamp without hashes.
 InputStamp quick_stamp(const std::vector<fs::path>& files) {
   InputStamp quick;
   for (const fs::path& file : files) {
@@ -58,7 +58,7 @@ std::string hash_of_all(const std::vector<fs::path>& files) {
   return hash.text();
 }
 
-/// The bytes of all are read once.
+/// Adds hashes, reading each file once.
 void add_hashes(InputStamp& stamp, const std::vector<fs::path>& files, const ReadOptions& reading) {
   Fnv1a hash;
   for (const fs::path& file : files) {
@@ -120,7 +120,7 @@ std::string settings_hash(const Settings& settings, const ReadOptions& reading) 
 
 namespace {
 
-constexpr double kUnit = 100;  // of a pose's numbers in a cm
+constexpr double kUnit = 100;  // units of a stored pose in a cm
 
 double bits_per_joint_sample(const BatchRow& row) {
   if (!row.measured) return 0;
@@ -187,7 +187,7 @@ Json to_json(const WorstPose& pose) {
           {"decoded", points_json(pose.decoded)}};
 }
 
-/// A journal may have been edited: what would be drawn from outside the arrays is no pose.
+/// Refuses indices outside the arrays, since a journal may have been edited.
 void check(const WorstPose& pose) {
   const auto points = static_cast<int>(pose.original.size());
   const auto is_point = [&](int index) { return index >= 0 && index < points; };

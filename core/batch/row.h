@@ -16,44 +16,45 @@
 
 namespace mocapress {
 
-/// What a clip's files were when it was done: of an .amc, with its skeleton, of a character that is
-/// put on it and of the curves beside it.
+/// The state of a clip's source files when it was done: an .amc with its skeleton, the character
+/// put on it and the curves beside it all count.
 struct InputStamp {
   std::uintmax_t bytes = 0;
-  std::int64_t newest_ns = 0;  // when the newest of them was last written
-  std::string hash;            // of all their bytes
-  std::string source;          // the same without the character
+  std::int64_t newest_ns = 0;  // time of the latest change to any of them
+  std::string hash;            // hash over all their bytes
+  std::string source;          // the same hash without the character
 
   bool operator==(const InputStamp&) const = default;
 };
 
-/// Of a clip that is read by these options. Throws InputError.
+/// The stamp of a clip that is read with these options. Throws InputError.
 InputStamp stamp(const BatchItem& item, const ReadOptions& reading);
 
-/// The same. Bytes are only read where sizes or times are not those of an `earlier` stamp.
+/// The same, reading bytes only if sizes or times differ from those of an `earlier` stamp.
 InputStamp stamp_again(const BatchItem& item, const ReadOptions& reading,
                        const InputStamp& earlier);
 
-/// Whether the files still are what they were. Their bytes are only read where their times differ.
+/// Whether the files still match the stamp. Bytes are read only if their times differ.
 bool unchanged(const BatchItem& item, const ReadOptions& reading, const InputStamp& stamp);
 
-/// Changes with all that shapes a clip's file: settings but their name, and how the source is read.
-/// The bytes of a character and of curves count in InputStamp::hash: where they lie does not.
+/// A hash of everything that shapes a clip's file: settings without their name, and options for
+/// reading. For a character and curves their bytes count, through InputStamp::hash, and not their
+/// paths.
 std::string settings_hash(const Settings& settings, const ReadOptions& reading);
 
-/// Of a file's bytes. Throws InputError.
+/// The hash of a file's bytes. Throws InputError.
 std::string hash_of(const std::filesystem::path& file);
 
-/// A file of a batch, read back and found right before it got its name.
+/// A file of a batch that was read back and checked before it got its name.
 struct WrittenFile {
-  std::string name;  // below the batch's folder
+  std::string name;  // relative to the batch's folder
   std::uintmax_t bytes = 0;
   std::string hash;
 
   bool operator==(const WrittenFile&) const = default;
 };
 
-/// What became of one clip.
+/// The result of one clip.
 struct BatchRow {
   std::size_t index = 0;  // in the whole batch
   std::string input;
@@ -65,36 +66,36 @@ struct BatchRow {
   WriteOptions writing;
   InputStamp stamp;
   int joints = 0;
-  std::optional<Measurement> measured;  // of the file as read back
-  std::string verified_by;              // Verification::by; empty: it was not measured
+  std::optional<Measurement> measured;  // measured on the file as read back
+  std::string verified_by;              // Verification::by; empty: not measured
   std::vector<WrittenFile> files;
-  std::vector<std::string> warnings;  // what the reader repaired or guessed
+  std::vector<std::string> warnings;  // the reader's repairs and guesses
   std::optional<WorstPose> worst;
-  SightChart sights;  // empty: in rows from before it was kept
-  std::string error;  // why it failed; empty: it is done
+  SightChart sights;  // empty in old rows, which lack it
+  std::string error;  // reason for failing; empty: it is done
 
   bool done() const { return error.empty(); }
 };
 
-/// Why the row's verdict does not hold for what was read and how it was compressed. Unset: it
-/// holds, there is none, or the clip was not read.
+/// The reason why the row's verdict does not apply to its source and settings. Unset: it applies,
+/// there is no verdict, or the clip was not read.
 std::optional<std::string> stale_reason(const BatchRow& row);
 
-/// Whether a measurement keeps what a preset promises: a ratio within 2 %, a bound not exceeded.
+/// Whether a measurement keeps the preset's promise: a ratio within 2 %, a bound not exceeded.
 bool keeps_promise(const Settings& preset, const Measurement& measured);
 
-/// One line of JSON without its end, with everything.
+/// The whole row as one line of JSON, without a line end.
 std::string to_journal_line(const BatchRow& row);
 
-/// The inverse; unset on anything that is not a whole row.
+/// Reads such a line; unset for anything but a complete row.
 std::optional<BatchRow> parse_batch_row(std::string_view line);
 
-/// One line of JSON for reports and programs: keys as `mocapress compress --json` has them, null
-/// where a value does not apply. The same for the same clip and preset: only the stamp, which says
-/// which program made the report and when, is a clock's.
+/// One line of JSON for reports and programs, with the keys of `mocapress compress --json` and null
+/// where a value does not apply. Equal for the same clip and preset; only the stamp, with the
+/// program's version and the report's time, depends on the clock.
 std::string to_report_line(const BatchRow& row, const ReportStamp& stamp = {});
 
-/// The same as comma-separated values (RFC 4180), with a line feed.
+/// The same row as comma-separated values (RFC 4180), with a line feed.
 std::string to_csv_line(const BatchRow& row, const ReportStamp& stamp = {});
 std::string csv_head();
 

@@ -38,7 +38,7 @@ void BatchControl::cancel() {
 void BatchControl::wish(Wish wish) {
   const std::lock_guard lock(mutex_);
   wish_ = std::max(wish_, wish);
-  paused_ = false;  // to stop, one must go on
+  paused_ = false;  // waiting workers must run to stop
   changed_.notify_all();
 }
 
@@ -82,14 +82,14 @@ int workers_for(int jobs) {
   return jobs > 0 ? std::min(jobs, processors) : processors;
 }
 
-/// The time that one clip takes, without pauses.
+/// The time spent on one clip, without pauses.
 class ClipTime {
  public:
   explicit ClipTime(std::optional<double> limit_seconds) : limit_(limit_seconds) {}
 
   bool is_over() const { return limit_ && Clock::now() - start_ > Seconds(*limit_); }
 
-  /// The result of `wait`, whose time does not count.
+  /// Returns wait() without counting the time it takes.
   template <typename Wait>
   bool without(Wait wait) {
     const Clock::time_point before = Clock::now();
@@ -123,7 +123,7 @@ class Run {
     sources_ = source_files(batch);
     for (const Waiting& clip : queue_) counts_.bytes += clip.bytes;
     counts_.clips = queue_.size();
-    // Long clips at the end would leave the other threads idle.
+    // The largest come first, since a long clip at the end would leave other threads idle.
     std::stable_sort(queue_.begin(), queue_.end(),
                      [](const Waiting& a, const Waiting& b) { return a.bytes > b.bytes; });
   }
@@ -136,7 +136,7 @@ class Run {
         while (control_.may_begin()) {
           const std::size_t next = next_++;
           if (next >= queue_.size()) return;
-          // Isolated: a thread that waits inside a clip must not take up another.
+          // Isolated, so that a thread that waits within a clip does not take up another.
           tbb::this_task_arena::isolate([&] { do_clip(queue_[next]); });
         }
       });
@@ -151,7 +151,8 @@ class Run {
     std::uint64_t bytes;
   };
 
-  /// Ends the run where the journal cannot be read or written: a clip that fails is a row instead.
+  /// Does one clip. A failure of the clip becomes a row; a journal that cannot be read or written
+  /// ends the run.
   void do_clip(const Waiting& clip) try {
     const BatchItem item = batch_.items[clip.index];
     const std::optional<BatchRow> earlier = find(clip.index);
@@ -216,7 +217,7 @@ class Run {
     return observe(step);
   }
 
-  /// It is waiting again.
+  /// Puts a clip back among those that wait.
   void drop(const Waiting& clip) {
     const std::lock_guard lock(mutex_);
     set_under_way(clip, 0);
@@ -246,7 +247,7 @@ class Run {
   std::set<FileIdentity> sources_;
   SharedCharacters characters_;
   std::atomic<std::size_t> next_ = 0;
-  std::mutex mutex_;  // of what follows, the journal, and the calls out
+  std::mutex mutex_;  // guards the members below, the journal and calls to the observer
   BatchCounts counts_;
   std::map<std::size_t, double> under_way_;  // bytes, by the index of the clip
   std::exception_ptr failure_;
@@ -269,7 +270,7 @@ void TimeLeft::update(const BatchCounts& counts, double elapsed_seconds) {
   }
   const double done = static_cast<double>(counts.bytes_done) + counts.bytes_under_way;
   const double worked = done - static_cast<double>(counts.bytes_kept);
-  if (!(worked > 0)) return;  // files without a byte
+  if (!(worked > 0)) return;  // empty files
   const double now = elapsed_seconds * (static_cast<double>(counts.bytes) - done) / worked;
   seconds_ = has_ended || !seconds_ ? now : std::min(*seconds_, now);
 }

@@ -15,23 +15,23 @@
 
 namespace mocapress {
 
-/// What may be asked of a running batch, from any thread.
+/// Commands to a running batch, from any thread.
 class BatchControl {
  public:
-  /// Workers stop where they are and wait.
+  /// Makes workers stop at their next check and wait.
   void pause();
   void resume();
 
-  /// Clips that are being worked on are finished, no other is begun.
+  /// Lets workers finish their clips without beginning others.
   void stop_after_current();
 
-  /// Clips that are being worked on are dropped: they are waiting again.
+  /// Makes workers drop their clips, which wait again.
   void cancel();
 
   bool paused() const;
   bool cancelled() const;
 
-  /// Asked by workers before a clip and within one; both wait while paused.
+  /// Called by workers before a clip and during one; both wait while paused.
   bool may_begin();
   bool may_continue();
 
@@ -47,60 +47,61 @@ class BatchControl {
 };
 
 struct BatchCounts {
-  std::size_t clips = 0;  // of this shard
-  std::size_t done = 0;   // ended, one way or the other
-  std::size_t kept = 0;   // of those, done by an earlier run
+  std::size_t clips = 0;  // in this shard
+  std::size_t done = 0;   // ended, done or failed
+  std::size_t kept = 0;   // those among `done` that an earlier run did
   std::size_t failed = 0;
-  std::uint64_t bytes = 0;  // of the clips' files, which time goes by
+  std::uint64_t bytes = 0;  // size of the clips' files, by which time is estimated
   std::uint64_t bytes_done = 0;
   std::uint64_t bytes_kept = 0;
-  double bytes_under_way = 0;  // of clips that are being worked on, as far as they are
+  double bytes_under_way = 0;  // share done of the clips being worked on, in bytes
 };
 
-/// One step of one clip, or of the bank that is made of all.
+/// A step of one clip, or of the bank made of all clips.
 struct BatchProgress {
   BatchCounts counts;
-  std::optional<BankProgress> bank;  // then what follows says nothing
-  std::size_t index = 0;             // of the clip in the batch
-  ClipProgress clip;                 // while it is being worked on
-  const BatchRow* row = nullptr;     // when it has ended
-  bool kept = false;                 // by an earlier run
+  std::optional<BankProgress> bank;  // set: the members below mean nothing
+  std::size_t index = 0;             // clip's index in the batch
+  ClipProgress clip;                 // valid while the clip is worked on
+  const BatchRow* row = nullptr;     // set when the clip has ended
+  bool kept = false;                 // true: an earlier run did it
 };
 
 struct BatchRunOptions {
   Shard shard;
-  int jobs = 0;  // clips at a time; 0: as many as processors
+  int jobs = 0;  // clips at a time; 0: one for each processor
   bool overwrite = false;
   bool resumed = false;
-  bool keep_going = true;                   // false: the first clip that fails ends it
-  std::optional<double> clip_seconds = {};  // a clip that takes longer fails; unset: no limit
-  bool take_over = false;  // the journal of a run on another computer that is no longer there
+  bool keep_going = true;                   // false: the first failure ends the run
+  std::optional<double> clip_seconds = {};  // time limit for a clip; unset: none
+  bool take_over = false;  // true: takes the journal of a run on another computer that has ended
 };
 
 struct BatchOutcome {
   BatchCounts counts;
-  bool complete = true;  // false: some clips are still waiting
-  Warnings warnings;     // of the journal and the bank; those of clips are in their rows
+  bool complete = true;  // false: some clips still wait
+  Warnings warnings;     // about the journal and the bank; a clip's are in its row
   bool has_bank = false;
 };
 
-/// Does the clips of a shard into `folder`, each on one thread while there are others to do, the
-/// largest first: as many clips are in memory as threads work. Each row is in the journal before
-/// the next clip begins. The observer is called by one thread at a time; when it says no, or the
-/// control is told to, clips that are not done are waiting again. Throws WriteError when the
-/// journal cannot be written; all else is in the rows.
+/// Does the clips of a shard into `folder`, the largest first. Each takes one thread while others
+/// wait, so memory holds as many clips as threads work. Each row is in the journal before the
+/// worker's next clip begins. The observer is called by one thread at a time. If it refuses, or the
+/// control says so, clips that are not done wait again. Throws WriteError if the journal cannot be
+/// written; all other failures are in the rows.
 BatchOutcome run_batch(const Batch& batch, const std::filesystem::path& folder, Journal& journal,
                        const BatchRunOptions& options, BatchControl& control,
                        const Observer<BatchProgress>& observer = {});
 
-/// How long a running batch still takes, by how fast it was so far. Until the next clip ends it
-/// never grows: how far a clip is, is a guess, and a long one says nothing about the others.
+/// An estimate of the time that a running batch still takes, from its speed so far. It never grows
+/// until the next clip ends, since progress within a clip is a guess and a long clip says nothing
+/// about the others.
 class TimeLeft {
  public:
-  /// With every news of the batch; `elapsed_seconds` without pauses.
+  /// Call at every step of the batch; `elapsed_seconds` without pauses.
   void update(const BatchCounts& counts, double elapsed_seconds);
 
-  /// Unset until a clip was worked on to its end.
+  /// Unset until a clip has ended.
   const std::optional<double>& seconds() const { return seconds_; }
 
  private:

@@ -18,7 +18,7 @@ bool is_control(char c) {
   throw WriteError("a script for sbatch cannot name " + word + ": it has " + why + " in it");
 }
 
-/// As one word of a shell.
+/// The text as a single word of a shell.
 std::string quoted(const std::string& word) {
   if (std::any_of(word.begin(), word.end(), &is_control))
     refuse(word, "a line break or another control character");
@@ -30,8 +30,9 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
-/// Slurm replaces %A and the like in the names of logs; a doubled % is one. It replaces none where
-/// there is a backslash. An #SBATCH line is split at blanks but where quoted.
+/// A log's path for an #SBATCH line. Slurm replaces %A and the like in it, so each % is doubled. It
+/// replaces nothing in paths with a backslash, so these are refused. Such a line is split at blanks
+/// unless quoted.
 std::string log_name(const std::string& folder, const std::string& name) {
   if (folder.find('\\') != folder.npos) refuse(folder, "a backslash");
   std::string path;

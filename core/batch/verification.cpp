@@ -13,7 +13,7 @@
 namespace mocapress {
 namespace {
 
-/// landmark_tracks() of all frames or, of a long clip, of some thousand: enough to find the ground.
+/// landmark_tracks() of every frame, or of some thousand in a long clip: enough to find the ground.
 Eigen::MatrixXd tracks_of_some(const Motion& motion) {
   constexpr int kMost = 8192;
   const int step = motion.clip.frames() / kMost + 1;
@@ -22,7 +22,7 @@ Eigen::MatrixXd tracks_of_some(const Motion& motion) {
                          {motion.clip.sample_rate_hz, motion.clip.channels(frames, Eigen::all)});
 }
 
-/// Turned axes as the quaternions of 32-bit floats in the file leave them.
+/// Compares joints' axes within the precision of the file's 32-bit quaternions.
 bool same_axes(const Skeleton& a, const Skeleton& b) {
   constexpr double kPrecision = 1e-5;
   return std::equal(a.joints().begin(), a.joints().end(), b.joints().begin(), b.joints().end(),
@@ -32,7 +32,7 @@ bool same_axes(const Skeleton& a, const Skeleton& b) {
                     });
 }
 
-/// The decoded motion, block after block of frames.
+/// Receives the decoded motion, block after block of frames.
 using Block = std::function<void(int first, const Clip& block)>;
 
 class Verifier {
@@ -74,7 +74,7 @@ class Verifier {
       footskate.add(first, there, decoded);
       visibility.add(first, there, decoded);
       const int row = distortion.worst().frame - first;
-      if (row < 0 || row >= there.rows()) return;  // one of those before is still the worst
+      if (row < 0 || row >= there.rows()) return;  // the worst frame is in an earlier block
       wanted = points_at(there.leftCols(on_bones), row);
       found = points_at(decoded.leftCols(on_bones), row);
     };
@@ -104,7 +104,7 @@ class Verifier {
     throw Error("verification: the written file has another shape");
   }
 
-  /// In the channels that are coded. By whom.
+  /// Decodes the motion in coded channels and returns the decoder's name.
   std::string_view decode(const Block& visit) const {
     if (opened_.coding() != Coding::Adaptive) {
       visit(0, mocapress::decode(opened_));
@@ -129,7 +129,7 @@ class Verifier {
   const VerificationRequest& request_;
   const Motion& motion_;
   const bool is_long_;
-  Skeleton coded_;  // the original's joints with the channels that are coded
+  Skeleton coded_;  // original joints with the coded channels
 };
 
 }  // namespace

@@ -11,28 +11,28 @@
 
 namespace mocapress {
 
-/// What a .mcpr file was found to hold, against its original.
+/// The content of a .mcpr file, measured against its original.
 struct Verification {
-  /// Who decoded it: "runtime", the runtime decoder through its C interface and within its default
-  /// limits, as an engine would; or "library", of what no engine plays (the paper's codings and the
+  /// The decoder: "runtime", the runtime through its C interface and within its default limits, as
+  /// in an engine; or "library", for files that no engine plays (the paper's codings and the
   /// comparison methods).
   std::string_view by;
   Distortion distortion;
   Footskate footskate;
   Visibility visibility;
   WorstPose worst;
-  Clip decoded;  // empty where it was not asked for
+  Clip decoded;  // empty unless requested
 };
 
-/// What is asked of a verification.
+/// Options of a verification.
 struct VerificationRequest {
-  std::vector<ContactSpan> contacts;  // of the feet
-  bool motion = false;                // the decoded clip is wanted
+  std::vector<ContactSpan> contacts;  // contacts of the original's feet
+  bool motion = false;                // true: return the decoded clip
 };
 
-/// Reads, decodes and measures a file. A clip in segments whose motion is not asked for is decoded
-/// some frames at a time, its percentiles are those of DistanceCounts, and it has no distances.
-/// Throws Error where the file cannot be read or has another shape than its original.
+/// Reads, decodes and measures a file. If a clip in segments is verified without its motion, it is
+/// decoded in blocks; then percentiles come from DistanceCounts, and there are no distances. Throws
+/// Error if the file cannot be read or has another shape than its original.
 Verification verify(std::span<const std::byte> file, const Encoder& original,
                     const VerificationRequest& request = {});
 

@@ -14,7 +14,7 @@
 
 namespace mocapress::test {
 
-/// A few clips in a folder of each test's own, and a batch of them to run.
+/// A folder of the test's own with a few clips, and a batch of them to run.
 class BatchTest : public testing::Test {
  protected:
   BatchTest() {
@@ -41,7 +41,7 @@ class BatchTest : public testing::Test {
 
   std::filesystem::path out() const { return folder_ / "out"; }
 
-  /// Of everything in a folder but journals, which have clocks in them.
+  /// All files of a folder except journals, which contain times.
   static std::map<std::string, std::string> contents(const std::filesystem::path& folder) {
     std::map<std::string, std::string> files;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))

@@ -13,7 +13,7 @@ BatchRow seen_row(double times_noticed) {
   return row;
 }
 
-/// As reviewed with these very bytes and settings.
+/// A row whose review is of the same bytes and settings.
 BatchRow reviewed_row(Verdict verdict) {
   BatchRow row = seen_row(0);
   row.review = {.verdict = verdict,

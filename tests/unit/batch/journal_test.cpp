@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A header but for when its run began, which is another in the next second.
+/// A header without the time its run began, which changes every second.
 nlohmann::json without_since(const std::string& header) {
   nlohmann::json json = nlohmann::json::parse(header);
   json.at("run").erase("since");
@@ -102,7 +102,7 @@ TEST_F(JournalTest, CutOffAtAnyByteKeepsTheWholeRowsAndCanBeAppendedTo) {
     journal.append(row(all, 1));
   }
   const std::string whole = read_text(path_);
-  const std::size_t first = whole.find('\n', whole.find('\n') + 1) + 1;  // behind the first row
+  const std::size_t first = whole.find('\n', whole.find('\n') + 1) + 1;  // after the first row
   for (const std::size_t size : {whole.size() - 1, whole.size() - 9, first + 1, first}) {
     write_text(path_, whole.substr(0, size));
     {
@@ -170,10 +170,11 @@ TEST_F(JournalTest, RowsThatCannotBeReadAnyMoreAreAnErrorAndNotFewerRows) {
 
 TEST_F(JournalTest, AReadErrorIsNotTheEnd) {
   try {
-    JournalReader reader("/proc/self/mem");  // opens, and has no first page to read
+    JournalReader reader("/proc/self/mem");  // opens, but its first page cannot be read
     ADD_FAILURE() << "read";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr(std::string("cannot be read: ") + std::strerror(EIO)));
+    EXPECT_THAT(error.what(),
+                testing::HasSubstr(std::string("cannot be read: ") + std::strerror(EIO)));
   }
 }
 

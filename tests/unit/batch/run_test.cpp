@@ -117,7 +117,7 @@ TEST_F(BatchRun, NeverWritesOverItsOwnSourceEvenWhenToldToOverwrite) {
   asked.formats = {OutputFormat::Bvh};
   BatchControl control;
   const auto outcome = run_batch_in(folder_, asked, {.overwrite = true}, control);
-  EXPECT_EQ(outcome.counts.failed, 2u);  // not that of the .amc
+  EXPECT_EQ(outcome.counts.failed, 2u);  // the .amc does not fail
   EXPECT_EQ(read_text(folder_ / "in/one.bvh"), before);
 }
 
@@ -188,7 +188,8 @@ TEST_F(BatchRun, EveryReportSaysWhichProgramMadeItAndWhen) {
   run(batch());
   for (const char* name : {"report.csv", "report.json", "report.html"}) {
     EXPECT_THAT(read_text(out() / name), HasSubstr("Mocapress "));
-    EXPECT_THAT(read_text(out() / name), HasSubstr("2023-11-14T22:13:20Z"));  // as tests fix it
+    // Time fixed by the tests.
+    EXPECT_THAT(read_text(out() / name), HasSubstr("2023-11-14T22:13:20Z"));
   }
 }
 
@@ -309,7 +310,7 @@ TEST_F(BatchRun, LearnsFromTheClipsOfABankAndTellsNothingWhereThatDoesNotPay) {
   run(asked);
   const std::vector<std::byte> plain = read_bytes(out() / kBankOfBatch);
   asked.learn = true;
-  bool has_begun = false;  // no clip is in the bank yet
+  bool has_begun = false;  // set when the bank reports that no clip is done
   EXPECT_TRUE(run(asked, {.resumed = true}, [&](const BatchProgress& progress) {
                 has_begun = has_begun || (progress.bank && progress.bank->done == 0);
                 return true;
@@ -395,8 +396,8 @@ TEST_F(BatchRun, CancelledAtAnyStepAndResumedIsAsIfUndisturbed) {
 
 TEST_F(BatchRun, ResumedRedoesWhatChangedAndKeepsTheRest) {
   run(batch());
-  write_motion(folder_ / "in/one.bvh", test::smooth_motion(120, 9));              // another motion
-  fs::last_write_time(folder_ / "in/two.amc", fs::file_time_type::clock::now());  // the same
+  write_motion(folder_ / "in/one.bvh", test::smooth_motion(120, 9));  // a different motion
+  fs::last_write_time(folder_ / "in/two.amc", fs::file_time_type::clock::now());  // the same bytes
   fs::remove(out() / "in/more/three.mcpr");
   const auto resumed = run(batch(), {.resumed = true});
   EXPECT_EQ(resumed.counts.failed, 0u);
@@ -415,7 +416,7 @@ TEST_F(BatchRun, ResumedRedoesEveryClipWhenFilesAreReadOrWrittenOtherwise) {
   const auto redone = [&] {
     const BatchOutcome resumed = run(asked, {.resumed = true});
     EXPECT_EQ(resumed.counts.failed, 0u);
-    EXPECT_EQ(run(asked, {.resumed = true}).counts.kept, 3u);  // the journal knows the new ones
+    EXPECT_EQ(run(asked, {.resumed = true}).counts.kept, 3u);  // the new stamps are in the journal
     return resumed.counts.kept == 0;
   };
   asked.reading.sample_rate_hz = 60;
@@ -643,7 +644,7 @@ TEST_F(BatchRun, ResumedTellsWhatTheReviewerSaysNow) {
   EXPECT_THAT(read_text(out() / "report.csv"), HasSubstr(",rejected,slides,"));
 }
 
-/// Three clips of 100, 100 and 800 bytes, of which the first two are done.
+/// Three clips of 100, 100 and 800 bytes; the first two are done.
 BatchCounts at_the_long_one(double share) {
   return {.clips = 3, .done = 2, .bytes = 1000, .bytes_done = 200, .bytes_under_way = 800 * share};
 }

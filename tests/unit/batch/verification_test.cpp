@@ -40,7 +40,7 @@ TEST(Verification, OfSegmentsOneByOneIsThatOfTheWhole) {
   EXPECT_EQ(in_blocks.worst.original, whole.worst.original);
   EXPECT_EQ(in_blocks.worst.decoded, whole.worst.decoded);
   EXPECT_EQ(in_blocks.worst.ground_cm, whole.worst.ground_cm);
-  // The gap of the drawing is the largest distance, to the 0.1 mm to which it is kept.
+  // The drawn gap is the largest distance, within the 0.1 mm of stored points.
   const auto point = static_cast<std::size_t>(in_blocks.worst.point);
   EXPECT_NEAR((in_blocks.worst.original[point] - in_blocks.worst.decoded[point]).norm(),
               in_blocks.distortion.max.cm, 0.02);
@@ -102,7 +102,7 @@ TEST(Verification, OfWhatNoEnginePlaysIsTheLibrarys) {
 }
 
 TEST(Verification, IsWithinTheDefaultLimitsOfTheRuntimeDecoder) {
-  // A skeleton that core's reader takes, and an engine with its defaults must take too.
+  // A skeleton that core's reader accepts must also be accepted by an engine with default limits.
   Motion motion = test::smooth_motion(4);
   while (motion.skeleton.joint_count() < 1100)
     motion.skeleton.add({.name = "j" + std::to_string(motion.skeleton.joint_count()),
