@@ -10,14 +10,14 @@
 namespace mocapress {
 namespace {
 
-/// The signal that `count` more coefficients would add to a channel, kept while it stays valid.
+/// The signal that `count` more coefficients would add to a channel, cached while it stays valid.
 struct Gain {
   int kept = -1;
   int count = 0;
   Eigen::VectorXd signal;
 };
 
-/// Algorithm 1's m and everything that follows from it.
+/// Algorithm 1's m, with everything derived from it.
 class Allocation {
  public:
   Allocation(const RankedCoefficients& ranked, const ErrorModel& model, const Kept& start)
@@ -38,7 +38,7 @@ class Allocation {
     kept_[static_cast<std::size_t>(channel)] += count;
   }
 
-  /// The channel where `count` more coefficients lower the error most; `favourite` wins ties.
+  /// The channel in which `count` more coefficients lower the error most. `favourite` wins ties.
   int best_channel_for(int count, int favourite) {
     int best = favourite;
     double least = cost(favourite, count);

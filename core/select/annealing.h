@@ -13,27 +13,27 @@ namespace mocapress {
 
 struct AnnealingOptions {
   std::uint64_t seed = 1;
-  int failures_per_step = 10;  // in a row, before the step is halved
+  int failures_per_step = 10;  // failures in a row before the step is halved
 };
 
 struct AnnealingProgress {
   int iteration = 0;
   int step = 0;        // s: coefficients moved at a time
   int first_step = 0;  // s at the beginning
-  double eps_cm = 0;   // by the quadratic model
+  double eps_cm = 0;   // estimated by the quadratic model
 };
 
 struct AnnealingReport {
-  Kept kept;  // the vector m: same sum as the start
+  Kept kept;  // the vector m; its sum is that of the start
   int iterations = 0;
-  double first_eps_cm = 0;  // by the quadratic model
+  double first_eps_cm = 0;  // estimated by the quadratic model
   double eps_cm = 0;        // never above first_eps_cm
-  bool complete = true;     // false: the observer ended it
+  bool complete = true;     // false: the observer stopped it
 };
 
-/// Moves coefficients between channels while eps_x falls. The same seed gives the same result. One
-/// thread: the steps are so short that waiting for others on a busy machine would cost more than
-/// all of them.
+/// Moves coefficients between channels while eps_x falls. The same seed gives the same result. Runs
+/// on one thread: its steps are so short that waiting for other threads on a busy machine would
+/// cost more than all steps together.
 AnnealingReport anneal(const RankedCoefficients& ranked, const ErrorModel& model, const Kept& start,
                        const AnnealingOptions& options = {},
                        const Observer<AnnealingProgress>& observer = {});

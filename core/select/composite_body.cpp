@@ -22,7 +22,7 @@ MOCAPRESS_INLINE void load_three(const std::array<CompositeBody::Column, 3>& fro
   load_three({from[0].data(), from[1].data(), from[2].data()}, t, three);
 }
 
-/// Seen from `origin`.
+/// Loads places relative to `origin`.
 template <typename Vector>
 MOCAPRESS_INLINE void load_place(const ThreeColumns& places, const ThreeColumns& origin, int t,
                                  Three<Vector>& place) {
@@ -47,7 +47,7 @@ MOCAPRESS_INLINE void increase(CompositeBody::Column& column, int t, const Vecto
   store<Vector>(sum + by, column.data() + t);
 }
 
-// Each does as many frames as make up vectors, and returns the first that is left over.
+// Each function handles as many frames as fill whole vectors, and returns the first one left over.
 
 template <typename Vector>
 MOCAPRESS_INLINE int add_points(CompositeBody& body, double weight, const ThreeColumns& places,

@@ -8,12 +8,13 @@
 
 namespace mocapress {
 
-/// Places or axes at some frames: three columns of numbers.
+/// Places or axes over some frames: three columns of numbers.
 using ThreeColumns = std::array<const double*, 3>;
 
-/// Weighted landmarks that move as one, at up to kFrames frames: the sums of w, w x and w x x^T.
+/// Weighted landmarks that move as one body, at up to kFrames frames: the sums of w, w x and w x
+/// x^T.
 struct CompositeBody {
-  static constexpr int kFrames = 64;  // what is in flight stays in the first cache
+  static constexpr int kFrames = 64;  // few enough for the first-level cache
   using Column = std::array<double, kFrames>;
 
   double mass = 0;
@@ -21,11 +22,11 @@ struct CompositeBody {
   std::array<Column, 3> square{};  // xx yy zz
   std::array<Column, 3> mixed{};   // yz zx xy
 
-  /// Places are seen from `origin`.
+  /// Adds a landmark. Places are relative to `origin`.
   void add(double weight, const ThreeColumns& places, const ThreeColumns& origin, int frames);
   void add(const CompositeBody& other, int frames);
 
-  /// What of these sums is left where `place` is the origin.
+  /// The same body with `place` as its origin.
   CompositeBody seen_from(const ThreeColumns& place, const ThreeColumns& origin, int frames) const;
 };
 

@@ -19,13 +19,13 @@ constexpr int kVector = 8;                               // numbers
 constexpr Eigen::Index kSampleEvery = 2;                 // frames
 constexpr Eigen::Index kBlock = CompositeBody::kFrames;  // frames at a time
 
-/// Three columns of a matrix with three for each thing, from a frame on.
+/// Three columns of a matrix that has three for each item, starting at a frame.
 ThreeColumns three_of(const Eigen::MatrixXd& matrix, int index, Eigen::Index first) {
   const double* const from = matrix.data() + Eigen::Index{3} * index * matrix.rows() + first;
   return {from, from + matrix.rows(), from + 2 * matrix.rows()};
 }
 
-/// What columns have at a frame.
+/// The three numbers at a frame.
 Eigen::Vector3d at(const ThreeColumns& columns, Eigen::Index frame) {
   return {columns[0][frame], columns[1][frame], columns[2][frame]};
 }
@@ -33,7 +33,7 @@ Eigen::Vector3d at(const std::array<CompositeBody::Column, 3>& columns, Eigen::I
   return at({columns[0].data(), columns[1].data(), columns[2].data()}, frame);
 }
 
-/// The torque that turns of a body about the origin call up.
+/// The inertia of a body about the origin: small turns to the torque that they cause.
 Eigen::Matrix3d inertia_of(const Eigen::Vector3d& square, const Eigen::Vector3d& mixed) {
   Eigen::Matrix3d inertia;
   inertia << square.y() + square.z(), -mixed.z(), -mixed.y(),  //
@@ -44,7 +44,7 @@ Eigen::Matrix3d inertia_of(const Eigen::Vector3d& square, const Eigen::Vector3d&
 
 }  // namespace
 
-/// Of the skeleton's own channels: unit axes.
+/// Movements by the skeleton's own channels: unit axes.
 ErrorModel::Posed ErrorModel::pose_channels(const Skeleton& skeleton, const Clip& original,
                                             const std::vector<Landmark>& points) {
   const std::vector<Landmark> origins = joint_origins(skeleton);
@@ -124,7 +124,7 @@ void ErrorModel::compute_motions(const Skeleton& skeleton, const MeasuredPoints&
   parallel_for(Eigen::Index{0}, blocks, [&](Eigen::Index block) {
     const Eigen::Index first = block * kBlock;
     const auto frames = static_cast<int>(std::min(kBlock, rows - first));
-    // Seen from the first joint, lest far places cost digits.
+    // Relative to the first joint, since places far from the origin would lose digits.
     const ThreeColumns origin = three_of(origins_, 0, first);
     std::vector<CompositeBody> bodies(static_cast<std::size_t>(skeleton.joint_count()));
     for (int p = 0; p < weights.size(); ++p)
@@ -265,8 +265,8 @@ void ErrorModel::add(const PointResponse& response) {
 }
 
 void ErrorModel::find_gradient(const Eigen::MatrixXf& errors, Eigen::MatrixXf& gradient) const {
-  // Of so many frames all that is met again, from joint to joint and on the way back, stays in the
-  // cache.
+  // With this many frames, the numbers used again on the way from joint to joint and back stay in
+  // the cache.
   constexpr Eigen::Index kTile = 64;
   constexpr Eigen::Index kFewTiles = 4;
   using State = std::array<JointState, kTile / EightFrames::kCount>;
@@ -326,7 +326,7 @@ void ErrorModel::add_to_gradient(int channel, const Eigen::VectorXd& delta,
     add_error(linkage_[static_cast<std::size_t>(own)], channel, step.data(), range, true,
               state.data());
     add_work_of(own);
-    // The force works on all above, the movement goes to all below.
+    // The force acts on all joints above, and the movement passes to all below.
     for (int j = own, parent; (parent = linkage_[static_cast<std::size_t>(j)].parent) >= 0;
          j = parent) {
       hand_up(linkage_[static_cast<std::size_t>(j)], range,

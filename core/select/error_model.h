@@ -14,34 +14,35 @@ namespace mocapress {
 
 struct CompositeBody;
 
-/// What one unit more of each signal does to a joint, at the original pose. Signals are in the
+/// The movement of a joint by one unit of each signal, at the original pose. Signals are in the
 /// order of their joints.
 struct SignalMoves {
   struct Place {
     int joint;
-    bool rotates;  // about the joint's origin; else translates
+    bool rotates;  // true: about the joint's origin; false: translates
   };
   std::vector<Place> places;
-  // frames x 3 * signals: axis and size of the small rotation (radians), or translation (cm), in
-  // the world
+  // frames x 3 * signals: axis times size of the small rotation (radians), or translation (cm), in
+  // world space
   Eigen::MatrixXd axes;
 };
 
-/// eps_x as a quadratic form. Near the original pose of frame t a landmark moves by J_t e, with e
-/// the error of the channels, so that
+/// eps_x as a quadratic form. Near the original pose of frame t a landmark moves by J_t e, where e
+/// is the error of the channels, so that
 ///
 ///   eps_x^2 ~ (1/n) sum_t e_t^T G_t e_t,   G_t = J_t^T W J_t.
 ///
-/// No G_t is formed. Its entry for two channels is the work that the force called up by one does
-/// along the motion of the other, where the force is that on all landmarks below the lower channel
-/// (linkage.h). Immutable, shared by any number of states. 22 numbers a channel and frame where
-/// joints have two.
+/// G_t is never built. Its entry for two channels is the work that the force caused by one does
+/// along the movement of the other. That force acts on all landmarks below the lower channel
+/// (linkage.h). Immutable; any number of states may share it. Takes 22 numbers for each channel and
+/// frame in a skeleton with two channels a joint.
 class ErrorModel {
  public:
   ErrorModel(const Skeleton& skeleton, const Clip& original, Weighting weighting);
   ErrorModel(const Skeleton& skeleton, const Clip& original, const MeasuredPoints& measured);
 
-  /// The same for signals other than the skeleton's channels, which stand for "channels" below.
+  /// The same for other signals than the skeleton's channels. Signals then take the place of
+  /// "channels" below.
   ErrorModel(const Skeleton& skeleton, const Clip& original, const MeasuredPoints& measured,
              SignalMoves moves);
 
@@ -51,37 +52,37 @@ class ErrorModel {
   /// D: the diagonal of G_t, frames x channels. (cm per unit of the channel)^2.
   const Eigen::MatrixXd& curvature() const { return curvature_; }
 
-  /// Whether G_t has an entry for two channels, and what it is at each frame.
+  /// Whether G_t has an entry for two channels, and that entry at each frame.
   bool are_related(int a, int b) const;
   Eigen::ArrayXf entry(int a, int b) const;
 
-  /// Writes G of some channels into the first columns and rows of `sums`, summed over the frames of
-  /// a function, each counted by its square; what is zero stays as it is. How channels go together
-  /// changes slowly: even frames tell, of long functions some 16 of them. Channels are in the order
-  /// of their joints.
+  /// Writes G for some channels into the first columns and rows of `sums`, summed over the frames
+  /// of a function, each weighted by its square; entries that are zero are left as they are. G
+  /// changes slowly, so only even frames are summed, and some 16 of them for long functions.
+  /// Channels are in the order of their joints.
   void sum_squares(const std::vector<int>& channels, const ShortFunction& function,
                    Eigen::MatrixXf& sums) const;
 
-  /// Whether a channel moves a joint's origin, and how it moves what is at `places` (frames x 3,
-  /// cm, in the world): cm per unit.
+  /// Whether a channel moves a joint's origin, and the velocity it gives to points at `places`
+  /// (frames x 3, cm, in world space): cm per unit.
   bool moves(int channel, int joint) const;
   Eigen::MatrixXd velocity(int channel, const Eigen::MatrixXd& places) const;
 
-  /// Lets errors of some points count otherwise.
+  /// Adds a term for points whose errors count differently.
   void add(const PointResponse& response);
 
-  /// G times errors of all channels (frames x channels): frames to a whole number of eights x
-  /// channels. Frame by frame what an ErrorSweep finds as long as no error changes, in less time.
+  /// G times errors of all channels (frames x channels). The result has its frames rounded up to a
+  /// multiple of eight. Equals an ErrorSweep without changes on the way, in less time.
   void find_gradient(const Eigen::MatrixXf& errors, Eigen::MatrixXf& gradient) const;
 
-  /// gradient += G times an error of `delta` (one value a frame) in `channel` alone.
-  /// Touches only the channels that share landmarks with it.
+  /// gradient += G times an error of `delta` (one value a frame) in `channel` alone. Touches only
+  /// the channels that share landmarks with it.
   void add_to_gradient(int channel, const Eigen::VectorXd& delta, Eigen::MatrixXd& gradient) const;
 
  private:
   friend class ErrorSweep;
 
-  /// Signals, and where joints' origins and measured points are: frames x 3 * each, cm.
+  /// Signals, and places of joints' origins and of measured points: frames x 3 * each, cm.
   struct Posed {
     SignalMoves moves;
     Eigen::MatrixXd origins;
@@ -92,7 +93,7 @@ class ErrorModel {
   ErrorModel(const Skeleton& skeleton, const MeasuredPoints& measured, Posed posed);
   void compute_motions(const Skeleton& skeleton, const MeasuredPoints& measured,
                        const SignalMoves& moves, const Eigen::MatrixXd& point_tracks);
-  /// `body`: all that a joint moves, seen from it.
+  /// `body`: everything that a joint moves, relative to the joint.
   void set_joint(int j, const CompositeBody& body, const Eigen::MatrixXd& axes, Eigen::Index first,
                  Eigen::Index frames);
   const LinkageJoint& joint_of(int channel) const {
@@ -101,16 +102,16 @@ class ErrorModel {
 
   std::vector<SignalMoves::Place> places_;
   std::vector<LinkageJoint> linkage_;
-  Eigen::MatrixXd origins_;                // of joints: frames x 3 * joints, cm
+  Eigen::MatrixXd origins_;                // frames x 3 * joints, cm
   std::vector<std::uint8_t> is_moved_by_;  // channels x channels, row by row
-  // What each channel moves and calls up, seen from one place, for sum_squares(): turn and shift,
-  // two zeros, torque and force, two zeros of every second frame; 16 * frames / 2 x channels.
+  // Movement and force of each channel relative to one place, for sum_squares(). For every second
+  // frame: turn and shift, two zeros, torque and force, two zeros; 16 * frames / 2 x channels.
   Eigen::MatrixXf samples_;
   Eigen::MatrixXd curvature_;
   std::vector<PointTerm> terms_;
 };
 
-/// The error of a set of channels so far, and what it costs.
+/// The present error of a set of channels, and its cost.
 class ErrorState {
  public:
   /// No error in any channel.
@@ -119,7 +120,7 @@ class ErrorState {
   /// Adds `delta` (one value a frame) to the error of `channel`.
   void add(int channel, const Eigen::VectorXd& delta);
 
-  /// What add() would do to squared_eps(). O(frames).
+  /// The change of squared_eps() that add() would make. O(frames).
   double change(int channel, const Eigen::VectorXd& delta) const;
 
   double squared_eps() const { return squared_eps_; }            // cm^2

@@ -6,7 +6,7 @@
 namespace mocapress {
 namespace {
 
-/// Frames at a time: of so many all forces stay in the cache until those above ask for them.
+/// Frames at a time; with this many, all forces stay in the cache until the joints above need them.
 constexpr Eigen::Index kTile = 512;
 
 }  // namespace

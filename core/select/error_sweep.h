@@ -8,34 +8,34 @@
 
 namespace mocapress {
 
-/// The gradient G e of eps_x^2, channel after channel from the root to the leaves, while the errors
-/// of those that were passed change on the way.
+/// The gradient G e of eps_x^2, visited channel after channel from the root to the leaves, while
+/// errors of visited channels may change on the way.
 ///
-/// As in the recursive Newton-Euler algorithm, what comes from above is the motion that the errors
-/// above give a joint, and what comes from below the force that the errors below call up; so a
-/// channel takes a time that does not depend on how many are related to it.
+/// As in the recursive Newton-Euler algorithm, errors above give a joint its movement, and errors
+/// below give it a force. So each channel takes a time that does not depend on the number of
+/// channels related to it.
 class ErrorSweep {
  public:
   /// `errors` are frames x channels. Both must outlive the sweep.
   ErrorSweep(const ErrorModel& model, const Eigen::MatrixXf& errors);
 
-  /// Begins anew with the errors as they are now, in the memory it has.
+  /// Begins again with the present errors, reusing its memory.
   void restart();
 
-  /// Whether a channel has been entered since.
+  /// Whether next() was called since the start.
   bool is_under_way() const { return channel_ >= 0; }
 
-  /// e^T G e of each frame, as the errors were when it began.
+  /// e^T G e for each frame, with the errors at the start.
   auto energies() const { return energies_.head(model_.frames()); }
 
-  /// Enters the next channel, 0 first. Returns the gradient there, one value a frame, which stands
-  /// until the next one is entered.
+  /// Enters the next channel, 0 first. Returns its gradient, one value a frame, which stays valid
+  /// until the next call.
   Eigen::Ref<const Eigen::ArrayXf> next();
 
-  /// The same again.
+  /// The gradient of the channel entered last.
   Eigen::Ref<const Eigen::ArrayXf> gradient() const { return gradient_.head(model_.frames()); }
 
-  /// The error of the channel entered last grows by `delta`.
+  /// Adds `delta` to the error of the channel entered last.
   void add(const Eigen::Ref<const Eigen::ArrayXf>& delta);
 
  private:
@@ -49,11 +49,11 @@ class ErrorSweep {
   const Eigen::MatrixXf& errors_;
   FrameRange all_;
   int channel_ = -1;
-  int joint_ = -1;                         // whose motion is known, and of all before it
-  std::vector<JointState> states_;         // joint after joint
-  Eigen::ArrayXf energies_;                // to a whole number of eights
+  int joint_ = -1;                         // movements are known up to this joint
+  std::vector<JointState> states_;         // joint by joint
+  Eigen::ArrayXf energies_;                // frames rounded up to a multiple of eight
   Eigen::ArrayXf gradient_;                // likewise
-  std::vector<Eigen::MatrixXf> of_terms_;  // what the model's terms make of the errors
+  std::vector<Eigen::MatrixXf> of_terms_;  // forces from each of the model's terms
 };
 
 }  // namespace mocapress

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kAtATime = 8;
 
-/// Sums of every eighth product, as the vectors have it.
+/// Partial sums over every eighth product, in the order of vector instructions.
 template <typename Vector>
 MOCAPRESS_INLINE float inner_product_of(const float* a, const float* b, Eigen::Index count) {
   constexpr int kVectors = kAtATime / kLanes<Vector, float>;

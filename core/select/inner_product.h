@@ -5,7 +5,8 @@
 
 namespace mocapress {
 
-/// Of so many numbers, a multiple of eight, in the instruction set that the machine has.
+/// The inner product of `count` numbers, a multiple of eight, by the machine's best instruction
+/// set.
 float inner_product(const float* a, const float* b, Eigen::Index count);
 
 }  // namespace mocapress

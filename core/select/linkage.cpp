@@ -9,7 +9,7 @@ namespace {
 
 constexpr Eigen::Index kEight = EightFrames::kCount;
 
-/// What is asked of the joint whose turn it is.
+/// One joint's turn in a pass over the linkage.
 struct Task {
   const LinkageJoint& joint;
   FrameRange frames;
@@ -23,7 +23,7 @@ struct Task {
   }
 };
 
-// `part`: the first frame of the vector among the eight.
+// `part` below is the first frame of a vector within its eight.
 
 template <typename Vector>
 MOCAPRESS_INLINE void load_three(const EightFrames* from, int part, Three<Vector>& three) {
@@ -40,7 +40,7 @@ MOCAPRESS_INLINE void store_three(const Three<Vector>& three, int part,
   store(three.z, to[2].of_frame.data() + part);
 }
 
-/// Of so many numbers at most; the others are zero.
+/// Loads up to `count` numbers; the rest of the vector is zero.
 template <typename Vector>
 MOCAPRESS_INLINE void load_some(const float* from, Eigen::Index count, Vector& vector) {
   if (count >= kLanes<Vector, float>) {
@@ -52,7 +52,7 @@ MOCAPRESS_INLINE void load_some(const float* from, Eigen::Index count, Vector& v
   load(padded.data(), vector);
 }
 
-/// What the errors of a joint's own channels add to its movement.
+/// Adds the errors of a joint's own channels to its movement.
 template <typename Vector, bool kShifts>
 MOCAPRESS_INLINE void add_errors(const Task& task, Eigen::Index eight, int part,
                                  Three<Vector>& turn, Three<Vector>& shift) {
@@ -68,7 +68,7 @@ MOCAPRESS_INLINE void add_errors(const Task& task, Eigen::Index eight, int part,
   }
 }
 
-/// The forces that a movement calls up, about the joint.
+/// The torque about the joint that a movement causes.
 template <typename Vector>
 MOCAPRESS_INLINE void find_torque(const EightFrames* numbers, int part, const Three<Vector>& turn,
                                   const Three<Vector>& shift, Three<Vector>& torque) {
@@ -94,7 +94,7 @@ MOCAPRESS_INLINE void find_force(const LinkageJoint& joint, const EightFrames* n
   add_product(joint.mass - Vector{}, shift, force);
 }
 
-/// Seen from the parent.
+/// Adds a torque and a force to the parent's, relative to the parent.
 template <typename Vector>
 MOCAPRESS_INLINE void add_to_parent(const EightFrames* numbers, int part,
                                     const Three<Vector>& torque, const Three<Vector>& force,
@@ -137,7 +137,7 @@ MOCAPRESS_INLINE void hand_up_of(const Task& task, const JointState* state, Join
       }
       add(torque_below, torque);
       add(force_below, force);
-      // Its own energy, and twice what its own errors and those below have to do with each other.
+      // The energy of its own errors, plus twice the work they share with the errors below.
       Vector energy;
       Vector work;
       load(energies + kEight * eight + part, energy);
@@ -222,7 +222,7 @@ MOCAPRESS_INLINE void find_work_of(const Task& task, Eigen::Index channel, const
     }
 }
 
-/// A sum in memory.
+/// Adds to a sum in memory.
 template <typename Vector>
 MOCAPRESS_INLINE void increase(const Three<Vector>& by, int part, std::array<EightFrames, 3>& sum) {
   Three<Vector> before;

@@ -3,11 +3,11 @@
 // Newton-Euler algorithm) with chapter 6's composite bodies, and small displacements for
 // velocities.
 //
-// A figure as a linkage that carries weighted landmarks. Errors of channels move what hangs on
-// their joints, and the squares of these movements, weighed, are an energy: its slope in a channel
-// is the work of the forces that the movements call up. What follows does that joint by joint, for
-// eight frames at a time, in the instruction set that the machine has. In the world, cm and
-// radians.
+// A figure as a linkage that carries weighted landmarks. Errors of channels move the landmarks on
+// the joints below, and the weighted squares of these movements are an energy. The energy's slope
+// in a channel is the work of the forces that the movements cause. The functions below compute that
+// joint by joint, for eight frames at a time, in the machine's best instruction set. World space,
+// cm and radians.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,28 +17,28 @@
 
 namespace mocapress {
 
-/// A number of eight frames.
+/// One number at each of eight frames.
 struct alignas(32) EightFrames {
   static constexpr Eigen::Index kCount = 8;
   std::array<float, kCount> of_frame{};
 };
 
-/// A joint at each frame. Its numbers lie as they are read: all of eight frames, then all of the
-/// next eight.
+/// A joint at each frame. Its numbers are stored in reading order: all numbers of eight frames,
+/// then all of the next eight.
 struct LinkageJoint {
   static constexpr int kArm = 0;      // from its parent to it: x y z
-  static constexpr int kMoment = 3;   // of all it moves, seen from it: sum of weight times place
+  static constexpr int kMoment = 3;   // sum of weight times place over all it moves, relative to it
   static constexpr int kInertia = 6;  // likewise, about x y z: weight times (yy + zz), ...
   static constexpr int kMixed = 9;    // weight times yz, zx, xy
-  static constexpr int kAxes = 12;    // x y z of each of its channels: turn or shift of a unit
+  static constexpr int kAxes = 12;    // each channel's x y z: turn or shift of a unit
 
   int parent;  // -1: none
   int first_channel;
-  float mass = 0;                   // the weights of all it moves
-  bool shifts = false;              // any of its channels
-  bool is_leaf = true;              // no joint hangs on it
-  bool is_last_child = true;        // of its parent
-  std::vector<std::uint8_t> turns;  // of each of its channels: whether it turns
+  float mass = 0;                   // sum of the weights it moves
+  bool shifts = false;              // one of its channels translates
+  bool is_leaf = true;              // no joint is its child
+  bool is_last_child = true;        // its parent's last child
+  std::vector<std::uint8_t> turns;  // one for each channel: 1 if it rotates
   std::vector<EightFrames> numbers{};
 
   int end_channel() const { return first_channel + static_cast<int>(std::ssize(turns)); }
@@ -46,7 +46,7 @@ struct LinkageJoint {
 
   int axis_of(int channel) const { return kAxes + 3 * (channel - first_channel); }
 
-  /// Three numbers of a frame.
+  /// Three numbers at a frame.
   void set(Eigen::Index frame, int which, const Eigen::Vector3d& three) {
     for (int i = 0; i < 3; ++i)
       numbers[eight_of(frame, which + i)].of_frame[lane_of(frame)] = static_cast<float>(three(i));
@@ -66,13 +66,13 @@ struct LinkageJoint {
   }
 };
 
-/// What errors do to a joint, of one eight frames after the other: how it moves, and the forces
-/// that this calls up in what it moves, about it.
+/// A joint's state over eight frames: its movement, and the forces about it that the movement
+/// causes in everything it carries.
 struct JointState {
   std::array<EightFrames, 3> turn, shift, torque, force;
 };
 
-/// Frames of a linkage, from a multiple of eight on.
+/// A range of frames that begins at a multiple of eight.
 struct FrameRange {
   Eigen::Index first;
   Eigen::Index count;
@@ -80,40 +80,40 @@ struct FrameRange {
   Eigen::Index eights() const { return (count + EightFrames::kCount - 1) / EightFrames::kCount; }
 };
 
-/// Errors of channels: a column for each.
+/// Errors of channels, one column each.
 struct ErrorColumns {
   const float* first;
   Eigen::Index stride;
 };
 
-// Of all these, states are those of the range alone.
+// States cover only the frames in `range`.
 
-/// From the leaves up, the last joint first: adds to the forces on the parent (null: there is none)
-/// what the joint's own errors call up and what joints below have handed up to `state`, and to the
-/// energies (one a frame, to a whole number of eights) what these errors bring.
+/// The pass from the leaves up, last joint first. Adds the forces from the joint's own errors, and
+/// those that joints below have handed to `state`, to the parent's (null: none). Adds the energy of
+/// these errors to `energies` (one a frame, rounded up to a multiple of eight).
 void hand_up(const LinkageJoint& joint, ErrorColumns errors, FrameRange frames,
              const JointState* state, JointState* parent, float* energies);
 
-/// The forces on the parent become those on the joint, with no others.
+/// Sets the parent's forces to the joint's alone.
 void hand_up(const LinkageJoint& joint, FrameRange frames, const JointState* state,
              JointState* parent);
 
-/// From the root down: the joint moves as its parent does, and as its own errors have it. The
-/// forces on it, which so far are those that joints below handed up, become those of all movements.
+/// The pass from the root down. The joint takes its parent's movement and adds its own errors'. Its
+/// forces, so far those that joints below handed up, become those of all movements.
 void enter(const LinkageJoint& joint, ErrorColumns errors, FrameRange frames,
            const JointState* parent, JointState* state);
 
-/// The same of a joint that only its parent moves and nothing was handed up to.
+/// The same for a joint that only its parent moves, and to which nothing was handed up.
 void enter(const LinkageJoint& joint, FrameRange frames, const JointState* parent,
            JointState* state);
 
-/// What a unit of a channel works against the forces on its joint, one number a frame, to a whole
-/// number of eights.
+/// The work of one unit of a channel against the forces on its joint, one number a frame, rounded
+/// up to a multiple of eight.
 void find_work(const LinkageJoint& joint, int channel, FrameRange frames, const JointState* state,
                float* work);
 
-/// The error of a channel grows: so do the joint's movement and, unless nobody asks for them any
-/// more, the forces on it.
+/// Raises the error of a channel, and with it the joint's movement and, if `forces`, the forces on
+/// it.
 void add_error(const LinkageJoint& joint, int channel, const float* delta, FrameRange frames,
                bool forces, JointState* state);
 

@@ -8,7 +8,7 @@
 namespace mocapress {
 namespace {
 
-/// The channels that share landmarks with any of `these`, and these.
+/// `these` and all channels that share landmarks with any of them.
 std::vector<int> related(const ErrorModel& model, const std::vector<int>& these) {
   std::vector<int> channels;
   for (int c = 0; c < model.channels(); ++c)
@@ -115,7 +115,7 @@ void PointTerm::add_work(int channel, const Eigen::MatrixXf& forces,
 
 void PointTerm::add_sums(const std::vector<int>& channels, Eigen::Index first, Eigen::Index apart,
                          const Eigen::ArrayXf& weights, Eigen::MatrixXf& sums) const {
-  std::vector<Eigen::Index> mine;  // of `channels`
+  std::vector<Eigen::Index> mine;  // places of these among `channels`
   for (Eigen::Index i = 0; i < std::ssize(channels); ++i)
     if (place_of(channels[static_cast<std::size_t>(i)]) >= 0) mine.push_back(i);
   const Eigen::Index samples = weights.size();

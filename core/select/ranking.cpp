@@ -38,7 +38,7 @@ RankedCoefficients rank_coefficients(const Clip& clip, Basis basis) {
     auto& order = ranked.by_importance[static_cast<std::size_t>(c)];
     order.resize(static_cast<std::size_t>(ranked.per_channel()));
     std::iota(order.begin(), order.end(), 0);
-    // Ties go to the coarser coefficient, so that the order is the same everywhere.
+    // Ties go to the coarser coefficient, so that every machine gets the same order.
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
       return ranked.importance(a, c) > ranked.importance(b, c);
     });

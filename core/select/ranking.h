@@ -24,8 +24,8 @@ struct Coefficients {
 /// Transforms every channel, in parallel.
 Coefficients transform(const Clip& clip, Basis basis);
 
-/// And for each channel their order of importance. "Largest" means |coefficient| x the L2 norm of
-/// its synthesis function, as the basis is not normalised.
+/// Coefficients with each channel's order of importance. The largest has the largest product of
+/// |coefficient| and the L2 norm of its synthesis function, since the basis is not normalised.
 struct RankedCoefficients : Coefficients {
   Eigen::MatrixXd importance;  // |value| x norm, same shape as the values
   std::vector<std::vector<int>>
@@ -35,38 +35,41 @@ struct RankedCoefficients : Coefficients {
 /// Transforms and sorts every channel, in parallel.
 RankedCoefficients rank_coefficients(const Clip& clip, Basis basis);
 
-/// How many of its largest coefficients each channel keeps: the paper's vector m.
+/// The number of coefficients that each channel keeps, its largest ones: the paper's vector m.
 using Kept = std::vector<int>;
 
-/// trunc(theta_c, kept) for every channel, still as coefficients: the others are zero.
+/// trunc(theta_c, kept) for every channel, as coefficients: all but the largest are zero.
 Eigen::MatrixXd truncate(const RankedCoefficients& ranked, const Kept& kept);
 
-/// The signal (one value a frame) of the coefficients of `channel` ranked [first, last).
+/// The signal (one value a frame) from the coefficients of `channel` ranked [first, last).
 Eigen::VectorXd synthesise(const RankedCoefficients& ranked, int channel, int first, int last);
 
-/// The paper's first approach: `count` coefficients in all, as many from every channel. Where
+/// The paper's first approach: `count` coefficients in all, equally many for every channel. If
 /// `count` is no multiple of the channels, the first channels keep one more.
 Kept keep_per_channel(const RankedCoefficients& ranked, int count);
 
-/// The paper's standard wavelet compression. The order of all coefficients of all channels is
-/// found once; each count is then a prefix of it.
+/// The paper's standard wavelet compression. The order of all coefficients of all channels is found
+/// once; each count then takes a prefix of it.
 class StandardOrder {
  public:
   StandardOrder(const RankedCoefficients& ranked, const Skeleton& skeleton);
 
-  /// For signals of any kind; one scale each, by which their importance is multiplied.
+  /// For signals of any kind; each has a scale that multiplies its importance.
   StandardOrder(const RankedCoefficients& ranked, const std::vector<double>& scales);
 
-  /// The `count` largest of all: the paper's vector w. Requires 0 <= count <= ranked.total().
+  /// The `count` largest coefficients of all: the paper's vector w. Requires 0 <= count <=
+  /// ranked.total().
   Kept keep(int count) const;
 
  private:
   int channels_;
-  std::vector<int> channel_by_importance_;  // the channel of the largest, second largest, ...
+  // Channels of the largest, second largest, ... coefficient.
+  std::vector<int> channel_by_importance_;
 };
 
-/// What makes angles comparable with translations: the length (cm) of the bone each channel drives,
-/// 1 for translations. Root bones of ASF have no length; what drives none counts as the longest.
+/// Factors that make angles comparable with translations: the length (cm) of the bone each channel
+/// drives, and 1 for translations. A joint that drives no bone of any length, as an ASF's root,
+/// counts as the longest.
 std::vector<double> channel_scales(const Skeleton& skeleton);
 
 }  // namespace mocapress

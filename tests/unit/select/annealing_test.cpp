@@ -56,14 +56,15 @@ TEST_F(Annealing, ReportsTheErrorThatForwardKinematicsFinds) {
 TEST_F(Annealing, ErrorNeverRisesFromOneIterationToTheNext) {
   double last = 1e300;
   anneal(ranked_, model_, start_, {}, [&](const AnnealingProgress& progress) {
-    EXPECT_LE(progress.eps_cm, last * (1 + 4e-6));  // the model counts in floats
+    EXPECT_LE(progress.eps_cm, last * (1 + 4e-6));  // the model computes in floats
     last = progress.eps_cm;
     return true;
   });
 }
 
 TEST_F(Annealing, EveryMoveIsTheBestThatExactEvaluationFinds) {
-  // One iteration at a time: whatever it took from a channel went where the exact error is lowest.
+  // One iteration at a time: the coefficients taken from a channel went where the exact error is
+  // lowest.
   Kept before = start_;
   for (int seed = 1; seed <= 8; ++seed) {
     const AnnealingReport report =
@@ -76,7 +77,7 @@ TEST_F(Annealing, EveryMoveIsTheBestThatExactEvaluationFinds) {
         from = static_cast<int>(c);
         moved = before[c] - report.kept[c];
       }
-    if (from < 0) continue;  // the channel drawn kept what it had
+    if (from < 0) continue;  // the drawn channel kept its coefficients
     double best = 1e300;
     for (std::size_t c = 0; c < before.size(); ++c) {
       Kept candidate = before;

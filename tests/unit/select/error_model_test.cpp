@@ -107,7 +107,8 @@ TEST_P(ErrorModelOf, AgreesWithExactDistortionForSmallErrors) {
   EXPECT_NEAR(std::sqrt(state.squared_eps()) / exact, 1, 0.003);
 }
 
-/// smooth_motion() of a rig like those of games: every joint shifts, too, and one has no channels.
+/// smooth_motion() with a rig like those of games: every joint also translates, and one has no
+/// channels.
 Motion shifting_motion(int frames) {
   using enum ChannelKind;
   Skeleton skeleton;
@@ -161,7 +162,7 @@ TEST(ErrorModel, OfOtherSignalsScalesWithWhatTheyMove) {
   const Motion motion = test::smooth_motion(70);
   const MeasuredPoints measured = measured_points(motion.skeleton, Weighting::BoneEnds);
   const ErrorModel of_channels(motion.skeleton, motion.clip, measured);
-  // The root's first translation and first rotation, which turns about the world's z axis.
+  // The root's first translation and its first rotation, about the world's z axis.
   SignalMoves moves{{{0, false}, {0, true}}, Eigen::MatrixXd(70, 6)};
   moves.axes.rowwise() = Eigen::Matrix<double, 1, 6>{3, 0, 0, 0, 0, 0.5};
   const ErrorModel model(motion.skeleton, motion.clip, measured, moves);

@@ -18,7 +18,7 @@ Eigen::MatrixXd any_errors(int channels, std::uint64_t seed) {
 
 class ErrorSweepOf : public testing::Test {
  protected:
-  /// Weighs a joint in the middle more, where nothing is turned.
+  /// Gives a joint in the middle more weight, without turns.
   void add_term() {
     const int joint = motion_.skeleton.joint_count() / 2;
     const Eigen::MatrixXd tracks = landmark_tracks(motion_.skeleton, motion_.clip);
@@ -29,8 +29,8 @@ class ErrorSweepOf : public testing::Test {
                 .weights = Eigen::MatrixXd::Constant(kFrames, 1, 3)});
   }
 
-  /// The gradient of every channel, where each was changed as soon as it was visited, and that of
-  /// the eager sum over all related channels.
+  /// Compares the gradient of every channel, each changed right after its visit, with an eager sum
+  /// over all related channels.
   void compare() {
     const Eigen::MatrixXd errors = any_errors(model_.channels(), 1);
     const Eigen::MatrixXd changes = any_errors(model_.channels(), 2);

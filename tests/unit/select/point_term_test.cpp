@@ -20,7 +20,7 @@ Eigen::MatrixXd any_numbers(Eigen::Index rows, Eigen::Index columns, double size
   return numbers;
 }
 
-/// The form that a model stands for at a frame, column by column.
+/// The quadratic form of a model at a frame, column by column.
 Eigen::MatrixXd form_of(const ErrorModel& model, int frame) {
   Eigen::MatrixXd form(model.channels(), model.channels());
   for (int c = 0; c < model.channels(); ++c) {
@@ -33,7 +33,7 @@ Eigen::MatrixXd form_of(const ErrorModel& model, int frame) {
 
 class PointTermOf : public testing::Test {
  protected:
-  /// Of the joints at the ends of both limbs, in one response.
+  /// A response of the joints at the ends of both limbs.
   PointResponse response(std::vector<int> joints, std::vector<int> angles) const {
     const Eigen::MatrixXd tracks = landmark_tracks(motion_.skeleton, motion_.clip);
     const auto points = std::ssize(joints);
