@@ -10,18 +10,18 @@
 
 namespace mocapress {
 
-inline constexpr double kUsualAmcRate = 120;  // Hz, CMU's, for their files state none
+inline constexpr double kUsualAmcRate = 120;  // Hz: CMU's rate, since their files state none
 
-/// Reads the text of an .amc; `file` names it in messages. Bones the first frame leaves out have no
-/// channels. Throws InputError.
+/// Reads the text of an .amc; `file` names it in messages. Bones that the first frame leaves out
+/// have no channels. Throws InputError.
 ///
 /// Three values on a bone with fewer dof turn it by Rz * Ry * Rx. With the header
-/// FORCE-ALL-JOINTS-BE-3DOF they are its dof and then the axes missing from it (CMU's wrists are
-/// continuous in this reading alone); without it, they are rx ry rz.
+/// FORCE-ALL-JOINTS-BE-3DOF they are its dof, then the axes missing from it (CMU's wrists are
+/// continuous only in this reading). Without the header they are rx ry rz.
 MotionFile read_amc(const std::string& file, std::string_view text, const AsfSkeleton& skeleton,
                     const ReadOptions& options = {});
 
-/// Degrees and asf_text()'s unit of length. Wants an acclaim_motion().
+/// The text of an .amc, in degrees and asf_text()'s unit of length. Requires an acclaim_motion().
 std::string amc_text(const Motion& motion, double cm_per_unit = kAsfCmPerUnit);
 
 }  // namespace mocapress

@@ -19,11 +19,11 @@ namespace {
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
-/// Where a joint's values stand in a row. The first frame decides.
+/// The columns of a joint's values in a row, set by the first frame.
 struct Columns {
   std::size_t first = 0;
   std::size_t count = 0;
-  std::size_t frames = 0;  // up to the last that had the joint; 0: none has
+  std::size_t frames = 0;  // number up to the last with this joint; 0: none
 };
 
 class AmcReader {
@@ -62,11 +62,11 @@ class AmcReader {
   Warnings warnings_;
 
   std::unordered_map<std::string_view, std::size_t> joint_named_;
-  std::vector<Columns> columns_;  // of each joint
+  std::vector<Columns> columns_;  // one for each joint
   std::size_t row_size_ = 0;
   std::size_t frames_ = 0;
-  std::size_t joints_a_frame_ = 0;   // in the first
-  std::size_t joints_in_frame_ = 0;  // so far, in the one being read
+  std::size_t joints_a_frame_ = 0;   // in the first frame
+  std::size_t joints_in_frame_ = 0;  // so far, in the frame being read
   std::vector<double> joint_values_;
   std::vector<double> values_;  // rows of row_size_, file units
 
@@ -96,7 +96,7 @@ MotionFile AmcReader::read() {
   }
   if (frames_ == 0) cursor_.fail(cursor_.peek(), "expected a complete frame, found none");
   Motion motion = to_motion();
-  // Lengths do not count as values: row_size_ may well be more.
+  // Lengths do not count as values, so row_size_ may be more than zero.
   if (motion.skeleton.channel_count() == 0)
     cursor_.fail(cursor_.peek(), "no bone has a value: nothing moves");
   unwrap_angles(motion.skeleton, motion.clip);
@@ -127,12 +127,12 @@ void AmcReader::read_header() {
   }
 }
 
-/// False when the file ends within the frame, which is then dropped.
+/// Reads a frame. False: the file ends within it, and the frame is dropped.
 bool AmcReader::read_frame() {
   const Token number = cursor_.peek();
   take_frame_number();
   joints_in_frame_ = 0;
-  // A frame may leave joints out: its bytes say nothing of its values.
+  // A frame may leave out joints, so the bytes read do not bound its number of values.
   require_memory(cursor_.file(), kBytesOfReadValue * (frames_ + 1) * row_size_);
   values_.resize((frames_ + 1) * row_size_, kMissing);
   while (!cursor_.at_end() && !at_frame_number())
@@ -154,7 +154,7 @@ void AmcReader::take_frame_number() {
   next_number_ = number + 1;
 }
 
-/// False when the file ends within this line.
+/// Reads a joint's line. False: the file ends within it.
 bool AmcReader::read_joint() {
   const Token name = cursor_.take();
   const auto found = joint_named_.find(name.text);
@@ -178,7 +178,8 @@ bool AmcReader::read_joint() {
   return true;
 }
 
-/// False when the last word of the file is not a number: the file was cut there.
+/// Reads the values on a line. False: the file's last word is not a number, since the file was cut
+/// there.
 bool AmcReader::take_values(int line) {
   joint_values_.clear();
   while (cursor_.on_line(line)) {
@@ -191,7 +192,7 @@ bool AmcReader::take_values(int line) {
   return true;
 }
 
-/// Gives a joint its columns in the first frame.
+/// Assigns columns to a joint, in the first frame.
 void AmcReader::place_first(std::size_t index) {
   AsfJoint& joint = skeleton_.joints[index];
   const bool only_rotations = rotation_axes(joint.dof).size() == joint.dof.size();
@@ -251,7 +252,7 @@ Motion AmcReader::to_motion() {
   return motion;
 }
 
-/// The channels of one joint from its columns, in cm and radians.
+/// Fills the channels of one joint from its columns, in cm and radians.
 void AmcReader::fill(Clip& clip, int first_channel, const RawRows& rows, std::size_t index) const {
   const AsfJoint& joint = skeleton_.joints[index];
   for (std::size_t i = 0; i < joint.columns.size(); ++i) {

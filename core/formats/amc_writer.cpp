@@ -8,13 +8,14 @@
 namespace mocapress {
 namespace {
 
-/// A channel's place on its joint's line and what it is multiplied by there.
+/// A channel's place on its joint's line, and its factor there.
 struct Value {
   int channel;
-  double units_per_value;  // of cm or radians
+  double units_per_value;  // per cm or radian
 };
 
-/// The channels of a joint in the order of its dof: translations, then rotations, first done first.
+/// The channels of a joint in the order of its dof: translations, then rotations, the one applied
+/// first in front.
 std::vector<Value> values_of(const Skeleton& skeleton, int joint, double cm_per_unit) {
   std::vector<Value> translations;
   std::vector<Value> rotations;

@@ -14,49 +14,49 @@
 
 namespace mocapress {
 
-/// A joint and the columns that an .amc gives for it.
+/// A joint and its columns in an .amc.
 struct AsfJoint {
   Joint joint;                                  // cm
-  std::vector<std::optional<ChannelKind>> dof;  // column by column; nothing: "l", a bone's length
-  std::vector<int> columns;                     // of each channel; -1: none, always zero
-  bool translates_along_axes = false;           // translations are to be turned by joint_from_axes
+  std::vector<std::optional<ChannelKind>> dof;  // column by column; unset: "l", a bone's length
+  std::vector<int> columns;                     // each channel's column; -1: none, always zero
+  bool translates_along_axes = false;           // true: joint_from_axes has to turn translations
 
-  /// Sets joint.channels and `columns` from `dof`; of the rotations named there, the one about the
-  /// first of `rotation_axes` is done first.
+  /// Sets joint.channels and `columns` from `dof`. The rotation about the first of `rotation_axes`
+  /// is applied first.
   void feed_channels(const std::vector<int>& rotation_axes);
 };
 
-/// The axes of the rotations in `dof`, in its order.
+/// The axes of the rotations in `dof`, in order.
 std::vector<int> rotation_axes(const std::vector<std::optional<ChannelKind>>& dof);
 
 struct AsfSkeleton {
   std::string file;
   std::vector<AsfJoint> joints;  // parent-first; joint 0 is "root"
   double cm_per_unit = 1;
-  double radians_per_unit = 1;  // of angles; an .amc may say otherwise
+  double radians_per_unit = 1;  // unit of angles; an .amc may state another
 };
 
-/// Reads the text of an .asf; `file` names it in messages. One unit is 2.54 / length cm, `length`
-/// from :units, unless `cm_per_unit` says otherwise. Throws InputError.
+/// Reads the text of an .asf; `file` names it in messages. A unit is 2.54 / length cm, with
+/// `length` from :units, unless `cm_per_unit` is given. Throws InputError.
 AsfSkeleton read_asf(const std::string& file, std::string_view text,
                      std::optional<double> cm_per_unit = {});
 
-/// The motion with every joint as Acclaim can say it: turned axes neither on the root nor beside
-/// translations. asf_text() and amc_text() want this.
+/// The motion with joints that Acclaim can express: no turned axes on the root or beside
+/// translations. asf_text() and amc_text() require this.
 Motion acclaim_motion(const Motion& motion);
 
-/// How an .asf and its .amc name the joints: one word each, unique, the root "root".
+/// Joint names in an .asf and its .amc: one word each, unique, with "root" for the root.
 std::vector<std::string> asf_names(const Skeleton& skeleton);
 
-/// CMU's unit of length is 0.45 to the inch.
+/// CMU's unit of length: 0.45 units to the inch.
 inline constexpr double kAsfCmPerUnit = 2.54 / 0.45;
 
-/// The source's where that was Acclaim, unless asked otherwise; else CMU's.
+/// The option's unit if set, else the source's if it was Acclaim, else CMU's.
 double asf_cm_per_unit(const SourceFormat& source, const ReadOptions& options = {});
 
-/// Degrees, the unit of length as given. A child that does not sit at the end of its parent's bone
-/// gets a bone without dof, "to_<child>", to carry it there. Throws WriteError
-/// unless the skeleton has one root.
+/// The text of an .asf in degrees and the given unit of length. A child away from the end of its
+/// parent's bone gets a bone without dof, "to_<child>", that leads there. Throws WriteError unless
+/// the skeleton has one root.
 std::string asf_text(const Skeleton& skeleton, double cm_per_unit = kAsfCmPerUnit);
 
 }  // namespace mocapress

@@ -15,8 +15,8 @@ namespace {
 constexpr std::array<int, 3> kXyz = {0, 1, 2};
 constexpr double kSmallestLengthUnit = 1e-6;  // keeps centimetres finite
 
-/// A bone as its begin ... end block gives it, in file units. The root is one too: its `direction`
-/// is its position and its `axis` its orientation.
+/// A bone as its begin ... end block describes it, in file units. For the root, `direction` is its
+/// position and `axis` its orientation.
 struct ReadBone {
   Token at;
   std::string name;
@@ -26,12 +26,12 @@ struct ReadBone {
   bool has_length = false;
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
   std::vector<int> axis_order = {kXyz.begin(), kXyz.end()};
-  std::vector<std::optional<ChannelKind>> dof;  // nothing stands for "l"
+  std::vector<std::optional<ChannelKind>> dof;  // unset for "l"
   int parent = -1;
   std::vector<int> children;
 };
 
-/// "tx" ... "rz"; nothing for "l".
+/// The channel of a word "tx" ... "rz"; an empty channel for "l"; unset for other words.
 std::optional<std::optional<ChannelKind>> dof_named(std::string_view word) {
   if (equals_ignoring_case(word, "l")) return std::optional<ChannelKind>();
   for (int kind = 0; kind < kChannelKinds; ++kind)
@@ -40,7 +40,7 @@ std::optional<std::optional<ChannelKind>> dof_named(std::string_view word) {
   return std::nullopt;
 }
 
-/// The axes named by a permutation of "XYZ", the axis turned about first in front.
+/// The axes named by a permutation of "XYZ"; the axis turned about first is in front.
 std::optional<std::vector<int>> axes_of_order(std::string_view order) {
   std::vector<int> axes;
   for (const char letter : order)
@@ -201,7 +201,7 @@ void AsfReader::read_bone_property(ReadBone& bone, const Token& keyword) {
   } else if (is("dof")) {
     take_dof(bone, keyword.line);
   } else {
-    cursor_.skip_line(keyword.line);  // id, limits and their continued lines, bodymass ...
+    cursor_.skip_line(keyword.line);  // id, limits and their further lines, bodymass ...
   }
 }
 
@@ -256,7 +256,7 @@ int AsfReader::take_bone() {
   return found->second;
 }
 
-/// Every bone reached from the root, parents first.
+/// Every bone that the root leads to, parents first.
 std::vector<int> AsfReader::depth_first() const {
   std::vector<int> order;
   std::vector<int> waiting = {0};

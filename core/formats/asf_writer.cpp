@@ -13,14 +13,15 @@
 namespace mocapress {
 namespace {
 
-constexpr int kDecimals = 9;  // of directions and axes: errors add up along a chain of bones
+// Decimals of directions and axes: errors add up along a chain of bones.
+constexpr int kDecimals = 9;
 
-/// Bones end somewhere, joints only begin: a bone's children start at its end.
+/// A bone of the file. Unlike a joint it has an end, at which its children start.
 struct WrittenBone {
   std::string name;
   int parent = 0;
   Eigen::Vector3d end;           // cm, from the bone's start
-  const Joint* joint = nullptr;  // none: the bone only carries a child to its place
+  const Joint* joint = nullptr;  // null: the bone only leads to a child's place
 };
 
 class AsfWriter {
@@ -42,7 +43,7 @@ class AsfWriter {
   std::string text_;
 };
 
-/// Where each joint's bone ends: at its end site, or at the first child that is not at its start.
+/// The end of each joint's bone: its end site, or the first child away from its start.
 std::vector<Eigen::Vector3d> bone_ends(const Skeleton& skeleton) {
   std::vector<Eigen::Vector3d> ends;
   for (const Joint& joint : skeleton.joints())
@@ -55,7 +56,7 @@ std::vector<Eigen::Vector3d> bone_ends(const Skeleton& skeleton) {
   return ends;
 }
 
-/// The word that stands for a joint: no keyword, frame number or comment.
+/// A word for a joint that is no keyword, frame number or comment.
 std::string bone_name(const std::string& name) {
   const std::string word = as_word(name, "");
   const bool misread = equals_ignoring_case(word, "begin") || equals_ignoring_case(word, "end") ||
@@ -64,8 +65,8 @@ std::string bone_name(const std::string& name) {
   return misread ? "_" + word : word;
 }
 
-/// " rx ry rz": the values of a joint in the order of an .amc line. Of the rotations, the one done
-/// first is named first.
+/// A joint's dof as " rx ry rz", in the order of an .amc line. The rotation applied first comes
+/// first.
 std::string dof_words(const Joint& joint) {
   std::string translations;
   std::string rotations;
@@ -118,7 +119,8 @@ void AsfWriter::make_bones() {
     bones_.push_back({unique_word("root_end", taken), 0, *end, nullptr});
 }
 
-/// What no reader here would take: bones that carry others count and nest too.
+/// Refuses skeletons that readers here would refuse; bones that only lead to a child count and nest
+/// as well.
 void AsfWriter::check_limits() const {
   if (bones_.size() > runtime::kMostJoints)
     throw Error("an .asf of this skeleton would have " + std::to_string(bones_.size()) +

@@ -16,25 +16,26 @@ namespace mocapress {
 MotionFile read_bvh(const std::string& file, std::string_view text,
                     const ReadOptions& options = {});
 
-/// What a BVH leaves to its reader to know.
+/// Properties of a BVH that its text does not state.
 struct BvhStyle {
   double cm_per_unit = 1;
 
-  /// Of a root that moves. Unset: its OFFSET is zero, so that both conventions read the same.
+  /// The convention of a root that moves. Unset: its OFFSET is zero, and both conventions agree.
   std::optional<TranslationConvention> root;
 };
 
-/// As the source was, unless asked otherwise. A root that replaced its OFFSET keeps it. One that
-/// added to it gets an OFFSET of zero: everyone reads that, Blender and MotionBuilder too.
+/// The source's style, unless options ask otherwise. A root that replaced its OFFSET keeps doing
+/// so. A root that added to it gets an OFFSET of zero, which every program reads alike, Blender and
+/// MotionBuilder included.
 BvhStyle bvh_style(const SourceFormat& source, const ReadOptions& options = {});
 
-/// Degrees, in a form that naive readers take: three rotations on every joint, which are zero where
-/// the joint has none, and names of one word each, no two alike. A joint below the root with
-/// translation channels repeats its OFFSET in them, so that the more widespread convention gives
-/// the same motion. Joints turned by ASF's `axis` get the order Z Y X.
+/// The text of a BVH, in degrees and in a form that simple readers accept. Every joint has three
+/// rotations, with zeros for those it lacks. Each name is one word, and unique. A joint below the
+/// root with translation channels repeats its OFFSET in them, so that the more widespread
+/// convention gives the same motion. Joints turned by ASF's `axis` get the order Z Y X.
 std::string bvh_text(const Motion& motion, const BvhStyle& style = {});
 
-/// How bvh_text() names the joints.
+/// The joint names that bvh_text() writes.
 std::vector<std::string> bvh_names(const Skeleton& skeleton);
 
 }  // namespace mocapress

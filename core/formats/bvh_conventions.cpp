@@ -12,9 +12,9 @@
 namespace mocapress {
 namespace {
 
-constexpr double kClear = 0.25;  // of the way from one convention to the other
+constexpr double kClear = 0.25;  // share of the way from one convention to the other
 
-/// A translation channel of a joint along whose axis the joint has an offset.
+/// A translation channel along whose axis the joint has an offset.
 struct OffsetColumn {
   Eigen::Index column;
   int axis;
@@ -33,7 +33,7 @@ std::vector<OffsetColumn> offset_columns(const Skeleton& skeleton, int index) {
   return columns;
 }
 
-/// Where the mean translation lies between zero (0) and the offset (1).
+/// The place of the mean translation between zero (0) and the offset (1).
 double share_of_offset(const Clip& clip, const std::vector<OffsetColumn>& columns) {
   double along = 0;
   double squared_length = 0;
@@ -45,14 +45,14 @@ double share_of_offset(const Clip& clip, const std::vector<OffsetColumn>& column
 }
 
 bool begins_at_offset(const Clip& clip, const std::vector<OffsetColumn>& columns) {
-  constexpr double kRounding = 1e-4;  // of the offset: files have few decimals
+  constexpr double kRounding = 1e-4;  // share of the offset: files have few decimals
   return std::all_of(columns.begin(), columns.end(), [&](const OffsetColumn& column) {
     return std::abs(clip.channels(0, column.column) - column.offset) <=
            kRounding * std::abs(column.offset);
   });
 }
 
-/// The height alone, where that is most of the offset.
+/// The height's column alone if the height is most of the offset, else all columns.
 std::vector<OffsetColumn> steady_columns(const std::vector<OffsetColumn>& columns, UpAxis up) {
   const int up_axis = up == UpAxis::Y ? 1 : 2;
   double squared_length = 0;
@@ -101,7 +101,7 @@ TranslationGuesses guess_translation(const Motion& motion, UpAxis up) {
     const auto columns = offset_columns(motion.skeleton, j);
     if (columns.empty()) continue;
     guesses.roots = guess_root(motion.clip, columns, up, guesses.others);
-    break;  // other roots are taken to do the same
+    break;  // other roots are assumed to do the same
   }
   return guesses;
 }
@@ -137,7 +137,7 @@ bool stands_along_z(const Motion& motion) {
     return Eigen::Vector3d(sum / static_cast<double>(joints.size()));
   };
   const auto stands = [&](const Eigen::Vector3d& feet_to_head) {
-    constexpr double kUpright = 0.85;  // the cosine of some 30 degrees
+    constexpr double kUpright = 0.85;  // cosine of about 30 degrees
     return feet_to_head.z() > kUpright * feet_to_head.norm();
   };
   Pose pose = rest_pose(motion.skeleton);
@@ -156,7 +156,7 @@ bool stands_along_z(const Motion& motion) {
 double guess_cm_per_unit(double height) {
   struct Unit {
     double cm;
-    double shortest, tallest;  // cm, between the ends of the bones: whom it is taken for
+    double shortest, tallest;  // range of heights in cm, between the ends of the bones
   };
   constexpr Unit kUnits[] = {{100, 120, 220},  {10, 150, 180}, {2.54 / 0.45, 130, 200},
                              {2.54, 150, 185}, {1, 100, 260},  {0.1, 120, 220}};

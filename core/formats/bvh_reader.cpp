@@ -16,7 +16,7 @@
 namespace mocapress {
 namespace {
 
-constexpr double kFallbackRate = 30;  // Hz, of a file whose Frame Time is nonsense
+constexpr double kFallbackRate = 30;  // Hz, for a file whose Frame Time is nonsense
 
 std::string number(double value) {
   std::string text;
@@ -24,9 +24,9 @@ std::string number(double value) {
   return text;
 }
 
-/// A channel that no joint here has: how large a joint is along an axis.
+/// A channel that joints here cannot have: a joint's size along an axis.
 struct ScaleChannel {
-  std::size_t column = 0;  // of the file's rows
+  std::size_t column = 0;  // in the file's rows
   int joint = 0;
   int axis = 0;
 };
@@ -90,7 +90,7 @@ class BvhReader {
   std::vector<Joint> joints_;  // offsets in file units
   int dropped_end_sites_ = 0;
   std::size_t columns_ = 0;
-  std::vector<ScaleChannel> scales_;  // by their columns
+  std::vector<ScaleChannel> scales_;  // in the order of their columns
   std::vector<double> values_;        // rows of columns_, file units and degrees
   ScalarTracks tracks_;
   double stated_frames_ = 0;
@@ -132,7 +132,7 @@ void BvhReader::read_hierarchy() {
 }
 
 void BvhReader::read_tree() {
-  std::vector<int> open;  // from the root to the joint being read
+  std::vector<int> open;  // path from the root to the joint being read
   open_joint(open);
   while (!open.empty()) {
     Joint& joint = joints_[static_cast<std::size_t>(open.back())];
@@ -244,7 +244,7 @@ void BvhReader::read_header() {
   frame_time_ = cursor_.take_number("the time of a frame in seconds");
 }
 
-/// False when the file ends within the row, which is then dropped.
+/// Reads a row. False: the file ends within it, and the row is dropped.
 bool BvhReader::read_row() {
   const int first_line = cursor_.peek().line;
   const std::size_t row_begin = values_.size();
@@ -280,7 +280,7 @@ void BvhReader::read_rows() {
                            std::to_string(frames) + " follow: all of them are read");
 }
 
-/// The columns of joints. Scales become tracks, unless they never leave 1.
+/// The columns of joints. Scales become tracks, unless they stay at 1.
 Eigen::MatrixXd BvhReader::without_scales(const RawRows& rows) {
   const auto left = rows.cols() - std::ssize(scales_);
   Eigen::MatrixXd kept(rows.rows(), left);

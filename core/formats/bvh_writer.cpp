@@ -21,14 +21,14 @@ bool translates(const Joint& joint) {
                      [](ChannelKind kind) { return !is_rotation(kind); });
 }
 
-/// Of its rotation channels no two turn about one axis: else no file can say them.
+/// Whether all its rotation channels turn about different axes, which a BVH requires.
 bool has_an_order(const Joint& joint) {
   std::array<int, kChannelKinds> times{};
   for (const ChannelKind kind : joint.channels) ++times[static_cast<std::size_t>(kind)];
   return std::all_of(times.begin() + 3, times.end(), [](int count) { return count <= 1; });
 }
 
-/// The axes of a joint's three rotations, the leftmost first. Those it has not stay at zero.
+/// The axes of a joint's three rotations, the leftmost first. Rotations that it lacks stay at zero.
 std::array<int, 3> rotation_order(const Joint& joint) {
   std::vector<int> order;
   for (const ChannelKind kind : joint.channels)
@@ -38,8 +38,8 @@ std::array<int, 3> rotation_order(const Joint& joint) {
   return {order[0], order[1], order[2]};
 }
 
-/// Bytes of the character at the front of `text`; 0: it is no UTF-8, or is white space to a reader
-/// that knows more kinds of it than ASCII's.
+/// Bytes of the first character of `text`. 0: it is no UTF-8, or it is white space to readers that
+/// know more than ASCII's.
 std::size_t character_size(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const std::size_t size = byte(0) < 0x80 ? 1 : byte(0) < 0xE0 ? 2 : byte(0) < 0xF0 ? 3 : 4;
@@ -59,8 +59,8 @@ std::size_t character_size(std::string_view text) {
   return is_space ? 0 : size;
 }
 
-/// The word that stands for a joint: UTF-8 without white space, braces, and quotes, which programs
-/// that put names into paths do not expect; no keyword.
+/// A word for a joint: UTF-8 without white space, braces or quotes (some programs put names into
+/// paths), and no keyword.
 std::string joint_word(const std::string& name) {
   const std::string plain = as_word(name, "{}\"'\\");
   std::string word;
@@ -75,7 +75,7 @@ std::string joint_word(const std::string& name) {
   for (const char* keyword : {"HIERARCHY", "ROOT", "JOINT", "OFFSET", "CHANNELS", "End", "EndSite",
                               "Site", "MOTION", "Frames:", "Frame", "Time:"})
     if (equals_ignoring_case(word, keyword)) return '_' + word;
-  return word.starts_with('#') ? '_' + word : word;  // it would hide the rest of the line
+  return word.starts_with('#') ? '_' + word : word;  // a comment would hide the rest of the line
 }
 
 struct Place {
@@ -83,7 +83,7 @@ struct Place {
   std::size_t depth;
 };
 
-/// Every joint straight before its first child: the order in which braces nest.
+/// Joints in the order in which braces nest: each straight before its first child.
 std::vector<Place> depth_first(const Skeleton& skeleton) {
   std::vector<std::vector<int>> children(static_cast<std::size_t>(skeleton.joint_count()));
   std::vector<Place> waiting;
@@ -123,12 +123,12 @@ class BvhWriter {
   void append_length(const Eigen::Vector3d& cm, int decimals) {
     append_vector(text_, cm / style_.cm_per_unit, decimals);
   }
-  /// One digit less than positions have: a .mcpr keeps offsets as 32-bit floats, and an artist's
-  /// round number shall come back as it was.
+  /// Appends an offset with one digit less than positions have. A .mcpr keeps offsets as 32-bit
+  /// floats, and an artist's round number must come back unchanged.
   void append_offset(const Eigen::Vector3d& cm) { append_length(cm, decimals_ - 1); }
   void begin_line(std::size_t depth, const char* text) { text_.append(depth, '\t') += text; }
 
-  const Motion& motion_;  // every joint_from_axes is identity
+  const Motion& motion_;  // joint_from_axes is identity everywhere
   BvhStyle style_;
   int decimals_;
   std::vector<std::string> names_;
@@ -151,7 +151,7 @@ std::string BvhWriter::write() {
   for (int t = 0; t < motion_.clip.frames(); ++t) {
     const std::size_t line = text_.size();
     for (const Place& place : order_) write_values(place.joint, t);
-    text_.erase(line, 1);  // the space in front
+    text_.erase(line, 1);  // the leading space
     text_ += '\n';
   }
   return std::move(text_);
@@ -181,7 +181,8 @@ void BvhWriter::close_joints(std::size_t from_depth, std::size_t to_depth) {
   for (std::size_t depth = from_depth; depth > to_depth; --depth) begin_line(depth - 1, "}\n");
 }
 
-/// A joint that moves along any axis gets all three positions: they may hold its offset too.
+/// Writes a joint's channels. A joint that moves along any axis gets all three positions, which may
+/// have to hold its offset.
 void BvhWriter::write_channels(const Joint& joint) {
   text_ += translates(joint) ? "6 Xposition Yposition Zposition" : "3";
   for (const int axis : rotation_order(joint)) text_ += std::string(" ") + "XYZ"[axis] + "rotation";

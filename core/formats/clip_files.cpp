@@ -26,7 +26,7 @@ class FolderWalk {
 
   std::vector<FoundClip> clips_below(const fs::path& folder) {
     look_into(folder);
-    // The links of a folder come after all that is really below it.
+    // A folder's links come after everything that is really below it.
     for (std::size_t i = 0; i < links_.size(); ++i) look_into(fs::path(links_[i]));
     std::ranges::sort(found_, {}, [](const FoundClip& clip) { return clip.path.string(); });
     return std::move(found_);
@@ -38,7 +38,7 @@ class FolderWalk {
     try {
       const std::optional<FileIdentity> identity = identity_of(folder);
       if (identity && !seen_.insert(*identity).second) return;
-    } catch (const InputError&) {  // opening it says why
+    } catch (const InputError&) {  // opening it gives the reason
     }
     for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
       look_at(*at);
@@ -64,8 +64,8 @@ class FolderWalk {
   }
 
   std::vector<FoundClip> found_;
-  std::vector<fs::path> links_;  // to folders
-  std::set<FileIdentity> seen_;  // folders
+  std::vector<fs::path> links_;  // links to folders
+  std::set<FileIdentity> seen_;  // folders already visited
 };
 
 }  // namespace

@@ -11,23 +11,23 @@
 namespace mocapress {
 namespace {
 
-constexpr std::size_t kLongestName = 255;  // bytes, of a track in a .mcpr
+constexpr std::size_t kLongestName = 255;  // bytes, the limit of a track's name in a .mcpr
 constexpr std::string_view kTime = "time_s";
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 struct Field {
   std::string_view text;
-  int column = 1;  // of the line, from 1
+  int column = 1;  // column in the line, from 1
 };
 
-/// Walks a table line by line; empty ones are left out.
+/// Walks a table line by line, skipping empty lines.
 class Table {
  public:
   Table(const std::string& file, std::string_view text) : file_(file), rest_(text) {
     if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
   }
 
-  /// Empty: there is none left.
+  /// The next line's fields; empty at the end.
   std::vector<Field> next() {
     while (!rest_.empty()) {
       const std::size_t size = std::min(rest_.find('\n'), rest_.size());

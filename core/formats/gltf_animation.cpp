@@ -17,7 +17,7 @@ std::vector<float> vectors_of(const std::vector<Vector3d>& track) {
   return values;
 }
 
-/// Every quaternion on the side of the one before: from one to the next the way is short.
+/// Quaternions with signs chosen so that each is near the one before.
 std::vector<float> turnings_of(const NodeTrack& track) {
   std::vector<float> values;
   Quaterniond last = track.rest.rotation;

@@ -12,14 +12,14 @@
 namespace mocapress {
 namespace {
 
-constexpr std::uint32_t kMostElements = 10'000'000;  // vertices, and triangles
+constexpr std::uint32_t kMostElements = 10'000'000;  // limit for vertices, and for triangles
 
 [[noreturn]] void refuse() {
   throw Error("is not what KHR_draco_mesh_compression makes");
 }
 
-/// The library allocates for as many triangles and vertices as the head of the bytes states. After
-/// Draco's bitstream specification 2.2, which the extension asks for.
+/// Checks the numbers of triangles and vertices in the header, since the library allocates for as
+/// many as it states. After Draco's bitstream specification 2.2, which the extension requires.
 void check_head(std::string_view bytes) {
   draco::DecoderBuffer buffer;
   buffer.Init(bytes.data(), bytes.size());
@@ -30,7 +30,7 @@ void check_head(std::string_view bytes) {
   static_assert(sizeof(Head) == 11);
   constexpr std::uint8_t kMesh = 1;
   constexpr std::uint8_t kEdgebreaker = 1;
-  constexpr unsigned kHasMetadata = 0x80;  // in the second byte of flags
+  constexpr unsigned kHasMetadata = 0x80;  // in the second byte of the flags
   if (!buffer.Decode(&head) || std::string_view(head.mark, 5) != "DRACO" || head.major != 2 ||
       head.minor != 2 || head.kind != kMesh || (head.flags[1] & kHasMetadata) != 0)
     refuse();

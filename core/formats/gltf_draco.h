@@ -14,15 +14,16 @@ namespace mocapress {
 struct DracoMesh {
   struct Attribute {
     std::size_t components = 0;
-    std::vector<double> values;  // of each vertex; integers as they stand, not normalised
+    std::vector<double> values;  // for each vertex; integers as stored, not normalised
   };
 
   std::size_t vertices = 0;
-  std::vector<std::uint32_t> corners;           // three a triangle
+  std::vector<std::uint32_t> corners;           // three for each triangle
   std::map<std::size_t, Attribute> attributes;  // by Draco's unique id
 };
 
-/// Throws Error, whose what() goes on from the name of a mesh: "is ...".
+/// Unpacks a mesh. Throws Error, whose what() continues a sentence that begins with the mesh's
+/// name: "is ...".
 DracoMesh draco_unpacked(std::string_view bytes);
 
 }  // namespace mocapress

@@ -21,13 +21,13 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr JsonLimits kLimits = {.depth = 64, .values = 20'000'000};
-constexpr std::size_t kMostZeros = 10'000'000;  // of all accessors that have no bytes
-constexpr std::size_t kBytesOfNumber = 16;      // read, and copied once
+constexpr std::size_t kMostZeros = 10'000'000;  // limit for accessors without bytes, together
+constexpr std::size_t kBytesOfNumber = 16;      // bytes for a number that is read and copied once
 constexpr double kLargestNumber = 1e9;
 constexpr const char* kTooMuch = "holds too many numbers to read";
 constexpr const char* kNotANumber = " holds a number that is not finite or beyond 1e9";
 
-/// Little-endian, from any place.
+/// Reads a little-endian number at any address.
 template <typename T>
 T read_at(const char* place) {
   T value;
@@ -43,7 +43,7 @@ int hex_digit(char c) {
   return -1;
 }
 
-/// "%20" is a space.
+/// The text with "%20" and the like decoded.
 std::string percent_decoded(std::string_view uri) {
   std::string text;
   for (std::size_t i = 0; i < uri.size(); ++i) {
@@ -56,7 +56,7 @@ std::string percent_decoded(std::string_view uri) {
   return text;
 }
 
-/// Unset when it is no base64.
+/// The decoded bytes; unset if the text is no base64.
 std::optional<std::string> base64_decoded(std::string_view text) {
   static const std::array<signed char, 256> kValues = [] {
     std::array<signed char, 256> values;
@@ -84,7 +84,7 @@ std::optional<std::string> base64_decoded(std::string_view text) {
   return bytes;
 }
 
-/// "http:", "file:", "C:".
+/// Whether a URI begins with "http:", "file:", "C:" or the like.
 bool has_scheme(std::string_view uri) {
   return uri.substr(0, uri.find('/')).find(':') != std::string_view::npos;
 }
@@ -109,8 +109,8 @@ std::size_t component_bytes(std::size_t type) {
   }
 }
 
-/// A normalised integer: the largest of its component type stands for 1 (section 3.11). A float is
-/// what it is.
+/// A normalised integer as a share of its type's largest value (section 3.11). A float is returned
+/// unchanged.
 double share(double value, std::size_t type) {
   const auto of = [value](double one) { return std::max(value / one, -1.0); };
   switch (type) {
@@ -129,7 +129,7 @@ double share(double value, std::size_t type) {
   }
 }
 
-/// A number of a component type (section 3.6.2.2).
+/// Reads a number of a component type (section 3.6.2.2).
 double component(const char* place, std::size_t type) {
   switch (type) {
     case 5120:
@@ -160,7 +160,7 @@ std::string quoted_key(const char* key) {
 
 /// `count` times `components` numbers of one type, every `stride` bytes.
 struct GltfFile::View {
-  const char* begin = nullptr;  // null: no bytes, all are zero
+  const char* begin = nullptr;  // null: no bytes, all numbers are zero
   std::size_t stride = 0;
   std::size_t count = 0;
   std::size_t components = 0;
@@ -191,7 +191,7 @@ GltfFile::GltfFile(fs::path file, std::string_view bytes)
   if (!version.starts_with("2."))
     fail("is no glTF 2.0: " +
          (version.empty() ? "it states no version" : "its version is " + version));
-  // Once: they are looked up often.
+  // Done once, since lists are often looked up.
   for (const char* kind : {"accessors", "animations", "buffers", "bufferViews", "images",
                            "materials", "meshes", "nodes", "skins", "textures"})
     list(json_, kind);
@@ -255,7 +255,7 @@ std::size_t GltfFile::size(const Json& object, const char* key, std::size_t othe
   const Json* found = member(object, key);
   if (found == nullptr) return otherwise;
   if (found->is_number_unsigned()) return found->get<std::size_t>();
-  // Some programs write 3.0.
+  // Some programs write whole numbers as 3.0.
   const double value = found->is_number() ? found->get<double>() : -1;
   if (!(value >= 0 && value <= 9e15) || value != std::floor(value))
     fail(quoted_key(key) + " is not a whole number from 0");
@@ -330,7 +330,7 @@ std::string GltfFile::resource(const std::string& uri) const {
   std::error_code error;
   const fs::path place = fs::canonical(folder / relative, error);
   if (error) fail("refers to " + shown + ", which is not there");
-  // A link may lead elsewhere.
+  // With links resolved, the place may be elsewhere.
   if (leaves_its_folder(place.lexically_relative(fs::canonical(folder, error))) ||
       !fs::is_regular_file(place, error))
     fail("refers to " + shown + ", but only files in its own folder are read");
@@ -364,7 +364,7 @@ bool GltfFile::is_placeholder(std::size_t buffer) const {
                      [&](const char* name) { return extension(stated, name) != nullptr; });
 }
 
-/// Where a bufferView's bytes are, as itself or its extension states it.
+/// The bytes of a bufferView, placed by itself or by its extension.
 std::string_view GltfFile::part(std::size_t view, const Json& stated) {
   const std::string& bytes = buffer(required_index(stated, "buffer", "buffers"));
   const std::size_t begin = size(stated, "byteOffset", 0);
@@ -374,7 +374,7 @@ std::string_view GltfFile::part(std::size_t view, const Json& stated) {
   return std::string_view(bytes).substr(begin, length);
 }
 
-/// How a bufferView is packed; null: it is not.
+/// The extension that packs a bufferView; null: it is not packed.
 const Json* GltfFile::packing(const Json& buffer_view) const {
   for (const char* name : kMeshoptExtensions)
     if (const Json* found = extension(buffer_view, name)) return found;
@@ -464,7 +464,7 @@ std::vector<double> GltfFile::values(std::size_t accessor, std::string_view type
   if (text(stated, "type") != type) fail(which + " is not " + std::string(type));
   const std::size_t components = components_of(type);
   const std::size_t count = size(stated, "count", 0);
-  // One without bytes is all zero and may state any count, as often as the file likes.
+  // An accessor without bytes is all zero, and may state any count any number of times.
   if (!stated.contains("bufferView")) zeros_read_ += std::min(count, kMostZeros + 1) * components;
   if (zeros_read_ > kMostZeros) fail("states more zeros that have no bytes than are read");
   if (count > std::numeric_limits<std::uint32_t>::max()) fail(kTooMuch);

@@ -25,85 +25,84 @@ inline constexpr std::uint32_t kGlbMagic = 0x46546C67;      // "glTF"
 inline constexpr std::uint32_t kGlbJsonChunk = 0x4E4F534A;  // "JSON"
 inline constexpr std::uint32_t kGlbDataChunk = 0x004E4942;  // "BIN\0"
 
-/// The extension EXT_meshopt_compression, and the name under which Khronos took it over.
+/// The extension EXT_meshopt_compression, and its later name as a Khronos extension.
 inline constexpr const char* kMeshoptExtensions[] = {"EXT_meshopt_compression",
                                                      "KHR_meshopt_compression"};
 
-/// A glTF 2.0 file taken apart: its JSON, and on demand the bytes that it refers to. Every index,
-/// size and number that is asked for is checked. What is wrong is an InputError, from all of these.
+/// A parsed glTF 2.0 file: its JSON, and on demand the bytes it refers to. Every index, size and
+/// number that is returned was checked. All members throw InputError for anything wrong.
 class GltfFile {
  public:
-  /// A .glb or a .gltf, whichever the bytes are. The folder of `file` is where its buffers may be.
+  /// Takes a .glb or a .gltf, told apart by their bytes. Buffers may lie in the folder of `file`.
   GltfFile(std::filesystem::path file, std::string_view bytes);
 
   std::string name() const { return path_.string(); }
   const Json& json() const { return json_; }
 
-  /// Of the file itself and of the buffers that were asked for so far.
+  /// Size of the file and of the buffers loaded so far.
   std::size_t bytes_read() const { return bytes_read_; }
 
-  /// The chunks of a .glb that follow its JSON. A .gltf has none.
+  /// The chunks of a .glb after its JSON; none in a .gltf.
   const std::vector<GlbChunk>& chunks() const { return chunks_; }
 
   [[noreturn]] void fail(const std::string& message) const;
 
-  /// "nodes", "skins", ...: the file's objects of that kind; none where it has none.
+  /// The file's objects of a kind ("nodes", "skins", ...); an empty list if it has none.
   const Json& list(const char* kind) const;
 
-  /// The objects in a list of `object`, as list() has it.
+  /// A list within `object`, with the same rules.
   const Json& list(const Json& object, const char* key) const;
 
-  /// The member that counts from 0 into list(kind).
+  /// A member that is an index into list(kind).
   std::optional<std::size_t> index(const Json& object, const char* key, const char* kind) const;
   std::size_t required_index(const Json& object, const char* key, const char* kind) const;
 
-  /// All indices of an array.
+  /// An array whose members are such indices.
   std::vector<std::size_t> indices(const Json& object, const char* key, const char* kind) const;
 
-  /// A whole number from 0; `otherwise` where there is none.
+  /// A whole number from 0 on; `otherwise` if it is absent.
   std::size_t size(const Json& object, const char* key, std::size_t otherwise) const;
 
-  /// An extension of an object; null where it has none of that name.
+  /// An extension of an object by name; null if absent.
   const Json* extension(const Json& object, const char* name) const;
 
-  /// A text; empty where there is none.
+  /// A text; empty if absent.
   std::string text(const Json& object, const char* key) const;
 
-  /// So many numbers, each finite and at most 1e9.
+  /// An array of `count` numbers, each finite and at most 1e9.
   std::optional<std::vector<double>> numbers(const Json& object, const char* key,
                                              std::size_t count) const;
 
   /// The bytes of a buffer, as many as it states.
   const std::string& buffer(std::size_t index);
 
-  /// What a `uri` stands for: a data URI, or a file in this one's folder or below.
+  /// The bytes behind a `uri`: a data URI, or a file in this file's folder or below.
   std::string resource(const std::string& uri) const;
 
-  /// Whether a buffer only says how large packed bufferViews are: it has no bytes of its own.
+  /// Whether a buffer has no bytes and only states the unpacked size of bufferViews.
   bool is_placeholder(std::size_t buffer) const;
 
-  /// The bytes of a bufferView, one after another.
+  /// The bytes of a bufferView, without gaps.
   std::string bytes_of_view(std::size_t index);
 
-  /// Counts numbers that are read towards the most that a file may hold.
+  /// Counts numbers that are read against the limit for a file.
   void spend(std::size_t numbers);
 
-  /// How many numbers an element of such an accessor has.
+  /// The number of components in an element of such an accessor.
   static std::size_t components_of(std::string_view type);
 
-  /// Numbers of an accessor that come from elsewhere, normalised where it states so.
+  /// Numbers of an accessor that come from elsewhere, normalised if it says so.
   std::vector<double> as_stated(std::size_t accessor, std::vector<double> values) const;
 
-  /// An accessor's elements one after another, as numbers: normalised ones from -1 or 0 to 1,
-  /// sparse ones filled in. `type` is what it has to be: "SCALAR", "VEC2", "VEC3",
-  /// "VEC4", "MAT4".
+  /// All elements of an accessor as numbers: normalised ones from -1 or 0 to 1, sparse ones filled
+  /// in. `type` is the required type: "SCALAR", "VEC2", "VEC3", "VEC4", "MAT4".
   std::vector<double> values(std::size_t accessor, std::string_view type);
 
  private:
-  struct View;  // of numbers among a buffer's bytes
+  struct View;  // numbers among a buffer's bytes
 
   void read_glb(std::string_view bytes);
-  /// The bytes that accessors see: a packed bufferView's are unpacked, once.
+  /// The bytes that accessors see. A packed bufferView is unpacked once.
   std::string_view view_bytes(std::size_t index);
   const Json* packing(const Json& buffer_view) const;
   std::string_view part(std::size_t view, const Json& stated);
@@ -114,15 +113,15 @@ class GltfFile {
   std::filesystem::path path_;
   Json json_;
   std::vector<GlbChunk> chunks_;
-  std::map<std::size_t, std::string> buffers_;   // those that were asked for
-  std::map<std::size_t, std::string> unpacked_;  // bufferViews, likewise
+  std::map<std::size_t, std::string> buffers_;   // loaded ones
+  std::map<std::size_t, std::string> unpacked_;  // unpacked bufferViews
   std::size_t bytes_read_;
   std::size_t values_read_ = 0;
   std::size_t zeros_read_ = 0;
   std::size_t unpacked_bytes_ = 0;
 };
 
-/// Whether a URI holds its bytes itself.
+/// Whether a URI contains its bytes.
 bool is_data_uri(std::string_view uri);
 
 }  // namespace mocapress

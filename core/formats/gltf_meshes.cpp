@@ -16,7 +16,7 @@ namespace {
 using Eigen::Affine3d;
 using Eigen::Vector3d;
 
-constexpr std::size_t kTriangles = 4;  // a primitive's mode
+constexpr std::size_t kTriangles = 4;  // the primitive mode of triangles
 
 Affine3d parent_from(const GltfFile& file, const Json& node) {
   if (const auto matrix = file.numbers(node, "matrix", 16))
@@ -35,7 +35,7 @@ std::vector<Vector3d> points_of(const std::vector<double>& values) {
   return points;
 }
 
-/// KHR_texture_transform: where in the picture a place in it is looked up.
+/// KHR_texture_transform: maps texture coordinates to other ones.
 class PlaceInPicture {
  public:
   PlaceInPicture(const GltfFile& file, const Json& texture)
@@ -45,7 +45,7 @@ class PlaceInPicture {
     set_ = file.size(*stated, "texCoord", set_);
     if (const auto offset = file.numbers(*stated, "offset", 2))
       moved_.translate(Eigen::Vector2d(offset->data()));
-    // Counter-clockwise, where the second coordinate points down.
+    // Counter-clockwise, with the second coordinate pointing down.
     if (const auto angle = stated->find("rotation"); angle != stated->end() && angle->is_number())
       moved_.rotate(-angle->get<double>());
     if (const auto scale = file.numbers(*stated, "scale", 2))
@@ -62,10 +62,10 @@ class PlaceInPicture {
   Eigen::Affine2d moved_ = Eigen::Affine2d::Identity();
 };
 
-/// What KHR_draco_mesh_compression packs, and which of its attributes is which.
+/// A primitive packed by KHR_draco_mesh_compression, and the ids of its attributes.
 struct PackedPrimitive {
   DracoMesh mesh;
-  const Json* ids = nullptr;  // by the name of an attribute
+  const Json* ids = nullptr;  // by an attribute's name
 };
 
 class MeshReader {
@@ -90,11 +90,11 @@ class MeshReader {
   const Json& node(std::size_t number) const { return file_.list("nodes")[number]; }
 
   GltfFile& file_;
-  std::vector<int> parents_;        // of the file's nodes
-  std::vector<int> index_in_take_;  // of the file's nodes; -1: it is not there
+  std::vector<int> parents_;        // for each of the file's nodes
+  std::vector<int> index_in_take_;  // for each of the file's nodes; -1: not in the take
   Warnings& warnings_;
-  std::optional<PackedPrimitive> packed_;  // the primitive that is being read
-  std::map<std::size_t, std::shared_ptr<const SkinPicture>> pictures_;  // those asked for
+  std::optional<PackedPrimitive> packed_;                               // the primitive being read
+  std::map<std::size_t, std::shared_ptr<const SkinPicture>> pictures_;  // pictures loaded so far
 };
 
 MeshReader::MeshReader(GltfFile& file, const GltfTake& take, Warnings& warnings)
@@ -125,7 +125,7 @@ std::vector<NodeMesh> MeshReader::read() {
   return meshes;
 }
 
-/// The node of the take that carries what a node draws.
+/// The nearest node of the take at or above a node, which carries what the node draws.
 std::vector<NodeMesh::Bone> MeshReader::bones_of(std::size_t number) {
   Affine3d carrier_from_mesh = Affine3d::Identity();
   int at = static_cast<int>(number);
@@ -155,7 +155,8 @@ std::vector<NodeMesh::Bone> MeshReader::bones_of_skin(std::size_t number) {
   return bones;
 }
 
-/// The bytes that also stand there unpacked, for readers that know no Draco, are read as such.
+/// Unpacks a Draco primitive. If the same data is also there unpacked, for readers without Draco,
+/// that is read instead.
 void MeshReader::unpack(const Json& primitive) {
   packed_.reset();
   const Json* const draco = file_.extension(primitive, "KHR_draco_mesh_compression");
@@ -176,7 +177,7 @@ void MeshReader::unpack(const Json& primitive) {
   file_.spend(numbers);
 }
 
-/// The numbers of an attribute, of one vertex after another; none where the mesh has no such.
+/// The numbers of an attribute, vertex after vertex; unset if the mesh lacks it.
 std::optional<std::vector<double>> MeshReader::attribute(const Json& attributes,
                                                          const std::string& name,
                                                          std::string_view type) {
@@ -228,7 +229,7 @@ void MeshReader::read_triangles(const Json& primitive, NodeMesh& mesh) {
                               static_cast<std::uint32_t>(corners[i + 2])});
 }
 
-/// Four joints and weights a vertex in each set of them.
+/// Reads joints and weights, four for each vertex in each set.
 void MeshReader::read_weights(const Json& attributes, NodeMesh& mesh) {
   mesh.weights.resize(mesh.positions.size());
   for (int set = 0;; ++set) {
@@ -295,7 +296,7 @@ std::shared_ptr<const SkinPicture> MeshReader::picture(std::size_t number) {
         uri.empty() ? file_.bytes_of_view(file_.required_index(image, "bufferView", "bufferViews"))
                     : file_.resource(uri),
         warnings_);
-  } catch (const Error& error) {  // no reason to refuse the mesh
+  } catch (const Error& error) {  // a bad picture is no reason to refuse the mesh
     warnings_.push_back(
         {file_.name(), 0, "the picture " + name + " is not shown: " + error.what()});
   }

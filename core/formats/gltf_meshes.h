@@ -8,8 +8,8 @@
 
 namespace mocapress {
 
-/// The triangles that the nodes of a file draw, bound to the nodes of its take. A warning names
-/// pictures that are not there. Throws InputError.
+/// The triangles that a file's nodes draw, bound to the nodes of its take. A warning names missing
+/// pictures. Throws InputError.
 std::vector<NodeMesh> gltf_meshes(GltfFile& file, const GltfTake& take, Warnings& warnings);
 
 }  // namespace mocapress

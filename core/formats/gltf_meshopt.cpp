@@ -8,9 +8,9 @@
 namespace mocapress {
 namespace {
 
-constexpr std::size_t kMostPerByte = 64;  // bytes that one packed byte can become, at most
+constexpr std::size_t kMostPerByte = 64;  // most bytes that one packed byte can become
 
-/// What the library takes for granted.
+/// Checks the library's preconditions.
 bool is_possible(const MeshoptPacking& packing, std::size_t packed_bytes) {
   const std::size_t stride = packing.stride;
   const bool is_attributes = packing.mode == "ATTRIBUTES";

@@ -9,16 +9,16 @@
 
 namespace mocapress {
 
-/// How a bufferView is packed: the members of the extension.
+/// The packing of a bufferView: the members of the extension.
 struct MeshoptPacking {
   std::size_t count = 0;
-  std::size_t stride = 0;  // bytes of an element
+  std::size_t stride = 0;  // bytes for each element
   std::string mode;        // ATTRIBUTES, TRIANGLES, INDICES
   std::string filter;      // empty, NONE, OCTAHEDRAL, QUATERNION, EXPONENTIAL
 };
 
-/// count * stride bytes. Throws Error, whose what() goes on from the name of the bufferView: "is
-/// ...".
+/// Unpacks count * stride bytes. Throws Error, whose what() continues a sentence that begins with
+/// the bufferView's name: "is ...".
 std::string meshopt_unpacked(const MeshoptPacking& packing, std::string_view bytes);
 
 }  // namespace mocapress

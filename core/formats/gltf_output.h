@@ -18,17 +18,17 @@ inline constexpr const char* kBufferType = "application/octet-stream";
 /// `bytes` as a URI: "data:image/png;base64,...".
 std::string data_uri(std::string_view type, std::string_view bytes);
 
-/// What is on its way into one buffer.
+/// Collects the contents of one buffer.
 class BufferWriter {
  public:
-  /// `bytes` are in the buffer already.
+  /// `bytes` are the buffer's present contents.
   BufferWriter(Json& json, std::size_t buffer, std::string bytes)
       : json_(json), buffer_(buffer), bytes_(std::move(bytes)) {}
 
-  /// The index of a new bufferView.
+  /// Adds a bufferView and returns its index.
   std::size_t add_view(std::string_view bytes);
 
-  /// The index of a new accessor: `components` x any number of floats.
+  /// Adds an accessor of floats, `components` for each element, and returns its index.
   std::size_t add(const char* type, std::size_t components, const std::vector<float>& values,
                   bool with_range = false);
 
@@ -42,8 +42,8 @@ class BufferWriter {
   std::string bytes_;
 };
 
-/// The bytes of a file. `data` is the buffer number `buffer`: a .gltf has it as a data URI, a .glb
-/// as its chunk, followed by `others`. Throws WriteError beyond the 4 GB that a .glb can be.
+/// The bytes of a file. `data` is the buffer number `buffer`: a .gltf stores it as a data URI, a
+/// .glb as its chunk, followed by `others`. Throws WriteError beyond the 4 GB limit of a .glb.
 std::string in_container(Json json, GltfContainer container, std::size_t buffer, std::string data,
                          const std::vector<GlbChunk>& others = {});
 

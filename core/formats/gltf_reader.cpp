@@ -24,30 +24,30 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
 constexpr std::size_t kMostGltfNodes = 100'000;
-constexpr double kFreePlacements = 1 << 21;  // of nodes, over all frames
-constexpr double kPlacementsOfByte = 32;     // and more of them in a larger file
-constexpr double kShortest = 1e-12;  // a quaternion, or an axis of a matrix, without direction
+constexpr double kFreePlacements = 1 << 21;  // limit for nodes times frames
+constexpr double kPlacementsOfByte = 32;     // added to the limit for each byte of a larger file
+constexpr double kShortest = 1e-12;          // a quaternion or axis below this has no direction
 
 using Path = GltfPath;
 using Target = GltfTarget;
 enum class Interpolation { Step, Linear, CubicSpline };
 
-/// How one property of one node moves: a channel with its sampler. Of weights one.
+/// A property of a node over time: a channel with its sampler. Morph weights take one curve each.
 struct KeyCurve {
   std::size_t node = 0;  // its index in the file
   Path path = Path::Translation;
-  std::size_t target = 0;  // of weights: which
-  std::string name;        // of it
+  std::size_t target = 0;  // for weights: the morph target
+  std::string name;        // the morph target's
   Interpolation interpolation = Interpolation::Linear;
-  std::size_t input = 0;       // the accessor of its times
-  std::vector<double> times;   // s, not falling
-  std::vector<double> values;  // for each key its value; cubic: in-tangent, value, out-tangent
+  std::size_t input = 0;       // accessor of the times
+  std::vector<double> times;   // s, ascending or equal
+  std::vector<double> values;  // each key's value; cubic: in-tangent, value, out-tangent
 };
 
-/// The values of a curve at times that do not fall.
+/// Reads values of a curve at ascending times.
 class KeyCurveReader {
  public:
-  /// A time within `snap` (s) of a key is that key's.
+  /// A time within `snap` (s) of a key counts as that key's.
   KeyCurveReader(const KeyCurve& curve, double snap)
       : curve_(curve), snap_(snap), width_(width_of(curve.path)) {}
 
@@ -79,7 +79,7 @@ class KeyCurveReader {
     return from.normalized().slerp(s, to.normalized()).coeffs();  // the shorter way
   }
 
-  /// Hermite's, with tangents for each second.
+  /// Hermite's spline, with tangents per second.
   Eigen::Vector4d spline(double s, double span) const {
     const double s2 = s * s;
     const double s3 = s2 * s;
@@ -101,10 +101,10 @@ class KeyCurveReader {
   const KeyCurve& curve_;
   double snap_;
   std::size_t width_;
-  std::size_t key_ = 0;  // the last one not after the time
+  std::size_t key_ = 0;  // last key not after the time
 };
 
-/// Shear, which no TRS holds, is left out.
+/// A matrix as translation, rotation and scale. Shear, which these cannot express, is left out.
 LocalTransform decomposed(const std::vector<double>& column_major) {
   const Eigen::Matrix4d matrix = Eigen::Map<const Eigen::Matrix4d>(column_major.data());
   LocalTransform local;
@@ -162,8 +162,8 @@ class TakeReader {
   GltfFile& file_;
   const ReadOptions& options_;
   GltfTake result_;
-  std::vector<int> parents_;        // of the file's nodes, by their index there
-  std::vector<std::size_t> order_;  // of them, parents first
+  std::vector<int> parents_;        // by a node's index in the file
+  std::vector<std::size_t> order_;  // the same nodes, parents first
   std::vector<KeyCurve> curves_;
   std::vector<KeyCurve> weights_;
 };
@@ -207,7 +207,7 @@ LocalTransform TakeReader::rest_of(const Json& node) const {
   return local;
 }
 
-/// Whether any of its channels is such a one.
+/// Whether an animation has a channel of morph weights, or one of any other kind.
 bool TakeReader::has_channel(const Json& animation, bool of_weights) const {
   const Json& channels = file_.list(animation, "channels");
   return std::any_of(channels.begin(), channels.end(), [&](const Json& channel) {
@@ -216,8 +216,8 @@ bool TakeReader::has_channel(const Json& animation, bool of_weights) const {
   });
 }
 
-/// The names of all animations, and which may move: of morph weights alone, a face perhaps, only
-/// where no nodes move.
+/// The names of all animations, and whether each counts as moving. Morph weights alone, as of a
+/// face, count only if no animation moves nodes.
 std::vector<TakeName> TakeReader::take_names() const {
   const Json& animations = file_.list("animations");
   std::vector<TakeName> takes;
@@ -232,8 +232,8 @@ std::vector<TakeName> TakeReader::take_names() const {
   return takes;
 }
 
-/// Unless one is asked for, the first animation that moves anything. One whose values never change
-/// is passed over; where all are such, the first is read.
+/// Reads the animation that was asked for, or the first that moves anything. One whose values never
+/// change is passed over; if all are such, the first is read.
 void TakeReader::read_animation() {
   const std::vector<TakeName> takes = take_names();
   Warnings warnings;
@@ -257,7 +257,7 @@ void TakeReader::read_animation() {
   result_.warnings = std::move(warnings);
 }
 
-/// Whether any curve has more than one value.
+/// Whether any curve changes its value.
 bool TakeReader::changes() const {
   const auto differs = [](const KeyCurve& curve) {
     const std::size_t width = KeyCurveReader::width_of(curve.path);
@@ -322,7 +322,7 @@ void TakeReader::read_curves(Warnings& warnings) {
     }
     try {
       read_weights(samplers[sampler], *target);
-    } catch (const InputError& error) {  // no reason to refuse the motion
+    } catch (const InputError& error) {  // bad weights are no reason to refuse the motion
       const std::string reason = std::string(error.what()).substr(file_.name().size() + 2);
       warnings.push_back({file_.name(), 0, "morph weights are not read: the file " + reason});
     }
@@ -335,7 +335,7 @@ void TakeReader::read_curves(Warnings& warnings) {
     file_.fail("moves neither nodes nor morph weights that can be read");
 }
 
-/// Of each morph target of the node's mesh, as the file names it.
+/// The names of the morph targets of a node's mesh.
 std::vector<std::string> TakeReader::target_names(std::size_t number) const {
   const auto mesh = file_.index(node(number), "mesh", "meshes");
   if (!mesh) file_.fail("has morph weights of a node without a mesh");
@@ -354,7 +354,7 @@ std::vector<std::string> TakeReader::target_names(std::size_t number) const {
   return names;
 }
 
-/// A curve for each target: values of one key stand side by side.
+/// Reads a curve for each target. Values of one key are stored side by side.
 void TakeReader::read_weights(const Json& sampler, const Target& target) {
   if (std::any_of(weights_.begin(), weights_.end(),
                   [&](const KeyCurve& one) { return one.node == target.node; }))
@@ -380,13 +380,13 @@ void TakeReader::read_weights(const Json& sampler, const Target& target) {
   }
 }
 
-/// All but leaves that draw or light.
+/// Adds all nodes except leaves that draw or light.
 void TakeReader::add_nodes() {
   const std::size_t count = parents_.size();
   std::vector<bool> is_joint(count);
   for (const Json& skin : file_.list("skins"))
     for (const std::size_t joint : file_.indices(skin, "joints", "nodes")) is_joint[joint] = true;
-  if (curves_.empty() && file_.list("skins").empty())  // or else nothing would be a joint
+  if (curves_.empty() && file_.list("skins").empty())  // or nothing would be a joint
     for (const KeyCurve& weight : weights_) is_joint[weight.node] = true;
   std::vector<bool> is_wanted = is_joint;
   for (const KeyCurve& curve : curves_) is_wanted[curve.node] = true;
@@ -435,7 +435,8 @@ void TakeReader::sample() {
   keys_s = merged_times({}, std::move(keys_s));
   const SampleTimes times = sample_times(file_.name(), keys_s, std::nullopt,
                                          options_.sample_rate_hz, moving.size() + weights_.size());
-  // Keys far apart ask for any number of frames: what they take grows with the file's own bytes.
+  // Keys far apart could ask for any number of frames, so the limit grows with the file's own
+  // bytes.
   const double placements =
       static_cast<double>(times.frames) * static_cast<double>(take.nodes.size());
   const auto bytes = static_cast<double>(file_.bytes_read());
@@ -482,7 +483,7 @@ MotionFile read_gltf(const std::string& name, std::string_view bytes, const Read
   GltfTake read = read_gltf_take(file, options);
   try {
     read.take.meshes = gltf_meshes(file, read, read.warnings);
-  } catch (const InputError& error) {  // no reason to refuse the motion
+  } catch (const InputError& error) {  // a bad mesh is no reason to refuse the motion
     const std::string reason = std::string(error.what()).substr(file.name().size() + 2);
     read.warnings.push_back({name, 0, "its character is not read: " + reason});
   }

@@ -14,22 +14,22 @@ namespace mocapress {
 
 inline constexpr double kGltfCmPerUnit = 100;
 
-/// Reads the bytes of a .gltf or .glb. `file` names it in messages, and its folder is where buffers
-/// may be. Throws InputError.
+/// Reads the bytes of a .gltf or .glb. `file` names it in messages; buffers may lie in its folder.
+/// Throws InputError.
 MotionFile read_gltf(const std::string& file, std::string_view bytes,
                      const ReadOptions& options = {});
 
-/// What the figure looks like at rest, whatever animations there are. Throws InputError.
+/// The mesh of a file with its skeleton at rest, whatever its animations. Throws InputError.
 Character read_gltf_character(const std::string& file, std::string_view bytes);
 
-/// One animation of a glTF, as read_gltf() reads it.
+/// One animation of a glTF, as read by read_gltf().
 struct GltfTake {
   NodeTake take;
   std::size_t animation = 0;  // its index in the file
   double first_s = 0;         // the time of its first frame
   Takes takes;
-  std::vector<std::size_t> number_of_node;  // of each of take.nodes: its index in the file
-  struct Weight {                           // of each of take.tracks
+  std::vector<std::size_t> number_of_node;  // index in the file for each of take.nodes
+  struct Weight {                           // one for each of take.tracks
     std::size_t node;                       // its index in the file
     std::size_t target;                     // its index in the mesh
   };

@@ -16,7 +16,7 @@ std::optional<GltfPath> path_named(std::string_view name) {
   return std::nullopt;
 }
 
-/// "/nodes/1/rotation".
+/// The target of a pointer such as "/nodes/1/rotation".
 std::optional<GltfTarget> pointed_at(const GltfFile& file, std::string_view pointer) {
   constexpr std::string_view kNodes = "/nodes/";
   if (!pointer.starts_with(kNodes)) return std::nullopt;

@@ -8,7 +8,7 @@
 
 namespace mocapress {
 
-/// A property of a node that an animation may move.
+/// A node's property that an animation can move.
 enum class GltfPath { Translation, Rotation, Scale, Weights };
 
 struct GltfTarget {
@@ -16,8 +16,8 @@ struct GltfTarget {
   GltfPath path;
 };
 
-/// The node that a channel of an animation moves, named by the channel itself or by
-/// KHR_animation_pointer ("/nodes/1/rotation"). None: the channel moves something else, as
+/// The node and property that a channel of an animation moves, named by the channel itself or by
+/// KHR_animation_pointer ("/nodes/1/rotation"). Unset: the channel moves something else, as
 /// extensions allow. Throws InputError.
 std::optional<GltfTarget> gltf_target(const GltfFile& file, const Json& channel);
 

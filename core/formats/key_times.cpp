@@ -11,15 +11,15 @@ namespace mocapress {
 namespace {
 
 constexpr double kUnstatedRate = 30;     // Hz
-constexpr double kSlowestRate = 10;      // Hz; keys farther apart were set by hand
+constexpr double kSlowestRate = 10;      // Hz; keys further apart were set by hand
 constexpr double kSameInstant = 1e-5;    // s
-constexpr double kOnFrame = 0.01;        // frames; keys are floats
-constexpr double kNearFrame = 0.15;      // frames; half a millisecond at up to 300 Hz
-constexpr double kSameRate = 0.005;      // of the rate
-constexpr double kDensestUnasked = 120;  // Hz; beyond, keys have to be dense, too
+constexpr double kOnFrame = 0.01;        // frames, as keys are floats
+constexpr double kNearFrame = 0.15;      // frames: half a millisecond at up to 300 Hz
+constexpr double kSameRate = 0.005;      // share of the rate
+constexpr double kDensestUnasked = 120;  // Hz; above, keys must be as dense
 constexpr double kMostFramesPerKey = 4;
 
-// Round ones first: in a short clip both fit.
+// Round rates come first, since a short clip may fit several.
 constexpr double kUsualRates[] = {24,
                                   25,
                                   30,
@@ -48,7 +48,7 @@ constexpr double kUsualRates[] = {24,
                                   60000.0 / 1001,
                                   120000.0 / 1001};
 
-/// How far a key is from its frame at most, in frames.
+/// The largest distance of a key from its frame, in frames.
 double farthest_key(double rate_hz, const std::vector<double>& keys_s) {
   double farthest = 0;
   for (const double key : keys_s) {
@@ -63,8 +63,8 @@ double mean_rate(const std::vector<double>& keys_s) {
   return static_cast<double>(keys_s.size() - 1) / (keys_s.back() - keys_s.front());
 }
 
-/// The rate of keys that are one frame apart; none where they are not. All rates whose frames the
-/// keys meet are as good, and the first of them is taken: the file's, a usual one, the mean.
+/// The rate of keys that are one frame apart; unset if they are not. The keys may fit several
+/// rates, which are tried in order: the file's, the usual ones, the mean.
 std::optional<double> rate_without_gaps(const std::vector<double>& keys_s, double stated_hz) {
   const double mean = mean_rate(keys_s);
   std::vector<double> rates = {stated_hz};
@@ -82,7 +82,7 @@ std::optional<double> rate_without_gaps(const std::vector<double>& keys_s, doubl
   return best;
 }
 
-/// The rate whose frames all keys meet, though there are frames without a key; none: there is none.
+/// The rate with a frame at every key, although some frames have no key; unset if there is none.
 std::optional<double> rate_with_gaps(const std::vector<double>& keys_s,
                                      std::optional<double> stated_hz) {
   if (stated_hz && farthest_key(*stated_hz, keys_s) <= kNearFrame) return stated_hz;
@@ -98,7 +98,7 @@ std::optional<double> rate_with_gaps(const std::vector<double>& keys_s,
   return first_below(kMostFramesPerKey * mean_rate(keys_s), kOnFrame);
 }
 
-/// None where no rate has the keys on its frames.
+/// The guessed rate; unset if no rate has a frame at every key.
 std::optional<double> guess_rate(const std::vector<double>& keys_s,
                                  std::optional<double> stated_hz) {
   if (keys_s.size() < 2) return std::nullopt;
@@ -106,7 +106,7 @@ std::optional<double> guess_rate(const std::vector<double>& keys_s,
   return whole ? whole : rate_with_gaps(keys_s, stated_hz);
 }
 
-/// What there is to say where keys are not frames and frames no keys.
+/// A warning for keys that are not on frames, or frames without keys.
 std::string unevenness(const SampleTimes& times, const std::vector<double>& keys_s) {
   std::vector<bool> is_key(static_cast<std::size_t>(times.frames), false);
   for (const double key : keys_s) {
@@ -139,7 +139,7 @@ SampleTimes sample_times(const std::string& file, const std::vector<double>& key
   times.first_s = keys_s.front();
   const std::optional<double> guessed = wanted_hz ? std::nullopt : guess_rate(keys_s, stated_hz);
   times.rate_hz = wanted_hz ? *wanted_hz : guessed.value_or(stated_hz.value_or(kUnstatedRate));
-  // Their slack, and what rounding adds to it.
+  // The keys' tolerance, plus rounding.
   const double near =
       guessed ? std::max(1.01 * farthest_key(times.rate_hz, keys_s), kOnFrame) : kOnFrame;
   times.near_s = near / times.rate_hz;

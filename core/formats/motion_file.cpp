@@ -40,13 +40,13 @@ bool has_extension(const path& file, std::string_view extension) {
   return equals_ignoring_case(file.extension().string(), extension);
 }
 
-/// By the extension: the models and animations of VRM are .glb files by another name.
+/// Told by the extension. Models and animations of VRM are .glb files by another name.
 bool is_gltf(const path& file) {
   return std::any_of(std::begin(kGltfExtensions), std::end(kGltfExtensions),
                      [&](const char* extension) { return has_extension(file, extension); });
 }
 
-/// As which a glTF is written; unset: by its extension it is none.
+/// The container for writing a glTF; unset if the extension is not one of glTF.
 std::optional<GltfContainer> gltf_container(const path& file) {
   if (has_extension(file, ".glb")) return GltfContainer::Glb;
   if (has_extension(file, ".gltf")) return GltfContainer::Gltf;
@@ -67,14 +67,14 @@ struct SkeletonText {
   std::string text;
 };
 
-/// As of a clip of differences to another, which has rotations alone.
+/// True for clips of differences to another clip, which often have rotations only.
 bool is_without_lengths(const Skeleton& skeleton) {
   const std::vector<double> lengths = skeleton.driven_lengths();
   return skeleton.joint_count() > 1 &&
          std::all_of(lengths.begin(), lengths.end(), [](double length) { return length == 0; });
 }
 
-/// No NaN or infinity gets into a file.
+/// Keeps NaN and infinity out of files.
 void require_finite(const path& file, const Motion& motion, const ScalarTracks& tracks) {
   const auto is_finite = [](const ScalarTrack& track) {
     return std::all_of(track.values.begin(), track.values.end(),
@@ -98,7 +98,7 @@ MotionFile parse_by_extension(const path& file, std::string_view text, const Ske
   return read_amc(file.string(), text, skeleton, options);
 }
 
-/// Turns whatever the libraries under the readers throw into a sentence that names the file.
+/// Turns any exception of the libraries under the readers into a sentence with the file's name.
 template <typename Read>
 auto with_library_errors(const path& file, const Read& read) {
   try {

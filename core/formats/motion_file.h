@@ -18,78 +18,78 @@
 
 namespace mocapress {
 
-/// What a file does not say, or says wrongly. Unset values are as it says or else guessed, and the
-/// guess is a warning.
+/// Properties that a file does not state, or states wrongly. Unset ones are taken from the file or
+/// guessed, and a guess is a warning.
 struct ReadOptions {
-  // An AMC may state none: kUsualAmcRate unless given. Keys of FBX and glTF are sampled at this
-  // rate; unset: at the one they were made at.
+  // An AMC may state no rate: kUsualAmcRate unless given. Keys of FBX and glTF are sampled at this
+  // rate; unset: at the rate they were made at.
   std::optional<double> sample_rate_hz;
-  std::optional<double> cm_per_unit;  // BVH states none: guessed from the height of the skeleton
-  std::optional<UpAxis> up;           // neither BVH nor AMC states it: Y unless given
+  std::optional<double> cm_per_unit;  // BVH states none: guessed from the skeleton's height
+  std::optional<UpAxis> up;           // BVH and AMC state none: Y unless given
   std::optional<TranslationConvention> bvh_root;  // BVH states none: guessed from its values
-  std::optional<std::string> take;  // of a file with several: its name, or its number from 1 on
+  std::optional<std::string> take;  // in a file with several: the name, or the number from 1 on
   // A .fbx, .gltf or .glb that read_motion() puts on: put_character().
   std::optional<std::string> character;
-  // A table of curves that read_motion() adds to the clip's: read_csv_tracks(). Unset: what
+  // A table of curves that read_motion() adds to the clip's: read_csv_tracks(). Unset: the one that
   // find_tracks() finds.
   std::optional<std::string> tracks;
 
   bool operator==(const ReadOptions&) const = default;
 };
 
-/// What a file to be written is to have, where it shall not be as its source was. The rate is only
-/// stated: no frame is added or left out.
+/// Properties for a file to be written that differ from its source's. The rate is only stated: no
+/// frame is added or left out.
 using WriteOptions = ReadOptions;
 
-/// The animations of a file, by what ReadOptions::take has to be for each.
+/// The animations of a file, by the ReadOptions::take that selects each.
 struct Takes {
   std::vector<std::string> keys;  // empty: files of its format hold one motion
-  std::size_t read = 0;           // which of them
+  std::size_t read = 0;           // index of the one that was read
 };
 
-/// A motion as read, with what had to be repaired or guessed.
+/// A motion as read, with warnings about repairs and guesses.
 struct MotionFile {
   Motion motion;  // cm, Y up, radians (unwrapped), seconds
   Warnings warnings;
   SourceFormat source;
-  bool states_rate = true;  // false: the clip has the usual one of its format, or the one given
-  std::shared_ptr<const Skin> skin;  // of motion.skeleton; null: the file has none
+  bool states_rate = true;           // false: the format's usual rate, or the given one
+  std::shared_ptr<const Skin> skin;  // bound to motion.skeleton; null: the file has none
   Takes takes;
-  ScalarTracks tracks;  // of as many frames as the clip
+  ScalarTracks tracks;  // as many frames as the clip
 };
 
-/// The .asf beside an .amc, of the same name or of the part before '_' (09_01.amc: 09_01.asf,
-/// 09.asf), whatever the case of the extension. Throws InputError when there is none.
+/// The .asf beside an .amc, with the same name or the part before '_' (09_01.amc: 09_01.asf,
+/// 09.asf), with the extension in any case. Throws InputError if there is none.
 std::filesystem::path find_skeleton(const std::filesystem::path& amc);
 
-/// The table of curves beside a clip (walk.fbx: walk.tracks.csv), where there is one.
+/// The table of curves beside a clip (walk.fbx: walk.tracks.csv), if there is one.
 std::optional<std::filesystem::path> find_tracks(const std::filesystem::path& motion);
 
 /// Reads the bytes of a .bvh, .fbx, .gltf, .glb or, with the text of its .asf, an .amc. `file`
-/// names it in messages, and its extension says which of them it is. Throws InputError.
+/// names it in messages, and its extension tells the format. Throws InputError.
 MotionFile parse_motion(const std::filesystem::path& file, std::string_view text,
                         std::string_view skeleton_text = {}, const ReadOptions& options = {});
 
 /// Reads .bvh, .fbx, .gltf, .glb or .amc by its extension. An .amc needs its skeleton:
-/// `skeleton_path`, or else what find_skeleton() finds. Throws InputError.
+/// `skeleton_path`, or else the one that find_skeleton() finds. Throws InputError.
 MotionFile read_motion(const std::filesystem::path& path,
                        const std::optional<std::filesystem::path>& skeleton_path = {},
                        const ReadOptions& options = {});
 
-/// The same of bytes that came another way, as from a pipe. `file` names them in messages and has
-/// the extension; no curves are looked for beside it.
+/// The same for bytes that came another way, as from a pipe. `file` names them in messages and has
+/// the extension. No curves are searched beside it.
 MotionFile read_motion_bytes(const std::filesystem::path& file, std::string_view bytes,
                              const std::optional<std::filesystem::path>& skeleton_path = {},
                              const ReadOptions& options = {});
 
-/// All files that read_motion() reads for these arguments. Throws InputError where find_skeleton()
+/// All files that read_motion() reads for these arguments. Throws InputError as find_skeleton()
 /// does.
 std::vector<std::filesystem::path> files_of_motion(
     const std::filesystem::path& path,
     const std::optional<std::filesystem::path>& skeleton_path = {},
     const ReadOptions& options = {});
 
-/// What the figure of a .fbx, .gltf or .glb looks like. It needs no animation. Throws InputError.
+/// The mesh and skeleton of a .fbx, .gltf or .glb, which needs no animation. Throws InputError.
 Character read_character(const std::filesystem::path& path);
 
 /// Puts a character on the clip in place of its own, if it has one: what it looks like, and what

@@ -23,10 +23,10 @@ using Eigen::Matrix3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-// Files hold floats: what differs by less than this is rounding.
-constexpr double kSameShare = 1e-5;  // of translations and scales; radians
+// Smaller differences are rounding, since files hold floats.
+constexpr double kSameShare = 1e-5;  // share of translations and scales; radians
 constexpr double kSamePlace = 1e-3;  // cm
-constexpr double kFarthest = 1e9;    // cm, or units
+constexpr double kFarthest = 1e9;    // cm, or multiples of a scale
 constexpr double kUnevenScale = 1e-4;
 
 bool same_place(const Vector3d& a, const Vector3d& b) {
@@ -46,15 +46,15 @@ bool is_possible(const LocalTransform& local) {
   return fits(local.translation) && fits(local.scale) && std::isfinite(length) && length > 1e-6;
 }
 
-/// What becomes of a node.
+/// The use of a node.
 enum class Role {
-  None,    // it is left out
-  Part,    // it only moves the joints below it
+  None,    // left out
+  Part,    // only moves the joints below it
   Joint,   //
-  BoneEnd  // it is where its parent's bone ends
+  BoneEnd  // the end of its parent's bone
 };
 
-/// The nodes of a take, sorted by what becomes of them.
+/// The nodes of a take, sorted by their use.
 class NodeTree {
  public:
   NodeTree(const std::string& file, const std::vector<AnimatedNode>& nodes);
@@ -101,10 +101,11 @@ void NodeTree::find_movement() {
     }));
 }
 
-/// Joints and what lies between or above them.
+/// Finds joints: nodes that begin a skeleton, and those between or above them.
 void NodeTree::find_joints() {
   const std::size_t count = nodes_.size();
-  std::vector<bool> above(count);  // a joint, or what moves in a file that marks none
+  // Below a joint or, in a file that marks none, below a moving node.
+  std::vector<bool> above(count);
   std::vector<bool> below(count);
   const auto begins = [&](std::size_t i) { return are_marked_ ? nodes_[i].joint : moves_[i]; };
   for (std::size_t i = 0; i < count; ++i)
@@ -129,8 +130,8 @@ int NodeTree::joint_children(std::size_t node) const {
                     [&](std::size_t child) { return roles_[child] == Role::Joint; }));
 }
 
-/// Armatures and scene roots that stand still, from the top; without marks, only as long as that
-/// splits no skeleton.
+/// Folds still armatures and scene roots into the world, from the top; without marks, only as long
+/// as that splits no skeleton.
 void NodeTree::fold_from_top() {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     if (roles_[i] != Role::Joint) continue;
@@ -179,14 +180,14 @@ Eigen::Affine3d world_from(const NodePlacement& placement) {
   return world_from_node;
 }
 
-/// How a joint moves against the joint above it.
+/// The movement of a joint relative to the joint above it.
 struct Track {
   std::vector<Vector3d> translation;  // cm
   std::vector<Quaterniond> rotation;
 };
 
-/// The order in which the middle angle stays farthest from a right one: its sine is one element of
-/// the matrix.
+/// The order whose middle angle stays farthest from a right angle. The sine of that angle is one
+/// element of the matrix.
 RotationOrder calmest_order(const Track& track) {
   Matrix3d largest = Matrix3d::Zero();
   for (const Quaterniond& rotation : track.rotation)
@@ -202,7 +203,7 @@ RotationOrder calmest_order(const Track& track) {
   return calmest;
 }
 
-/// Makes the motion of a take, joint by joint.
+/// Builds the motion of a take, joint by joint.
 class MotionBuilder {
  public:
   MotionBuilder(const std::string& file, const NodeTake& take, const ReadOptions& options,
@@ -244,7 +245,7 @@ class MotionBuilder {
   std::vector<Joint> joints_;
   std::vector<std::size_t> node_of_joint_;
   std::vector<int> joint_of_node_;  // -1: none
-  std::vector<Track> tracks_;       // of joints
+  std::vector<Track> tracks_;       // one for each joint
   ScalarTracks tracks_of_clip_;
   std::vector<NodePlacement> first_placements_;
   std::shared_ptr<const Skin> skin_;
@@ -260,7 +261,7 @@ void MotionBuilder::build_skeleton() {
   for (std::size_t j = 0; j < joints_.size(); ++j) add_joint(j);
 }
 
-/// A clip of tracks alone has joints that do not move. The first of them is turned by nothing.
+/// Gives a clip that has tracks but no moving joint three constant channels, on its first joint.
 void MotionBuilder::hold_still() {
   if (take_.tracks.empty()) throw InputError(file_, 0, 0, "no joint moves or is turned");
   for (int axis = 0; axis < 3; ++axis) {
@@ -339,7 +340,7 @@ void MotionBuilder::place_nodes() {
   }
 }
 
-/// From where its parent is placed.
+/// The placement of a node below its parent's.
 NodePlacement MotionBuilder::placed(std::size_t node, const LocalTransform& local,
                                     const std::vector<NodePlacement>& placements) const {
   const int parent = take_.nodes[node].parent;
@@ -380,7 +381,7 @@ void MotionBuilder::name_joints() {
   std::unordered_set<std::string> taken;
   for (const Joint& joint : joints_) taken.insert(joint.name);
   std::unordered_set<std::string> seen;
-  std::unordered_map<std::string, int> last_number;  // of each name that was given again
+  std::unordered_map<std::string, int> last_number;  // last number given to each repeated name
   int renamed = 0;
   for (Joint& joint : joints_) {
     if (joint.name.size() > runtime::kMostNameBytes)
@@ -453,7 +454,7 @@ void MotionBuilder::add_skin() {
                   world_from(file_placement(source_.cm_per_unit, source_.up)), warnings_);
 }
 
-/// Those of joints that change.
+/// Adds tracks for the scales of joints that change.
 void MotionBuilder::add_scales() {
   tracks_of_clip_ = take_.tracks;
   for (std::size_t j = 0; j < joints_.size(); ++j) {
@@ -519,7 +520,7 @@ NodePlacement below(const NodePlacement& parent, const LocalTransform& local) {
 }
 
 void check_take_size(const std::string& file, std::size_t moving_nodes, double frames) {
-  constexpr double kMostChannels = 6;  // of a node
+  constexpr double kMostChannels = 6;  // channels of a node, at most
   constexpr std::uint64_t kBytesOfMovingNode =
       sizeof(LocalTransform) + sizeof(Vector3d) + sizeof(Quaterniond) + 2 * 6 * sizeof(double);
   if (!(frames >= 1 && frames <= runtime::kMostFrames))
@@ -528,7 +529,7 @@ void check_take_size(const std::string& file, std::size_t moving_nodes, double f
   if (frames * static_cast<double>(moving_nodes) * kMostChannels > runtime::kMostValues)
     throw InputError(file, 0, 0,
                      "needs more than " + std::to_string(runtime::kMostValues) + " samples");
-  // Its transform, its track and its channels.
+  // Memory for a moving node's transform, track and channels.
   require_memory(file, static_cast<std::uint64_t>(frames) * moving_nodes * kBytesOfMovingNode);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The step that FBX and glTF share: from a tree of nodes that move, turn and scale to a skeleton of
-// joints that turn, and of which few move.
+// joints, most of which only turn.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,83 +15,84 @@
 
 namespace mocapress {
 
-/// What a node takes over of its parent's scale. Its translation is scaled in any case.
+/// The inheritance of a parent's scale. It always scales the node's translation.
 enum class ScaleOfParent : std::uint8_t {
   Whole,   // as glTF, and FBX where it says RSrs: a turned node is sheared
   ByAxis,  // RrSs: scales are multiplied axis by axis, below all turns
   None     // Rrs: Maya's segment scale compensation
 };
 
-/// x_in_parent = translation + rotation * scale * x_in_node, in the file's unit, where the parent's
+/// x_in_parent = translation + rotation * scale * x_in_node, in the file's unit, if the parent's
 /// scale applies as a whole.
 struct LocalTransform {
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();
-  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  // of any length but 0
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  // any length except 0
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();
   ScaleOfParent inherit = ScaleOfParent::Whole;
 };
 
 struct AnimatedNode {
   std::string name;
-  int parent = -1;     // comes before its children; -1: hangs from nothing
-  bool joint = false;  // the file says that it is a bone of a skin; else it may be anything
+  int parent = -1;     // comes before its children; -1: none
+  bool joint = false;  // true: a bone of a skin, says the file; false: unknown
   LocalTransform rest;
-  std::vector<LocalTransform> frames;  // one a frame; empty: it stays at rest
+  std::vector<LocalTransform> frames;  // one for each frame; empty: it stays at rest
 };
 
 /// One animation of a file.
 struct NodeTake {
   std::string name;
-  std::vector<AnimatedNode> nodes;  // parents first; leaves that draw or light need not be in it
+  std::vector<AnimatedNode> nodes;  // parents first; leaves that draw or light may be left out
   int frames = 1;
   double sample_rate_hz = 30;
   double cm_per_unit = 1;
   UpAxis up = UpAxis::Y;
   std::vector<NodeMesh> meshes;
-  ScalarTracks tracks;  // of as many frames, but for scales, which the nodes have
+  ScalarTracks tracks;  // one value a frame; without scales, which the nodes have
 };
 
-/// Where a node is in the world, in cm with Y up. `rotation` leaves out what its scale and those
-/// above it do.
+/// The placement of a node in the world, in cm with Y up. `rotation` excludes the effect of scales,
+/// its own and those above.
 struct NodePlacement {
-  Eigen::Matrix3d world_from_node;  // with scale
+  Eigen::Matrix3d world_from_node;  // including scale
   Eigen::Vector3d origin;
   Eigen::Quaterniond rotation;
-  // For children that do not take over the whole scale: world_from_node = without_scale * scale.
+  // For children that do not inherit the whole scale: world_from_node = without_scale * scale.
   Eigen::Matrix3d without_scale;
   Eigen::Vector3d scale;
 };
 
-/// Where the file's own axes are: what hangs from nothing is below this.
+/// The placement of the file's own axes, to which nodes without a parent belong.
 NodePlacement file_placement(double cm_per_unit, UpAxis up);
 
 NodePlacement below(const NodePlacement& parent, const LocalTransform& local);
 
-/// Throws InputError where a clip may not hold so many frames of so many moving nodes. To be asked
-/// before NodeTake is filled, as `frames` comes from a file.
+/// Throws InputError if a clip may not hold so many frames of so many moving nodes. Call it before
+/// filling a NodeTake, since `frames` comes from a file.
 void check_take_size(const std::string& file, std::size_t moving_nodes, double frames);
 
-/// The motion of a take. `options` may say another unit or axis than the take does.
+/// The motion of a take. `options` may override its unit or axis.
 ///
-/// Joints are the nodes marked as such, what moves above or below these, and what lies between. In
-/// a file that marks none they are what moves, what hangs from that, and what joins it. Nodes above
-/// that stand still become part of the root; where joints are marked, a still leaf below one, alone
-/// there, is the end of its bone.
+/// Joints are the nodes marked as such, nodes that move above or below these, and nodes between. In
+/// a file that marks none, joints are the nodes that move, everything below these, and the nodes
+/// that join them. Still nodes above become part of the root. Where joints are marked, a still leaf
+/// that is the only child of one is the end of its bone.
 ///
-/// A joint has no scale: the places of joints are kept exactly, by offsets and, where they change
-/// against the parent, by translation channels. The skin has the scales of the first frame; where
-/// these change, they are tracks, and a warning says so. Throws InputError.
+/// A joint has no scale: joints keep their exact places by offsets and, if these change relative to
+/// the parent, by translation channels. The skin has the scales of the first frame. Scales that
+/// change become tracks, and a warning says so. Throws InputError.
 MotionFile motion_of(const std::string& file, const NodeTake& take, const ReadOptions& options,
                      SourceFormat::Kind kind);
 
-/// What a take looks like, whether it moves or not. Throws InputError where no mesh hangs on
+/// The mesh of a take with its skeleton, moving or not. Throws InputError if no mesh is bound to
 /// joints.
 Character character_of(const std::string& file, const NodeTake& take);
 
-/// For each joint of that motion, the node of the take that it is.
+/// The take's node behind each joint of that motion.
 std::vector<std::size_t> nodes_of_joints(const std::string& file, const NodeTake& take);
 
-/// "mixamorig:Hips" is Hips where all names are of mixamorig: as motion_of() names its joints.
+/// Drops a namespace that all names share: "mixamorig:Hips" becomes Hips, as motion_of() names its
+/// joints.
 std::vector<std::string> without_namespace(std::vector<std::string> names);
 
 }  // namespace mocapress

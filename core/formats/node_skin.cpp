@@ -16,8 +16,8 @@ namespace {
 using Eigen::Affine3d;
 using Eigen::Vector3d;
 
-constexpr double kSameBind = 1e-4;       // of matrices
-constexpr double kFlat = 1e-12;          // a determinant that leaves no inverse
+constexpr double kSameBind = 1e-4;       // largest difference of matrix elements
+constexpr double kFlat = 1e-12;          // determinant too small for an inverse
 constexpr double kFarthestVertex = 1e9;  // cm
 constexpr std::size_t kMostPictureBytes = std::size_t{64} << 20;
 
@@ -29,7 +29,7 @@ bool has_inverse(const Affine3d& transform) {
   return transform.matrix().allFinite() && std::abs(transform.linear().determinant()) > kFlat;
 }
 
-/// Of any length, as large triangles weigh more.
+/// Normals with lengths that grow with the triangles, so that large ones weigh more.
 std::vector<Vector3d> normals_of(const NodeMesh& mesh) {
   std::vector<Vector3d> normals(mesh.positions.size(), Vector3d::Zero());
   for (const auto& [a, b, c] : mesh.triangles) {
@@ -40,7 +40,7 @@ std::vector<Vector3d> normals_of(const NodeMesh& mesh) {
   return normals;
 }
 
-/// Which bones carry some vertex.
+/// Marks the bones that carry a vertex.
 std::vector<bool> used_bones(const NodeMesh& mesh) {
   std::vector<bool> used(mesh.bones.size(), mesh.weights.empty());
   for (const NodeMesh::Weights& weights : mesh.weights)
@@ -54,7 +54,7 @@ class SkinBuilder {
   SkinBuilder(const std::vector<NodeJoint>& nodes, const Affine3d& world_from_file)
       : nodes_(nodes), world_from_file_(world_from_file) {}
 
-  /// False: more bones than a skin may have.
+  /// False: a skin may not have so many bones.
   bool add(const NodeMesh& mesh);
   Skin take() { return std::move(skin_); }
 
@@ -68,12 +68,12 @@ class SkinBuilder {
 
   const std::vector<NodeJoint>& nodes_;
   const Affine3d& world_from_file_;
-  std::unordered_map<int, Affine3d> bind_world_from_node_;  // cm; of the bones so far
+  std::unordered_map<int, Affine3d> bind_world_from_node_;  // cm; for the bones so far
   Skin skin_;
 };
 
-/// Where the mesh is in the world of the bind pose, from its own frame. Where the file does not
-/// say, meshes that share a bone are put into one pose, and the first one tells it.
+/// The transform from the mesh's own frame to the world of the bind pose. If the file does not
+/// state it, meshes that share a bone are put into one pose, which the first of them sets.
 Affine3d SkinBuilder::place_bound(const NodeMesh& mesh) {
   std::optional<Affine3d> placed;
   if (mesh.file_from_mesh && has_inverse(*mesh.file_from_mesh))
@@ -114,7 +114,7 @@ bool SkinBuilder::add(const NodeMesh& mesh) {
   const Affine3d bind_from_mesh = place_bound(mesh);
   const Affine3d mesh_from_bind = bind_from_mesh.inverse();
   const std::vector<bool> used = used_bones(mesh);
-  std::vector<std::optional<std::uint8_t>> bones;  // none: it carries nothing, or is no joint's
+  std::vector<std::optional<std::uint8_t>> bones;  // unset: carries nothing, or belongs to no joint
   for (const NodeMesh::Bone& bone : mesh.bones) {
     bones.emplace_back();
     const NodeJoint& node = joint_of(bone);
@@ -169,7 +169,7 @@ bool is_possible(const Skin& skin) {
 Eigen::Vector3f material_colour(const Eigen::Vector3f& linear, bool has_picture) {
   constexpr float kWhite = 0.99F;
   if (!linear.allFinite() || (!has_picture && linear.minCoeff() >= kWhite)) return kPlainSkin;
-  // IEC 61966-2-1.
+  // The sRGB curve of IEC 61966-2-1.
   return linear.unaryExpr([](float value) {
     const float in_range = std::clamp(value, 0.0F, 1.0F);
     return in_range <= 0.0031308F ? 12.92F * in_range

@@ -18,45 +18,46 @@
 
 namespace mocapress {
 
-/// A mesh of a file, in its own frame and the file's unit.
+/// A mesh as in its file, in its own frame and the file's unit.
 struct NodeMesh {
   struct Bone {
-    int node;                        // of NodeTake
-    Eigen::Affine3d node_from_mesh;  // when it was bound
+    int node;                        // index into the NodeTake's nodes
+    Eigen::Affine3d node_from_mesh;  // at the bind pose
   };
-  using Weights = std::vector<std::pair<std::size_t, double>>;  // which of the bones, how much
+  // Indices of bones and their weights.
+  using Weights = std::vector<std::pair<std::size_t, double>>;
 
   std::vector<Eigen::Vector3d> positions;
-  std::vector<Eigen::Vector3d> normals;                 // empty: as the triangles lie
-  std::vector<std::array<std::uint32_t, 3>> triangles;  // all of vertices there are
-  std::vector<Bone> bones;                              // one alone: it hangs there as it is
-  std::vector<Weights> weights;                         // of each vertex; empty: all on bone 0
-  // Where the mesh was when it was bound, in the file's axes and unit. Unset: where the first of
-  // its bones rests.
+  std::vector<Eigen::Vector3d> normals;                 // empty: computed from the triangles
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // indices of existing vertices
+  std::vector<Bone> bones;                              // a single one carries the mesh as it is
+  std::vector<Weights> weights;                         // for each vertex; empty: all on bone 0
+  // The mesh's place in the bind pose, in the file's axes and unit. Unset: the rest pose of its
+  // first bone tells.
   std::optional<Eigen::Affine3d> file_from_mesh;
-  Eigen::Vector3f colour = kPlainSkin;  // as screens have it
+  Eigen::Vector3f colour = kPlainSkin;  // sRGB
   std::shared_ptr<const SkinPicture> picture;
-  std::vector<Eigen::Vector2d> in_picture;  // as Skin::Vertex has it; empty: no picture is laid on
+  std::vector<Eigen::Vector2d> in_picture;  // see Skin::Vertex; empty: no picture
 };
 
-/// The colour of a material as screens have it (sRGB), from linear red, green and blue. Pure white
-/// is what files say where a picture has the colours: that becomes kPlainSkin where it has none.
+/// The colour of a material in sRGB, from linear red, green and blue. Files use pure white where a
+/// picture has the colours; without a picture that becomes kPlainSkin.
 Eigen::Vector3f material_colour(const Eigen::Vector3f& linear, bool has_picture);
 
-/// Null, with a warning of `file`, unless the bytes may be those of a PNG or JPEG.
+/// The picture. Null, with a warning for `file`, if the bytes cannot be a PNG or JPEG.
 std::shared_ptr<const SkinPicture> picture_of(const std::string& file, const std::string& name,
                                               std::string bytes, Warnings& warnings);
 
-/// Which joint carries a node.
+/// The joint that carries a node.
 struct NodeJoint {
-  int joint = -1;  // -1: none does
-  // Scales are in here, which joints lack; from the file's unit to cm.
+  int joint = -1;  // -1: none
+  // Includes scales, which joints lack, and the change from the file's unit to cm.
   Eigen::Affine3d joint_from_node = Eigen::Affine3d::Identity();
   Eigen::Affine3d rest_world_from_node = Eigen::Affine3d::Identity();  // likewise; y up
 };
 
-/// The meshes as one, in cm and y up. Those that no joint carries are left out. Null where none is
-/// left, or where a warning says why not.
+/// Joins the meshes into one skin, in cm and y up. Meshes that no joint carries are left out. Null
+/// if none is left, or if a warning says why not.
 std::shared_ptr<const Skin> skin_of(const std::string& file, const std::vector<NodeMesh>& meshes,
                                     const std::vector<NodeJoint>& nodes,
                                     const Eigen::Affine3d& world_from_file, Warnings& warnings);

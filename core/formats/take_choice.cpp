@@ -10,7 +10,7 @@
 namespace mocapress {
 namespace {
 
-/// The first few, as many as a short sentence holds.
+/// A list of the first few takes, short enough for a sentence.
 std::string listed(const std::vector<TakeName>& takes, std::optional<std::size_t> without) {
   constexpr std::size_t kMost = 8;
   constexpr std::size_t kEnough = 80;  // bytes

@@ -6,7 +6,7 @@
 namespace mocapress {
 namespace {
 
-/// Translations first, then rz ry rx where the joint turns at all.
+/// The joint with translations first, then rz ry rx if it turns at all.
 Joint turned_about_parent_axes(Joint joint) {
   joint.joint_from_axes.setIdentity();
   const auto removed = std::erase_if(joint.channels, is_rotation);

@@ -8,10 +8,11 @@
 
 namespace mocapress {
 
-/// Angles (x, y, z) in radians with rotation = Rz * Ry * Rx: of the many, those nearest `previous`.
+/// Angles (x, y, z) in radians with rotation = Rz * Ry * Rx. Of all solutions, those nearest to
+/// `previous`.
 Eigen::Vector3d zyx_angles(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& previous);
 
-/// The same motion where each joint that `wanted` names turns about its parent's axes: its
+/// The same motion, in which each joint that `wanted` selects turns about its parent's axes: its
 /// joint_from_axes is identity and its rotation channels are rz ry rx, continuous over time.
 Motion with_zyx_angles(const Motion& motion, const std::function<bool(const Joint&)>& wanted);
 

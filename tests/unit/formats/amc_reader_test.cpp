@@ -56,8 +56,8 @@ TEST(Amc, ReadsASmallFileWithItsBonesInAnyOrder) {
   EXPECT_TRUE(motion.clip.channels.row(2).isApprox(last, kRounding));
 }
 
-// By hand, with quarter turns. C = Rz(90) takes the shin's x to y: its "rx" turns about the world's
-// y.
+// Computed by hand, with quarter turns. C = Rz(90) takes the shin's x to y: its "rx" turns about
+// the world's y.
 TEST(Amc, PosesBonesByTheirAxes) {
   const std::string asf =
       replaced(replaced(kSmallAsf, "axis 0 0 20", "axis 0 0 90"), "length 0.45", "length 2.54");

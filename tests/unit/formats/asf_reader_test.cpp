@@ -137,7 +137,7 @@ TEST(Asf, RefusesACycleOffTheRoot) {
             std::string::npos);
 }
 
-/// The root and so many bones, each below the one before.
+/// A chain of the root and so many bones, each below the one before.
 std::string chain(int bones, std::size_t name_size = 0) {
   std::string data = ":units\n  length 1\n:root\n  order RX\n:bonedata\n";
   std::string hierarchy = ":hierarchy\n  begin\n";

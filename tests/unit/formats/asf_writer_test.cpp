@@ -86,7 +86,7 @@ TEST(AcclaimWriter, RefusesSeveralRoots) {
 }
 
 TEST(AcclaimWriter, RefusesWhatNoReaderHereWouldTake) {
-  // Each joint needs a bone that carries it to its place.
+  // Each joint needs a bone that leads to its place.
   Skeleton star;
   star.add({.name = "root"});
   while (star.joint_count() < 3000)

@@ -51,7 +51,7 @@ TEST(TranslationConvention, OfARootFollowsJointsThatSayItClearly) {
 }
 
 TEST(TranslationConvention, ARootThatBeginsAtItsOffsetReplacesIt) {
-  // Walks back along its OFFSET, far enough to make the mean say "adds".
+  // The root walks back along its OFFSET, far enough for the mean to say "adds".
   const Motion walk = root_at({100, 90, 40}, {{100, 90, 40}, {-100, 91, -40}, {-300, 89, -90}});
   EXPECT_EQ(guess_translation(walk).roots->convention, Replaces);
   EXPECT_TRUE(guess_translation(walk).roots->clear);
@@ -109,7 +109,7 @@ TEST(CmPerUnit, FindsTheUnitOfAPerson) {
   EXPECT_EQ(guess_cm_per_unit(16.6), 10);
 }
 
-/// The nearest unit made one of two bodies 3 % apart 117 cm tall and the other 252.
+/// The nearest unit once took two bodies 3 % apart for 117 cm and 252 cm.
 TEST(CmPerUnit, NeverJumpsBetweenNeighbours) {
   for (double height = 0.01; height < 1e5; height *= 1.01) {
     const double here = guess_cm_per_unit(height);

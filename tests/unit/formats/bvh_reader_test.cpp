@@ -31,13 +31,13 @@ std::string error_of(const std::string& text) {
   return "reads";
 }
 
-/// The one warning of a file that has one.
+/// The warning of a file that has exactly one.
 std::string warning_of(const std::string& text) {
   const Warnings warnings = read(text).warnings;
   return warnings.size() == 1 ? warnings.front().text() : std::to_string(warnings.size());
 }
 
-/// One joint, all of whose channels stand at 90 degrees, with the end site (1, 2, 3).
+/// A joint whose channels all are 90 degrees, with the end site (1, 2, 3).
 std::string quarter_turns(const std::string& channels) {
   return "HIERARCHY ROOT r { OFFSET 0 0 0 CHANNELS 3 " + channels +
          " End Site { OFFSET 1 2 3 } } MOTION Frames: 1 Frame Time: 0.01\n90 90 90\n";
@@ -59,8 +59,8 @@ TEST(Bvh, ReadsASmallFileAsItStands) {
   EXPECT_NEAR(motion.clip.channels(1, 8), 6 * kDegree, kRounding);
 }
 
-// Rx(90): (x, y, z) -> (x, -z, y). Ry(90): -> (z, y, -x). Rz(90): -> (-y, x, z). By hand, the last
-// channel applied first.
+// Computed by hand, the last channel applied first. Rx(90): (x, y, z) -> (x, -z, y). Ry(90): -> (z,
+// y, -x). Rz(90): -> (-y, x, z).
 TEST(Bvh, MultipliesRotationsInFileOrderForAllSixOrders) {
   struct Case {
     const char* channels;
@@ -184,7 +184,7 @@ TEST(Bvh, SkipsComments) {
   EXPECT_TRUE(file.warnings.empty());
   EXPECT_EQ(file.motion.skeleton.joint(1).name, "Spine");
   EXPECT_EQ(file.motion.clip.channels, read(kSmallBvh).motion.clip.channels);
-  // A sign within a name is no comment.
+  // A # within a name begins no comment.
   EXPECT_EQ(read(replaced(kSmallBvh, "Spine", "Spine#2")).motion.skeleton.joint(1).name, "Spine#2");
 }
 
@@ -316,7 +316,7 @@ TEST(Bvh, StandsUpWhereZIsUp) {
   }
 }
 
-/// Hips, head and feet: at rest along `up`, and turned as the root's rotation about X says.
+/// A figure of hips, head and feet: at rest along `up`, turned about X by the root.
 std::string figure(const std::string& up, const std::string& degrees_about_x) {
   const auto offset = [&](const char* length) {
     return "OFFSET " +
@@ -333,8 +333,9 @@ std::string figure(const std::string& up, const std::string& degrees_about_x) {
 TEST(Bvh, SaysHowAFigureThatStandsAlongZIsReadUpright) {
   EXPECT_NE(warning_of(figure("z", "0")).find("--up z"), std::string::npos);
   EXPECT_TRUE(read_bvh("f", figure("z", "0"), {.up = UpAxis::Z}).warnings.empty());
-  EXPECT_TRUE(read_bvh("f", figure("z", "0"), {.up = UpAxis::Y}).warnings.empty());  // as told
-  // Along Y; along Z at rest alone; lying down.
+  // The option decides.
+  EXPECT_TRUE(read_bvh("f", figure("z", "0"), {.up = UpAxis::Y}).warnings.empty());
+  // Figures along Y, along Z only at rest, and lying down.
   EXPECT_TRUE(read(figure("y", "0")).warnings.empty());
   EXPECT_TRUE(read(figure("z", "-90")).warnings.empty());
   EXPECT_TRUE(read(figure("y", "90")).warnings.empty());

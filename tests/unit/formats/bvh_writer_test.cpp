@@ -19,7 +19,7 @@ double move_through_bvh(const Motion& motion) {
   return test::largest_move(motion, reread, bvh_names(motion.skeleton));
 }
 
-/// The lines of a text that begin with `word`, spaces apart.
+/// The lines of a text that begin with `word`, ignoring leading spaces.
 std::vector<std::string> lines_with(const std::string& text, const std::string& word) {
   std::vector<std::string> found;
   std::istringstream lines(text);
@@ -196,7 +196,7 @@ TEST(BvhStyle, TakesTheUnitOfBvhSourcesAlone) {
             100);
 }
 
-/// A reader takes what follows "#" for a comment.
+/// Readers take anything after "#" for a comment.
 TEST(BvhWriter, LetsNoNameBeAComment) {
   Motion motion;
   motion.skeleton.add({.name = "#1", .channels = {ChannelKind::RotationX}});

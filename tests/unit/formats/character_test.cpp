@@ -27,7 +27,7 @@ class Character : public testing::Test {
     return pose;
   }
 
-  /// The largest distance (cm) of a point from the nearest of others.
+  /// The largest distance (cm) of a point from the nearest of the others.
   static double farthest(const std::vector<Vector3d>& points, const std::vector<Vector3d>& others) {
     double worst = 0;
     for (std::size_t p = 0; p < points.size(); p += 7) {
@@ -72,7 +72,7 @@ TEST_F(Character, IsPutOntoTheOtherFile) {
   EXPECT_LT(farthest(skinned_positions(bound, pose), skinned_positions(*fbx.skin, pose)), 0.05);
 }
 
-/// Whose joints have other axes, and which moves in the same way.
+/// The clip's joints have other axes, but it moves in the same way.
 TEST_F(Character, IsPutOntoAnAcclaimClip) {
   const MotionFile own = read_motion(folder_ / "character.glb");
   const MotionFile amc = read_motion(folder_ / "human_walk.amc");

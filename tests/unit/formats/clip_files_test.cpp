@@ -27,7 +27,7 @@ class ClipFiles : public testing::Test {
   }
   ~ClipFiles() override { fs::remove_all(folder_); }
 
-  /// Relative paths, with "!" behind those that have a problem.
+  /// Relative paths of the clips found, with "!" after those with a problem.
   std::vector<std::string> found(const std::optional<FileIdentity>& left_out = {}) const {
     std::vector<std::string> names;
     for (const FoundClip& clip : clips_below(folder_ / "in", left_out))

@@ -21,14 +21,14 @@ namespace fs = std::filesystem;
 
 constexpr double kMove = 1e-4;  // cm
 
-/// What reading a file of the corpus comes to.
+/// The result of reading a file of the corpus.
 struct Row {
   const char* file;
   int frames;
   int channels;
   int joints;
   double rate;
-  std::vector<std::string> warnings;  // the essence of each, in order
+  std::vector<std::string> warnings;  // their main words, in order
 };
 
 const std::string kCut = "ends within its last frame";
@@ -171,7 +171,8 @@ TEST_F(Corpus, EveryMotionComesBackThroughBvh) {
   for (const Row& row : kTable) {
     const Motion motion = read(row.file);
     const std::vector<std::string> names = bvh_names(motion.skeleton);
-    // Figures of 80 cm, no longer apart at rest, would not be taken for centimetres.
+    // The two figures, on one spot at rest in the BVH, are 80 cm tall and would not be taken for
+    // centimetres.
     const ReadOptions told{.cm_per_unit =
                                row.file == kTwoRoots ? std::optional(1.0) : std::nullopt};
     const auto [reread, warnings, source, states_rate, skin, takes, tracks] =
@@ -199,7 +200,7 @@ TEST_F(Corpus, EveryMotionComesBackThroughAcclaim) {
   }
 }
 
-// Bone ends in cm from a reading of ASF/AMC written apart from this one, in another language.
+// Bone ends in cm from an independent ASF/AMC reader, written in another language.
 TEST_F(Corpus, BonesEndWhereAnIndependentReadingPutsThem) {
   struct Point {
     const char* file;
@@ -230,9 +231,10 @@ TEST_F(Corpus, BonesEndWhereAnIndependentReadingPutsThem) {
   }
 }
 
-// Someone else's converter made the BVH: another figure (longer hips, straight legs at rest), one
-// more frame in front, the first few blended in from a T. So the root's turn agrees exactly, and a
-// limb's keeps a constant difference from the other rest pose, but for the converter's smoothing.
+// The BVH comes from someone else's converter: another figure (longer hips, straight legs at rest),
+// one more frame in front, the first few blended in from a T pose. So the root's turn agrees
+// exactly. A limb's turn differs by its other rest pose, which is constant except for the
+// converter's smoothing.
 TEST_F(Corpus, BothFormsOf11_01Agree) {
   const Motion acclaim = read("bvh/11_01.amc");
   const Motion bvh = read("bvh/11_01.bvh");
@@ -267,7 +269,8 @@ TEST_F(Corpus, BothFormsOf11_01Agree) {
     EXPECT_LT(summed[i] / (acclaim.clip.frames() - kBlendedFrames), 2.5) << limbs[i].first;
 }
 
-// Its angles flip by half turns between frames: only the right order and axes give a smooth wrist.
+// The wrist's angles flip by half turns between frames: only the right order and axes make it
+// smooth.
 TEST_F(Corpus, WristsAreContinuousWhere3DofAreForced) {
   const Motion motion = read("odd/cmu135_FORCE-ALL-JOINTS-BE-3DOF_truncated.amc");
   const auto wrist = static_cast<std::size_t>(motion.skeleton.find("rwrist"));

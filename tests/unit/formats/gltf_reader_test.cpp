@@ -27,7 +27,7 @@ MotionFile read(const SmallGltf& gltf, const ReadOptions& options = {}) {
   return read_gltf("small.glb", gltf.glb(), options);
 }
 
-/// Where a joint is (cm).
+/// The position of a joint (cm).
 Vector3d place(const Motion& motion, const std::string& joint, int frame) {
   Pose pose;
   compute_pose(motion.skeleton, motion.clip.channels.row(frame), pose);
@@ -39,7 +39,7 @@ void expect_place(const Motion& motion, const std::string& joint, int frame, con
       << joint << " in frame " << frame << " is at " << place(motion, joint, frame).transpose();
 }
 
-/// The ankle, when the knee is bent so far.
+/// The ankle's position with the knee bent by `angle`.
 Vector3d ankle_at(double angle) {
   return {0, 50 - 40 * std::cos(angle), -40 * std::sin(angle)};
 }
@@ -61,7 +61,8 @@ std::vector<float> turn_about_x(double angle) {
   return {static_cast<float>(std::sin(angle / 2)), 0, 0, static_cast<float>(std::cos(angle / 2))};
 }
 
-/// The knee at rest at 0 s and bent by a right angle at 1 s, by an accessor of four numbers each.
+/// A knee at rest at 0 s and bent by a right angle at 1 s, from an accessor of four numbers for
+/// each key.
 SmallGltf two_keys(const std::string& interpolation, const std::vector<float>& turns) {
   SmallGltf gltf;
   gltf.begin_animation();
@@ -108,7 +109,7 @@ TEST(GltfReader, FollowsCubicSplines) {
   SmallGltf gltf;
   gltf.begin_animation();
   const std::size_t input = gltf.add<float>("SCALAR", {0, 2});
-  // x = t^3 / 8: of slope 0 at 0 s and 1.5 at 2 s. In-tangent, value, out-tangent.
+  // x = t^3 / 8 has slope 0 at 0 s and 1.5 at 2 s. Each key has in-tangent, value, out-tangent.
   const std::size_t output =
       gltf.add<float>("VEC3", {9, 9, 9, 0, 1, 0, 0, 0, 0, 1.5, 0, 0, 1, 1, 0, 9, 9, 9});
   gltf.move(0, "translation", input, output, "CUBICSPLINE");
@@ -119,7 +120,7 @@ TEST(GltfReader, FollowsCubicSplines) {
 }
 
 TEST(GltfReader, FollowsCubicSplinesOfRotations) {
-  // Tangents of no length: s = 1/2 is half way, and the quaternion is made a unit again.
+  // With tangents of zero, s = 1/2 is half way, and the quaternion is normalised.
   std::vector<float> keys(24, 0.0F);
   std::copy_n(turn_about_x(0).begin(), 4, keys.begin() + 4);
   std::copy_n(turn_about_x(kRight).begin(), 4, keys.begin() + 16);
@@ -134,7 +135,7 @@ TEST(GltfReader, ReadsIntegersOfEverySizeAsShares) {
     SmallGltf gltf;
     gltf.begin_animation();
     const std::size_t input = gltf.add<float>("SCALAR", {0, 1});
-    // 3 4 0 0 of 5: an angle whose half has the sine 0.6.
+    // The rotation (0.6, 0, 0, 0.8): half its angle has the sine 0.6.
     const auto share = [&](double of) {
       return static_cast<Integer>(std::lround(of * static_cast<double>(one)));
     };
@@ -165,7 +166,7 @@ TEST(GltfReader, FillsInSparseValues) {
   const std::size_t input = gltf.add<float>("SCALAR", {0, 0.1F, 0.2F});
   const std::size_t indices = gltf.add_view<std::uint8_t>({0, 2});
   const std::size_t values = gltf.add_view<float>({0, 1, 0, 0, 2, 0});
-  // No bufferView: zero but for what is sparse.
+  // An accessor without a bufferView is zero, except for its sparse values.
   gltf.json["accessors"].push_back(
       {{"componentType", 5126},
        {"count", 3},
@@ -184,7 +185,7 @@ TEST(GltfReader, FillsInSparseValues) {
 TEST(GltfReader, StepsOverWhatLiesBetweenValues) {
   SmallGltf gltf;
   gltf.begin_animation();
-  // Time and place by turns.
+  // Times and places are interleaved.
   const std::size_t view = gltf.add_view<float>({0, 0, 1, 0, 0.1F, 1, 1, 0, 0.2F, 2, 1, 0});
   gltf.json["bufferViews"][view]["byteStride"] = 16;
   const auto accessor = [&](const char* type, int offset) {
@@ -202,7 +203,7 @@ TEST(GltfReader, StepsOverWhatLiesBetweenValues) {
 
 TEST(GltfReader, TakesMatricesApart) {
   SmallGltf gltf = test::bending_knee();
-  // Twice as large, turned a quarter about y, and beside the middle.
+  // An armature twice as large, a quarter turn about y, and off the centre.
   gltf.json["nodes"].push_back({{"name", "armature"},
                                 {"matrix", {0, 0, -2, 0, 0, 2, 0, 0, 2, 0, 0, 0, 3, 0, 0, 1}},
                                 {"children", {0}}});
@@ -246,7 +247,7 @@ TEST(GltfReader, ReadsTheFirstTakeThatMovesNodesOrTheOneAskedFor) {
   EXPECT_EQ(message("smile"), "small.glb: moves neither nodes nor morph weights that can be read");
 }
 
-/// A face of three shapes that hangs on the ankle; its mesh has no points, which nobody reads.
+/// A face of three shapes on the ankle. Its mesh has no points, and nothing reads them.
 SmallGltf with_face() {
   SmallGltf gltf = test::bending_knee();
   gltf.json["nodes"][2]["children"] = {3};
@@ -279,7 +280,7 @@ TEST(GltfReader, PassesOverATakeThatStandsStill) {
   ASSERT_EQ(file.warnings.size(), 1u);
   EXPECT_EQ(file.warnings[0].message, "take walk is read; there are also still");
   expect_place(file.motion, "ankle", 10, ankle_at(kRight));
-  // Where nothing moves, the first is refused as before.
+  // If nothing moves, the first animation is refused as before.
   gltf.json["animations"][1] = gltf.json["animations"][0];
   EXPECT_EQ(refusal(gltf), "small.glb: no joint moves or is turned");
 }
@@ -326,7 +327,7 @@ TEST(GltfReader, ReadsMorphWeightsByTheirInterpolation) {
   EXPECT_EQ(steps.tracks[0].values[9], 0);
   EXPECT_EQ(steps.tracks[0].values[10], 1);
 
-  // In-tangents, values, out-tangents of one key, then of the next.
+  // Each key has in-tangents, values, out-tangents of all shapes.
   gltf.json["animations"][0]["samplers"].back()["interpolation"] = "CUBICSPLINE";
   gltf.json["animations"][0]["samplers"].back()["output"] =
       gltf.add<float>("SCALAR", {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0});
@@ -464,7 +465,7 @@ TEST(GltfReader, RefusesJsonThatNestsTooDeep) {
 TEST(GltfReader, RefusesEveryTruncation) {
   const std::string whole = test::bending_knee().glb();
   for (std::size_t size = 0; size < whole.size(); ++size) {
-    // In memory of its own, so that the sanitizer sees its end.
+    // A copy in memory of its own, so that the sanitizer sees its end.
     const std::string part(whole.data(), size);
     EXPECT_NE(refusal(part), "reads") << size;
   }
@@ -496,7 +497,7 @@ class GltfFolder : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
 
-  /// With its buffer in another file, which is named so.
+  /// The message for a file whose buffer is at `uri`.
   std::string refusal_with(const std::string& uri) {
     SmallGltf gltf = test::bending_knee();
     gltf.json["buffers"][0]["uri"] = uri;
@@ -534,10 +535,10 @@ TEST(GltfCorpus, ReadsAsItShould) {
     GTEST_SKIP() << "the corpus of real motions is not here";
   const MotionFile skin = read_motion(*folder / "gltf/simple_skin.gltf");
   EXPECT_EQ(skin.motion.skeleton.joint_count(), 2);
-  // Twelve keys, half a second apart: the second joint swings by a right angle to both sides.
+  // Twelve keys half a second apart; the second joint swings by a right angle to both sides.
   EXPECT_EQ(skin.motion.clip.seconds() - 1 / skin.motion.clip.sample_rate_hz, 5.5);
   expect_place(skin.motion, "node_2", 0, {0, 100, 0});
-  // A cube of two shapes that stands still: a joint and its weights.
+  // A cube with two shapes that stands still: a joint and its weights.
   const MotionFile cube = read_motion(*folder / "gltf/AnimatedMorphCube.gltf");
   EXPECT_EQ(cube.motion.skeleton.joint_count(), 1);
   EXPECT_TRUE(cube.motion.clip.channels.rowwise().norm().isConstant(

@@ -21,7 +21,7 @@ using test::SmallGltf;
 
 constexpr double kMove = 1e-4;  // cm
 
-/// How far (cm) a motion moves by being written and read.
+/// The largest movement (cm) that writing and reading causes.
 double round_trip(const Motion& motion, GltfContainer container, const SourceFormat& source = {}) {
   const std::string bytes = gltf_bytes(motion, container, source);
   const MotionFile again = read_gltf("again.glb", bytes);
@@ -67,7 +67,7 @@ TEST(GltfWriter, GivesBackWhatWasAGltf) {
 }
 
 TEST(GltfWriter, TurnsFromFrameToFrameByTheShortWay) {
-  // Three turns about x: whole angles that quaternions hold twice.
+  // Three turns about x; the quaternions q and -q stand for the same rotation.
   Motion motion;
   motion.skeleton.add({.name = "wheel", .channels = {ChannelKind::RotationX}});
   motion.clip = {30, Eigen::VectorXd::LinSpaced(91, 0, 6 * 3.14159265358979)};
@@ -135,7 +135,7 @@ class GltfOnto : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
 
-  /// With all that a writer must leave alone, and all that stands between a joint and the world.
+  /// A file with everything that a writer must leave alone, and all kinds of nodes above a joint.
   static SmallGltf elaborate() {
     SmallGltf gltf = test::bending_knee();
     // The animation also scales the hips, moves a lamp and smiles.
@@ -171,7 +171,7 @@ class GltfOnto : public testing::Test {
 TEST_F(GltfOnto, MovesTheNodesOfTheSourceAsTheJointsOfTheMotionMove) {
   const std::string source = write_source(elaborate());
   MotionFile file = read_motion(source);
-  // Another motion than the one that is there.
+  // Replaces the motion by another.
   for (int c = 0; c < file.motion.skeleton.channel_count(); ++c)
     for (int t = 0; t < file.motion.clip.frames(); ++t)
       file.motion.clip.channels(t, c) += 0.3 * std::sin(0.5 * t + c);
@@ -233,7 +233,7 @@ TEST_F(GltfOnto, LeavesEverythingElseAsItWas) {
   for (std::size_t a = 0; a < gltf.json["accessors"].size(); ++a)
     EXPECT_EQ(json["accessors"][a], gltf.json["accessors"][a]);
   EXPECT_EQ(result.buffer(0).substr(0, gltf.data.size()), gltf.data);
-  // The lamp and the smile go on as they did.
+  // The lamp and the smile are unchanged.
   std::vector<std::string> kept;
   for (const Json& channel : json["animations"][0]["channels"])
     if (channel["target"]["node"] > 3) {

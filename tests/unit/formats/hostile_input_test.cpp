@@ -40,7 +40,7 @@ const Reader kReadCurves = [](const std::string& text) {
 
 constexpr const char* kSmallCurves = "time_s,grip,blink\n0,0.25,0\n0.5,-1e-1,1\n1,7.5,0";
 
-/// Whether it was read.
+/// True if the text was read; a refusal must name a place.
 bool reads_or_says_where(const Reader& read, const std::string& text) {
   try {
     read(text);
@@ -59,7 +59,7 @@ void try_every_prefix(const Reader& read, const std::string& text) {
   EXPECT_TRUE(reads_or_says_where(read, text));
 }
 
-/// Overwrites, removes and repeats stretches of the text.
+/// Overwrites, removes and repeats parts of the text.
 std::string mutated(std::string text, Random& random) {
   constexpr std::string_view kBytes = "0123456789.-+eE \n\r\t{}#:xyzXYZnaif\0\xFF\x80";
   for (auto edits = 1 + random.below(4); edits > 0; --edits) {
@@ -87,7 +87,7 @@ void try_mutations(const Reader& read, const std::string& text) {
   Random random(42);
   int survivors = 0;
   for (int i = 0; i < 5000; ++i) survivors += reads_or_says_where(read, mutated(text, random));
-  EXPECT_GT(survivors, 50);  // or the mutations never get past the first lines
+  EXPECT_GT(survivors, 50);  // else the mutations never pass the first lines
   EXPECT_LT(survivors, 4950);
 }
 

@@ -11,7 +11,7 @@
 namespace mocapress {
 namespace {
 
-/// Keys at these frames of a rate, from some time on.
+/// Keys at these frames of a rate, starting at 2.5 s.
 std::vector<double> keys(double rate_hz, const std::vector<int>& frames) {
   std::vector<double> times;
   for (const int frame : frames) times.push_back(2.5 + frame / rate_hz);
@@ -40,7 +40,7 @@ TEST(KeyTimes, KeepTheStatedRateWhereKeysAreSparse) {
   EXPECT_EQ(sample_times("f", keys(48, {0, 3, 10}), 30, {}, 1).rate_hz, 48);
 }
 
-/// The same times, rounded to whole milliseconds, as many programs write them.
+/// The same times rounded to milliseconds, as many programs write them.
 std::vector<double> in_milliseconds(std::vector<double> times) {
   for (double& time : times) time = std::round(1000 * time) / 1000;
   return times;
@@ -57,11 +57,11 @@ TEST(KeyTimes, AreNotTakenForDenserOnesWhereTheyLieALittleOff) {
       EXPECT_EQ(times.frames, 91);
       EXPECT_EQ(times.warning, "");
     }
-  // Gaps between keys that are a little off: 3 of 101 frames.
+  // Keys with gaps, a little off their frames: 3 of 101 frames.
   EXPECT_EQ(sample_times("f", in_milliseconds(keys(30, {0, 31, 100})), {}, {}, 1).rate_hz, 30);
 }
 
-/// A second node's key beside the first one's would be 480 frames a second.
+/// A second node's key next to the first one's would mean 480 frames a second.
 TEST(KeyTimes, MayBeLateByTwoMilliseconds) {
   for (const auto stated : {std::optional<double>(), std::optional(30.0)}) {
     std::vector<double> late = keys(30, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
@@ -76,7 +76,7 @@ TEST(KeyTimes, MayBeLateByTwoMilliseconds) {
 
 TEST(KeyTimes, KeepDenseRatesThatKeysWereMadeAt) {
   EXPECT_EQ(sample_times("f", keys(500, {0, 1, 2, 3, 4, 5, 6, 7}), {}, {}, 1).rate_hz, 500);
-  // Every third key left out.
+  // Every third key is missing.
   EXPECT_EQ(sample_times("f", keys(240, {0, 1, 3, 4, 6, 7, 9, 10}), {}, {}, 1).rate_hz, 240);
 }
 

@@ -66,7 +66,7 @@ TEST_F(MotionFiles, HaveTheCurvesOfTheTableBesideThem) {
             "walk.tracks.csv:2:1: ends after values of 1 frame, the clip has 3");
 }
 
-/// As clips of differences have it: what the joints add to another clip's rotations.
+/// A clip of differences, which joints add to another clip's rotations.
 TEST_F(MotionFiles, WithoutLengthsAreMeasuredByHowJointsTurn) {
   write_text(folder_ / "added.bvh",
              "HIERARCHY ROOT Hips { OFFSET 0 0 0 CHANNELS 3 Zrotation Xrotation Yrotation JOINT "
@@ -129,7 +129,7 @@ TEST_F(MotionFiles, GoByTheirExtensionWhateverItsCase) {
   }
 }
 
-/// What a library throws is a sentence about the file: here JSON that is no text.
+/// An exception of a library becomes a sentence about the file: here JSON that is no text.
 TEST_F(MotionFiles, NeverThrowAnythingButASentence) {
   for (const char* name : {"a.gltf", "a.bvh", "a.vrm"}) {
     write_text(folder_ / name, std::string("\xFF\x00{\"asset\"", 11));
@@ -171,7 +171,7 @@ TEST_F(MotionFiles, ComeBackAsTheyWereWritten) {
   EXPECT_THROW(write_motion(folder_ / "no" / "such" / "folder.bvh", motion), WriteError);
 }
 
-/// Reads, writes as its source was, and gives the file's text.
+/// Reads a text, writes it as its source was, and returns the new text.
 std::string rewritten(const std::string& text, const ReadOptions& reading = {},
                       const WriteOptions& writing = {}) {
   const MotionFile file = read_bvh("f.bvh", text, reading);
@@ -183,7 +183,7 @@ std::string rewritten(const std::string& text, const ReadOptions& reading = {},
   return written;
 }
 
-/// The small file, as tall in inches, its root standing at its OFFSET.
+/// The small file, of equal height in inches, with its root at its OFFSET.
 std::string in_inches() {
   std::string text = test::kSmallBvh;
   for (const auto& [from, to] :

@@ -27,7 +27,7 @@ Quaterniond turn(double radians, const Vector3d& axis) {
   return Quaterniond(Eigen::AngleAxisd(radians, axis.normalized()));
 }
 
-/// Turns to and fro about an axis of its own, where it is.
+/// A node that turns to and fro about its own axis without leaving its place.
 std::vector<LocalTransform> turning(const Vector3d& place, const Vector3d& axis) {
   std::vector<LocalTransform> frames;
   for (int t = 0; t < kFrames; ++t) frames.push_back({place, turn(std::sin(0.3 * t), axis)});
@@ -71,7 +71,7 @@ int channels(const Motion& motion, const std::string& joint) {
   return static_cast<int>(motion.skeleton.joint(motion.skeleton.find(joint)).channels.size());
 }
 
-/// Every joint where the product of the transforms of its nodes puts it.
+/// Expects every joint at the product of its nodes' transforms.
 void expect_exact(const NodeTake& take, const Motion& motion) {
   const Eigen::MatrixXd tracks = landmark_tracks(motion.skeleton, motion.clip);
   for (int t = 0; t < take.frames; ++t) {
@@ -95,7 +95,7 @@ void expect_exact(const NodeTake& take, const Motion& motion) {
 const Vector3d kX = Vector3d::UnitX();
 const Vector3d kZ = Vector3d::UnitZ();
 
-/// Blender's: an armature of size 100 that lies on its back.
+/// An armature as Blender's: of size 100, lying on its back.
 NodeTake armature() {
   const LocalTransform stand{{10, 20, 30}, turn(-std::numbers::pi / 2, kX), {100, 100, 100}};
   return take_of({still("RootNode", -1, {}), still("Armature", 0, stand),
@@ -225,7 +225,7 @@ TEST(NodeMotion, StripsASharedNamespaceAndNumbersNamesThatAreThereTwice) {
 }
 
 TEST(NodeMotion, KeepsAnglesContinuousAndAwayFromThePole) {
-  std::vector<LocalTransform> frames;  // about y through a right angle, and round and round about z
+  std::vector<LocalTransform> frames;  // to a right angle about y, and several turns about z
   for (int t = 0; t < kFrames; ++t)
     frames.push_back({{0, 0, 0}, turn(0.9 * t, kZ) * turn(0.16 * t, Vector3d::UnitY())});
   const NodeTake take = take_of({moving("Hips", -1, std::move(frames), true)});

@@ -42,7 +42,7 @@ AnimatedNode moving(const std::string& name, int parent, const LocalTransform& r
   return node;
 }
 
-/// A leg under an armature that lies on its back and counts in metres, with scales on its way.
+/// A leg under an armature that lies on its back and counts in metres, with scaled nodes between.
 NodeTake leg() {
   NodeTake take;
   take.frames = kFrames;
@@ -57,7 +57,7 @@ NodeTake leg() {
   return take;
 }
 
-/// The nodes' world transforms at a frame, -1: at rest; in the file's unit.
+/// The nodes' world transforms at a frame, or at rest for -1, in the file's unit.
 std::vector<Affine3d> worlds(const NodeTake& take, int frame) {
   std::vector<Affine3d> worlds;
   for (const AnimatedNode& node : take.nodes) {
@@ -70,8 +70,8 @@ std::vector<Affine3d> worlds(const NodeTake& take, int frame) {
   return worlds;
 }
 
-/// A few vertices in a frame of its own, carried by hip, knee and foot. `bind` is where the mesh
-/// was when it was bound, the nodes then at rest.
+/// Some vertices in a frame of their own, carried by hip, knee and foot. `bind` is the mesh's place
+/// when it was bound to the nodes at rest.
 NodeMesh trousers(const NodeTake& take, const Affine3d& bind) {
   NodeMesh mesh;
   mesh.positions = {{0, 0, 1}, {0.2, 0.5, 1}, {0.1, 0.3, 2}, {1, -1, 0.5}};
@@ -87,7 +87,8 @@ Affine3d somewhere() {
   return Eigen::Translation3d(5, 6, 7) * turn(1, {1, 1, 0}) * Eigen::Scaling(40.0);
 }
 
-/// Every vertex where the nodes' matrices put it, frame by frame. Meshes in the order of the skin.
+/// Expects every vertex, frame by frame, at the place that the nodes' matrices give. Meshes are in
+/// the order of the skin.
 void expect_exact(const NodeTake& take, const MotionFile& file) {
   ASSERT_TRUE(file.skin);
   for (int t = 0; t < kFrames; ++t) {

@@ -28,8 +28,8 @@ MotionFile read(const SmallGltf& gltf) {
   return read_gltf("small.glb", gltf.glb());
 }
 
-/// Packs a bufferView of the file as gltfpack does: its bytes into the chunk, and a placeholder of
-/// a buffer for the size that they had.
+/// Packs a bufferView as gltfpack does: its bytes go into the chunk, and a placeholder buffer
+/// states their unpacked size.
 void pack(SmallGltf& gltf, std::size_t view, std::size_t stride, const char* filter = "NONE",
           const std::vector<unsigned char>& filtered = {}) {
   Json& stated = gltf.json["bufferViews"][view];
@@ -60,7 +60,7 @@ void pack(SmallGltf& gltf, std::size_t view, std::size_t stride, const char* fil
                                                     {"filter", filter}}}};
 }
 
-/// The knee of bending_knee() with its times and rotations packed.
+/// The file of bending_knee() with packed times and rotations.
 SmallGltf packed_knee() {
   SmallGltf gltf = test::bending_knee();
   pack(gltf, 0, 4);
@@ -76,7 +76,7 @@ TEST(MeshoptGltf, MovesAsItDidBeforeItWasPacked) {
   EXPECT_TRUE(packed.warnings.empty());
 }
 
-/// gltfpack keeps rotations as three of their numbers in 16 bits (filter QUATERNION).
+/// gltfpack stores rotations as three of their four numbers in 16 bits (filter QUATERNION).
 TEST(MeshoptGltf, ReadsFilteredRotations) {
   SmallGltf gltf = test::bending_knee();
   std::vector<float> turns(44);
@@ -120,7 +120,7 @@ TEST(MeshoptGltf, IsRefusedInASentenceWhereItsBytesAreWrong) {
             "small.glb: bufferView 1 reaches beyond its buffer");
 }
 
-/// What is packed stays packed where a motion is put into the file.
+/// Packed data stays packed when a motion is put into the file.
 TEST(MeshoptGltf, TakesANewMotionAndKeepsTheRest) {
   const fs::path folder = fs::path(testing::TempDir()) / "mocapress-packed";
   fs::create_directories(folder);
@@ -145,7 +145,7 @@ TEST(MeshoptGltf, TakesANewMotionAndKeepsTheRest) {
   fs::remove_all(folder);
 }
 
-/// Where the vertices of the skin are in a frame.
+/// Positions of the skin's vertices at a frame.
 std::vector<Eigen::Vector3d> posed(const MotionFile& file, int frame) {
   Pose pose;
   compute_pose(file.motion.skeleton, file.motion.clip.channels.row(frame), pose);
@@ -162,7 +162,7 @@ std::vector<Eigen::Vector3d> posed(const MotionFile& file, int frame) {
   return places;
 }
 
-/// How far any of `places` is from the nearest of `others`.
+/// The largest distance of one of `places` from the nearest of `others`.
 double farthest(const std::vector<Eigen::Vector3d>& places,
                 const std::vector<Eigen::Vector3d>& others) {
   double farthest = 0;
@@ -175,7 +175,7 @@ double farthest(const std::vector<Eigen::Vector3d>& places,
   return farthest;
 }
 
-/// A triangle on the knee and the ankle; packed by Draco or not.
+/// A triangle on the knee and the ankle, with or without Draco.
 SmallGltf skinned_knee(bool packed) {
   SmallGltf gltf = test::bending_knee();
   const std::vector<float> places = {0, 0.5F, 0, 0.1F, 0.1F, 0, -0.1F, 0.1F, 0};
@@ -252,13 +252,13 @@ TEST(DracoGltf, LeavesTheMotionReadableWhereItsBytesAreWrong) {
             "makes");
 }
 
-/// The project's own sample, through gltfpack -c and through glTF-Transform's draco.
+/// The project's own sample, packed by gltfpack -c and by glTF-Transform's draco.
 TEST(PackedGltfCorpus, ReadsLikeThePlainCharacter) {
   const auto folder = test::corpus();
   if (!folder || !fs::exists(*folder / "gltf/character_meshopt.glb"))
     GTEST_SKIP() << "the corpus of real motions is not here";
   const fs::path sample = fs::path(MOCAPRESS_SOURCE_DIR) / "resources/samples/character.glb";
-  constexpr double kQuantised = 0.1;  // cm; gltfpack keeps 14 bits of places, 12 of rotations
+  constexpr double kQuantised = 0.1;  // cm; gltfpack keeps 14 bits of positions, 12 of rotations
   const MotionFile plain = read_motion(sample);
   ASSERT_TRUE(plain.skin);
   std::vector<std::string> names;

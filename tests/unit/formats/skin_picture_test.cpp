@@ -25,7 +25,7 @@ using testing::HasSubstr;
 
 const std::string kPng = std::string("\x89PNG\r\n\x1A\n") + "no more is read of it";
 
-/// A triangle on the knee. `image`: its entry in "images".
+/// A triangle on the knee with a picture. `image`: its entry in "images".
 SmallGltf painted_knee(const Json& image) {
   SmallGltf gltf = test::bending_knee();
   const std::size_t places = gltf.add("VEC3", std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0});
@@ -54,7 +54,7 @@ void expect_painted(const MotionFile& file) {
   EXPECT_NEAR(file.skin->vertices[0].colour.minCoeff(), 1, 1e-6);
 }
 
-/// Where the second and the third vertex look into the picture.
+/// Texture coordinates of the second and the third vertex.
 std::pair<Eigen::Vector2f, Eigen::Vector2f> places_moved_by(const Json& transform) {
   SmallGltf gltf = painted_knee({{"uri", "data:image/png;base64,iVBORw0KGgo="}});
   gltf.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"] = {
@@ -98,24 +98,24 @@ TEST(SkinPicture, IsPngOrJpeg) {
 }
 
 TEST(SkinPicture, IsMovedTurnedAndScaledByATextureTransform) {
-  // Of (0.5, 0) and (0, 2).
+  // The vertices' own coordinates are (0.5, 0) and (0, 2).
   const auto [scaled, down] = places_moved_by({{"scale", {2, 0.25}}, {"offset", {0.125, 0.5}}});
   EXPECT_TRUE(scaled.isApprox(Eigen::Vector2f(1.125F, 0.5F)));
   EXPECT_TRUE(down.isApprox(Eigen::Vector2f(0.125F, 1)));
-  // Counter-clockwise as one sees the picture: what is to the right goes up.
+  // Counter-clockwise in the picture: a point to the right goes up.
   const auto [right, below] =
       places_moved_by({{"rotation", std::numbers::pi / 2}, {"scale", {2, 1}}, {"offset", {0, 1}}});
   EXPECT_LT(right.norm(), 1e-6F);
   EXPECT_TRUE(below.isApprox(Eigen::Vector2f(2, 1)));
 }
 
-/// The extension's own example: "only the lower left quadrant of the source image". By hand, with
-/// the second coordinate down: (u, v) -> (v / 2, 1 - u / 2).
+/// The extension's own example: "only the lower left quadrant of the source image". Computed by
+/// hand, with the second coordinate down: (u, v) -> (v / 2, 1 - u / 2).
 TEST(SkinPicture, IsTurnedAsTheExampleOfTheSpecificationIs) {
   const auto [first, second] =
       places_moved_by({{"offset", {0, 1}}, {"rotation", 1.57079632679}, {"scale", {0.5, 0.5}}});
-  EXPECT_TRUE(first.isApprox(Eigen::Vector2f(0, 0.75F), 1e-5F));  // of (0.5, 0)
-  EXPECT_TRUE(second.isApprox(Eigen::Vector2f(1, 1), 1e-5F));     // of (0, 2)
+  EXPECT_TRUE(first.isApprox(Eigen::Vector2f(0, 0.75F), 1e-5F));  // from (0.5, 0)
+  EXPECT_TRUE(second.isApprox(Eigen::Vector2f(1, 1), 1e-5F));     // from (0, 2)
 }
 
 TEST(SkinPicture, IsLookedUpByTheCoordinatesThatATextureTransformNames) {
@@ -127,7 +127,7 @@ TEST(SkinPicture, IsLookedUpByTheCoordinatesThatATextureTransformNames) {
   EXPECT_EQ(read(gltf).skin->vertices.at(2).in_picture, Eigen::Vector2f(0, 0.75F));
 }
 
-/// The motion is read, and one sentence says what is not.
+/// Expects the motion to be read, and a sentence that says what is not.
 void expect_left_out(const SmallGltf& gltf, const std::string& extension) {
   const MotionFile file = read(gltf);
   EXPECT_FALSE(file.skin);

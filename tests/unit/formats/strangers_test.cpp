@@ -45,7 +45,7 @@ TEST_F(Strangers, OfGltfReadAsTheReadmeSays) {
   EXPECT_TRUE(milliseconds.warnings.empty());
 }
 
-/// Each figure of two is the one of the plain file, the second one elsewhere.
+/// Both figures equal the one of the plain file; the second stands elsewhere.
 TEST_F(Strangers, WithTwoCharactersHaveBoth) {
   const Motion one = read("g_base.gltf").motion;
   const Motion two = read("g_twochars.gltf").motion;
@@ -85,7 +85,7 @@ TEST_F(Strangers, ThatGitLfsHasNotFetchedAreNamedAsSuch) {
   }
 }
 
-/// One sentence: a line of printable characters that is not cut off.
+/// Expects one sentence: a line of printable characters that is not cut off.
 void expect_sentence(const std::string& message, const std::string& file) {
   EXPECT_LE(message.size(), 200u) << file << ": " << message;
   EXPECT_FALSE(message.empty()) << file;

@@ -12,8 +12,8 @@ namespace mocapress {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kRounding = 1e-12;   // of a rotation's entries
-constexpr double kGimbalLoss = 1e-8;  // the same where y is within rounding of a quarter turn
+constexpr double kRounding = 1e-12;   // difference of a rotation's entries
+constexpr double kGimbalLoss = 1e-8;  // the same if y is within rounding of a quarter turn
 
 Eigen::Matrix3d zyx(const Eigen::Vector3d& angles) {
   return axis_rotation(2, angles.z()) * axis_rotation(1, angles.y()) * axis_rotation(0, angles.x());
