@@ -24,21 +24,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A clip that is ready to be put into a bank.
+/// A clip ready to be put into a bank.
 struct ReadyClip {
   std::vector<std::string> tags;
-  std::variant<std::monostate, PackedClip, ClipForBank> clip;  // nothing: it is copied
+  std::variant<std::monostate, PackedClip, ClipForBank> clip;  // unset: copied as it is
 };
 
-/// Puts clips into a new bank, wherever they come from.
+/// Puts clips from any source into a new bank.
 class Filler {
  public:
   Filler(BankWriter& writer, runtime::BankForm form, const BankSourceReader& files,
          std::vector<std::byte> learned)
       : writer_(writer), form_(form), files_(files), learned_(std::move(learned)) {}
 
-  /// What can be done to a clip before those that come before it are in the bank. May be called by
-  /// many threads.
+  /// Does the part of a clip's work that needs no other clip in the bank. Many threads may call it.
   ReadyClip prepare(const BankSource& source) const try {
     BankSourceReader::File file = files_.read(source);
     ReadyClip ready{std::move(file.tags), {}};
@@ -59,7 +58,7 @@ class Filler {
       put_cooked(name, cooked->cooked(), cooked->skeleton, std::move(ready.tags));
   }
 
-  /// A clip as it is in a bank of the same form.
+  /// Copies a clip from a bank of the same form.
   void copy(const BankFile& bank, const runtime::BankEntry& entry) {
     std::vector<std::string> tags = bank.tags(entry);
     if (!bank.is_cooked()) {
@@ -76,7 +75,7 @@ class Filler {
   }
 
  private:
-  /// Its number in the new bank, which is looked for once.
+  /// The outline's number in the new bank, searched once.
   std::uint32_t copied_outline(const mcpk_bank& bank, std::uint32_t outline) {
     const auto there = copied_outlines_.find(outline);
     if (there != copied_outlines_.end()) return there->second;
@@ -95,18 +94,19 @@ class Filler {
   InternItem intern_ = [this](runtime::BankItem kind, std::span<const std::byte> bytes) {
     return writer_.intern(kind, bytes);
   };
-  std::vector<std::byte> learned_;  // PRIO, which clips are coded by
-  std::unordered_map<std::uint32_t, std::uint32_t> copied_outlines_;  // those of the old bank
+  std::vector<std::byte> learned_;  // PRIO, which clips are coded with
+  // New numbers of the old bank's outlines.
+  std::unordered_map<std::uint32_t, std::uint32_t> copied_outlines_;
 };
 
-/// A clip of the old bank, or a source: which comes next.
+/// The next clip: one of the old bank, or a source.
 struct Step {
   std::uint32_t number;
   bool is_copy;
 };
 
-/// In the order of their names. Clips of the old bank are left out that are removed, or whose name
-/// a source has.
+/// All clips in the order of their names, without clips of the old bank that are removed or share a
+/// name with a source.
 std::vector<Step> merged(const BankFile* old, const std::set<std::uint32_t>& removed,
                          const std::vector<BankSource>& sources) {
   std::vector<Step> steps;
@@ -127,7 +127,8 @@ std::vector<Step> merged(const BankFile* old, const std::set<std::uint32_t>& rem
   return steps;
 }
 
-/// What clips of a bank are coded by; nothing where they are coded as all clips are.
+/// The learned knowledge that a bank's clips are coded with; empty: they are coded as clips outside
+/// a bank.
 std::vector<std::byte> learned_in(const mcpk_bank& bank) {
   for (std::uint32_t part = 0; part < bank.count(runtime::BankItem::Part); ++part) {
     const runtime::Bytes item = bank.item(runtime::BankItem::Part, part);
@@ -138,7 +139,8 @@ std::vector<std::byte> learned_in(const mcpk_bank& bank) {
   return {};
 }
 
-/// A slip in the command line does not cost a clip, or the bank that others are made of.
+/// Throws if `path` is a file other than a bank, or a source, so that a slip in the command line
+/// destroys nothing.
 void require_place_for_bank(const fs::path& path, const std::vector<BankSource>& sources) {
   if (path_kind(path) != PathKind::File) return;
   for (const BankSource& source : sources) refuse_source(path, {source.file});
@@ -150,7 +152,7 @@ void require_place_for_bank(const fs::path& path, const std::vector<BankSource>&
     throw WriteError(path.string() + ": is there and is no bank: not overwritten");
 }
 
-/// Unset: the observer said no.
+/// Locks the bank. Unset: the observer stopped it.
 std::optional<FileLock> lock_bank(const fs::path& path, const Observer<BankProgress>& observer) {
   std::optional<FileLock> lock =
       FileLock::wait_for(path, [&] { return should_continue(observer, BankProgress{}); });
@@ -159,7 +161,7 @@ std::optional<FileLock> lock_bank(const fs::path& path, const Observer<BankProgr
   return lock;
 }
 
-/// False: the observer said no.
+/// Writes the bank. False: the observer stopped it.
 bool write_bank(const fs::path& path, const BankFile* old, const std::set<std::uint32_t>& removed,
                 std::vector<BankSource> sources, const BankOptions& options, const BankTexts& texts,
                 const Observer<BankProgress>& observer) {

@@ -19,39 +19,40 @@ namespace mocapress {
 /// "packed", "cooked".
 std::string_view name(runtime::BankForm form);
 
-/// Unset when it is neither.
+/// The form of this name; unset if there is none.
 std::optional<runtime::BankForm> bank_form(std::string_view name);
 
 struct BankOptions {
   runtime::BankForm form = runtime::BankForm::Packed;
-  std::vector<std::string> tags;  // of the clips that are put in
-  BankTexts texts;                // of the bank; a key that is there gets the new value
-  bool learn = false;  // packed, when it is made: code motions by what the clips teach, which takes
-                       // seconds and pays from some hundred clips on
+  std::vector<std::string> tags;  // given to the clips that are put in
+  BankTexts texts;                // the bank's own; an existing key gets the new value
+  // When a packed bank is made: learn from its clips how to code their motions, which takes seconds
+  // and pays from some hundred clips on.
+  bool learn = false;
 };
 
-/// Clips done, of so many; of none while another program changes the bank.
+/// Progress in clips; 0 of 0 while another program changes the bank.
 struct BankProgress {
   std::size_t done = 0;
   std::size_t clips = 0;
-  std::optional<Warning> warning = {};  // told once: that the bank could not be locked
+  std::optional<Warning> warning = {};  // given once, if the bank could not be locked
 };
 
-// One at a time changes a bank: another waits for it, in this program or any other.
+// Banks are changed one writer at a time: others wait, in this program or another.
 
-/// Makes a bank, which takes its place whole or not at all. False: the observer said no, and the
-/// place is as it was. Throws InputError, also where two clips have one name, and WriteError, also
-/// where the place has a file that is no bank or a bank of which a source is.
+/// Makes a bank, which takes its place whole or not at all. False: the observer stopped it, and the
+/// place is unchanged. Throws InputError, also if two clips have one name. Throws WriteError, also
+/// if the place has a file that is no bank or a bank that a source belongs to.
 bool make_bank(const std::filesystem::path& bank, std::vector<BankSource> sources,
                const BankOptions& options, const Observer<BankProgress>& observer = {});
 
-/// The same with what the bank holds already, in its form: a clip of a name that is there takes its
-/// place, also if it came from there.
+/// Adds clips to a bank in its form. A clip replaces one of the same name, even if it came from
+/// there.
 bool add_to_bank(const std::filesystem::path& bank, std::vector<BankSource> sources,
                  const BankOptions& options, const Observer<BankProgress>& observer = {});
 
-/// The same without some clips, and what only they had. Throws InputError, also for a name that
-/// it does not hold.
+/// Removes clips from a bank, with the data that only they used. Throws InputError, also for a name
+/// that is not in the bank.
 bool remove_from_bank(const std::filesystem::path& bank, const std::vector<std::string>& names,
                       const Observer<BankProgress>& observer = {});
 

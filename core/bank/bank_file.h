@@ -13,19 +13,19 @@
 
 namespace mocapress {
 
-/// What a bank says of a clip.
+/// Properties of a clip, read from its bank.
 struct BankClip {
   std::string name;
   std::vector<std::string> tags;
-  std::uint64_t bytes = 0;  // beside what clips share
+  std::uint64_t bytes = 0;  // without data that clips share
   double sample_rate_hz = 0;
   int frames = 0;
   int joints = 0;
-  std::uint64_t motion_bytes = 0;  // packed: as a ratio counts them; cooked: 0
+  std::uint64_t motion_bytes = 0;  // packed: the size that ratios count; cooked: 0
 };
 
-/// A bank on disk, every byte of which was checked. All of it is in memory: who cuts the file short
-/// meanwhile, as no page of a mapped file survives, does no harm.
+/// A bank on disk whose bytes were all checked. All of it is in memory, since the pages of a mapped
+/// file would be lost if somebody cut it short.
 class BankFile {
  public:
   /// Throws InputError.
@@ -35,21 +35,20 @@ class BankFile {
   std::uint32_t clips() const { return bank_->clips; }
   bool is_cooked() const { return bank_->is_cooked(); }
   runtime::BankEntry entry(std::uint32_t clip) const;
-  /// The number of a clip. Throws InputError where it holds none of the name.
+  /// The number of a clip. Throws InputError if the bank has no clip of this name.
   std::uint32_t find(std::string_view name) const;
   BankClip describe(std::uint32_t clip) const;
   std::vector<std::string> tags(const runtime::BankEntry& entry) const;
   BankTexts texts() const;
 
-  /// A clip of a cooked bank. Throws InputError where its bytes are none.
+  /// A clip of a cooked bank. Throws InputError if its bytes are no valid clip.
   const mcpr_cooked* cooked(const runtime::BankEntry& entry) const;
 
-  /// The .mcpr that was put in, byte for byte. Throws Error for a clip of a cooked bank.
+  /// The original .mcpr, byte for byte. Throws Error for a clip of a cooked bank.
   std::vector<std::byte> extract(const runtime::BankEntry& entry) const;
 
-  /// Plays a clip through the runtime decoder, the first frame and the last. Throws InputError
-  /// where it cannot be played. False: no engine plays it (the paper's codings, comparison
-  /// methods).
+  /// Decodes a clip's first and last frame with the runtime. Throws InputError if it cannot be
+  /// played. False: no engine plays it (the paper's codings, comparison methods).
   bool play(std::uint32_t clip) const;
 
  private:

@@ -17,10 +17,10 @@
 namespace mocapress {
 namespace {
 
-/// A context that clips taught something of.
+/// A context that the clips taught something about.
 struct LearnedContext {
   std::size_t context;
-  double worth;  // about the bits that it saves
+  double worth;  // about the bits saved
 };
 
 std::uint8_t code_of(double log_odds, int seen) {
@@ -28,7 +28,7 @@ std::uint8_t code_of(double log_odds, int seen) {
   const auto step = static_cast<int>(
       std::clamp(std::lround(log_odds / kStep + (runtime::kLearnedSteps - 1) / 2.0), 0L,
                  static_cast<long>(runtime::kLearnedSteps) - 1));
-  // A context that is hardly seen keeps what it is worth for all clips, which may lie between.
+  // A context seldom seen keeps its value for all clips, which may lie between two levels.
   const auto trust = std::ranges::min_element(runtime::kLearnedTrusts, {},
                                               [&](int worth) { return std::abs(worth - seen); });
   return static_cast<std::uint8_t>(step + runtime::kLearnedSteps *
@@ -44,7 +44,7 @@ double share_of(double log_odds) {
   return 1 / (1 + std::exp(-log_odds));
 }
 
-/// Bits that one more bit takes where it is expected to be set so often, and is so often.
+/// Extra bits for coding a bit that is set with probability `is` but expected with `expected`.
 double divergence(double is, double expected) {
   return is * std::log2(is / expected) + (1 - is) * std::log2((1 - is) / (1 - expected));
 }
@@ -52,7 +52,7 @@ double divergence(double is, double expected) {
 std::vector<LearnedContext> learned_contexts(std::span<const NotedClip> clips,
                                              const CodingKnowledge& before,
                                              const CodingKnowledge& after) {
-  constexpr float kSoon = 30;  // after so many bits a context knows by itself
+  constexpr float kSoon = 30;  // number of bits after which a context has learned by itself
   const auto tallies = tally_contexts(clips, after);
   std::vector<LearnedContext> learned;
   for (std::size_t c = 0; c < after.log_odds.size(); ++c) {
@@ -69,7 +69,7 @@ std::vector<LearnedContext> learned_contexts(std::span<const NotedClip> clips,
   return learned;
 }
 
-/// PRIO's payload, and what a reader makes of it.
+/// PRIO's payload, and the knowledge that a reader gets from it.
 struct Lesson {
   std::vector<std::byte> bytes;
   CodingKnowledge known;
@@ -99,7 +99,7 @@ Lesson lesson_of(const std::vector<bool>& is_told, const CodingKnowledge& before
   return lesson;
 }
 
-/// Those whose motion is one adaptively coded piece.
+/// The sources whose motion is a single adaptively coded piece.
 std::vector<NotedClip> noted(const std::vector<BankSource>& sources, const BankSourceReader& files,
                              const std::function<bool()>& go_on) {
   constexpr std::size_t kMostClips = 600;
@@ -131,9 +131,9 @@ std::vector<std::byte> learn_from(const std::vector<BankSource>& sources,
                                   const BankSourceReader& files,
                                   const Observer<BankProgress>& observer) {
   constexpr int kRounds = 6;
-  constexpr double kFinest = 0.1;  // of log odds, to begin with
+  constexpr double kFinest = 0.1;  // log odds, as a first step
   constexpr int kMoreRounds = 4;
-  constexpr std::size_t kCounts[] = {500, 1000, 2000, 4000};  // of contexts that are told
+  constexpr std::size_t kCounts[] = {500, 1000, 2000, 4000};  // numbers of contexts to try
   bool is_stopped = false;
   const auto go_on = [&] {
     is_stopped = is_stopped || !should_continue(observer, BankProgress{0, sources.size()});
@@ -154,7 +154,7 @@ std::vector<std::byte> learn_from(const std::vector<BankSource>& sources,
   std::vector<std::byte> best;
   for (const std::size_t count : kCounts) {
     if (!go_on()) break;
-    // The others stay what they are for all clips, so these have to be learned beside them.
+    // Other contexts keep their usual values, so the chosen ones are learned beside them.
     CodingKnowledge told = before;
     std::vector<bool> is_told(before.log_odds.size());
     for (std::size_t i = 0; i < std::min(count, contexts.size()); ++i) {

@@ -9,8 +9,8 @@
 
 namespace mocapress {
 
-/// From some hundred of the clips, which `files` reads. Empty where it would take more bytes than
-/// it saves, or the observer said no. Throws InputError.
+/// Learns from some hundred of the clips, read through `files`. Empty if it would take more bytes
+/// than it saves, or the observer stopped it. Throws InputError.
 std::vector<std::byte> learn_from(const std::vector<BankSource>& sources,
                                   const BankSourceReader& files,
                                   const Observer<BankProgress>& observer = {});

@@ -24,7 +24,8 @@ std::string lower_extension(const fs::path& path) {
 void find_below(const fs::path& folder, std::vector<BankSource>& sources) {
   const std::size_t before = sources.size();
   std::error_code error;
-  // Whatever is named as a clip and cannot be read is refused when it is: none is left out.
+  // Every file named as a clip is listed. One that cannot be read is refused later, so none is left
+  // out silently.
   for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end;
        at.increment(error))
     if (lower_extension(at->path()) == ".mcpr" && path_kind(at->path()) != PathKind::Folder)

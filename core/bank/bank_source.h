@@ -12,31 +12,30 @@
 
 namespace mocapress {
 
-/// A clip to be put into a bank: a .mcpr file, or a clip of a packed bank.
+/// A clip for a bank: a .mcpr file, or a clip of a packed bank.
 struct BankSource {
-  std::string name;  // in the new bank
+  std::string name;  // name in the new bank
   std::filesystem::path file;
-  std::string of_bank;  // its name in there; empty: the file is a .mcpr
+  std::string of_bank;  // name in its old bank; empty: the file is a .mcpr
 };
 
-/// Files as they are, named by their stems; every .mcpr below folders, named by its path from there
-/// without extension; every clip of a packed bank, by its name. Throws InputError for what holds
-/// none.
+/// Finds sources: files as given, named by their stems; every .mcpr below a folder, named by its
+/// path from there without extension; every clip of a packed bank, by its name. Throws InputError
+/// for an input without any.
 std::vector<BankSource> find_bank_sources(const std::vector<std::filesystem::path>& inputs);
 
-/// Reads sources. The banks that hold some stay open, each once, however the names of their clips
-/// alternate.
+/// Reads sources. Banks among them stay open, each once, in whatever order their clips come.
 class BankSourceReader {
  public:
   struct File {
-    std::vector<std::byte> bytes;  // of a .mcpr
+    std::vector<std::byte> bytes;  // the .mcpr
     std::vector<std::string> tags;
   };
 
   /// Throws InputError.
   explicit BankSourceReader(const std::vector<BankSource>& sources);
 
-  /// May be called by many threads. Throws InputError.
+  /// Many threads may call it. Throws InputError.
   File read(const BankSource& source) const;
 
  private:

@@ -105,7 +105,7 @@ void BankWriter::add(const std::string& name, std::uint32_t kind, std::span<cons
     end_block();
     append_value(blocks_, written_);
     append_value(blocks_, static_cast<std::uint32_t>(entries_.size()));
-    append_value(blocks_, std::uint32_t{0});  // end_block() knows it
+    append_value(blocks_, std::uint32_t{0});  // filled in by end_block()
   }
   put_entry(name, kind, tag_set(std::move(tags)), bytes.size());
   const auto checked = form_ == runtime::BankForm::Cooked
@@ -143,7 +143,7 @@ void BankWriter::put_entry(const std::string& name, std::uint32_t kind, std::uin
   last_tags_ = tags;
 }
 
-/// Tells the last block, if there is one, its checksum.
+/// Writes the checksum of the last block, if there is one.
 void BankWriter::end_block() {
   if (blocks_.empty()) return;
   const std::uint32_t checksum = runtime::bank_checksum(checked_.data(), checked_.size());

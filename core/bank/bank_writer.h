@@ -15,7 +15,7 @@
 
 namespace mocapress {
 
-/// Byte strings, each once, by the order in which they came.
+/// Distinct byte strings, numbered in the order of their first use.
 class InternedBytes {
  public:
   std::uint32_t intern(std::span<const std::byte> bytes);
@@ -26,12 +26,12 @@ class InternedBytes {
   std::vector<const std::string*> all_;
 };
 
-/// Tables of cooked clips in one block, each once.
+/// Distinct tables of cooked clips, all in one block.
 class SharedTables {
  public:
   SharedTables() : bytes_(runtime::kFirstTable) {}
 
-  /// Where they are, from the block on; alignments are as the tables have them by themselves.
+  /// The table's offset in the block, aligned as the table itself is.
   std::uint32_t intern(std::span<const std::byte> table);
   const std::vector<std::byte>& bytes() const { return bytes_; }
 
@@ -40,28 +40,29 @@ class SharedTables {
     std::uint32_t place;
     std::size_t bytes;
   };
-  std::unordered_multimap<std::size_t, Table> places_;  // by hash: the bytes stand below
+  std::unordered_multimap<std::size_t, Table> places_;  // by hash; the bytes are stored below
   std::vector<std::byte> bytes_;
 };
 
-/// Keys with their values, and the other way a text for people to read.
+/// Keys and values: texts about a bank, for people to read.
 using BankTexts = std::vector<std::pair<std::string, std::string>>;
 
 /// Writes a bank clip by clip, in the order of their names, into a file that takes its place whole
-/// or not at all. Only the index is in memory, and what clips share.
+/// or not at all. Only the index and data that clips share are kept in memory.
 class BankWriter {
  public:
-  /// Throws WriteError, as all of these do.
+  /// Throws WriteError, like all members.
   BankWriter(const std::filesystem::path& path, runtime::BankForm form);
 
   std::uint32_t intern(runtime::BankItem kind, std::span<const std::byte> bytes);
   SharedTables& tables() { return tables_; }
 
-  /// Also throws InputError where the name is impossible or does not follow upon the one before.
+  /// Adds a clip. Also throws InputError if the name is invalid or does not come after the one
+  /// before.
   void add(const std::string& name, std::uint32_t kind, std::span<const std::byte> bytes,
            std::vector<std::string> tags);
 
-  /// Puts the file in place, after it was read back and found sound.
+  /// Reads the file back, checks it and puts it in place.
   void finish(const BankTexts& texts);
 
  private:
@@ -84,10 +85,10 @@ class BankWriter {
   std::uint32_t last_kind_ = 0;
   std::uint32_t last_tags_ = 0;
   std::vector<std::byte> blocks_;
-  std::vector<std::byte> checked_;  // what the checksum of the last block is of
+  std::vector<std::byte> checked_;  // bytes for the checksum of the last block
   std::vector<std::byte> entries_;
   std::vector<std::uint64_t>
-      clips_;  // where they begin: cooked ones, to tell them where tables are
+      clips_;  // begin of each clip: cooked ones later get the place of the tables
   std::uint32_t count_ = 0;
 };
 

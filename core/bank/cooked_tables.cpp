@@ -14,12 +14,12 @@ namespace {
 
 using runtime::TableOffset;
 
-/// Copies the tables of a clip to where a bank has them.
+/// Copies a clip's tables to their places in a bank.
 class TableMover {
  public:
   TableMover(const mcpr_cooked& from, SharedTables& to) : from_(from), to_(to) {}
 
-  /// Tells the head where they are then.
+  /// Sets the tables' new places in the head.
   void move(mcpr_cooked& head) {
     const std::uint32_t columns = runtime::kGroup * from_.groups;
     const std::uint32_t row_columns = runtime::kGroup * from_.row_groups;
@@ -104,7 +104,7 @@ ClipForBank cook_for_bank(std::span<const std::byte> file) {
 }
 
 std::vector<std::byte> put_tables(const mcpr_cooked& clip, SharedTables& tables) {
-  // What is read as a clip has to lie as one: in memory that is aligned.
+  // A clip has to lie in aligned memory to be read.
   const AlignedBytes copy(static_cast<std::size_t>(clip.bytes));
   std::memcpy(copy.data(), &clip, copy.size());
   auto* const head = reinterpret_cast<mcpr_cooked*>(copy.data());

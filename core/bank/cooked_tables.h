@@ -12,11 +12,11 @@
 
 namespace mocapress {
 
-/// A cooked clip that is in no bank yet.
+/// A cooked clip that is not in a bank yet.
 struct ClipForBank {
   AlignedBytes clip;
   AlignedBytes tables;
-  std::vector<std::byte> skeleton;  // the item of the bank
+  std::vector<std::byte> skeleton;  // stored as an item of the bank
 
   const mcpr_cooked& cooked() const { return *reinterpret_cast<const mcpr_cooked*>(clip.data()); }
 };
@@ -24,7 +24,7 @@ struct ClipForBank {
 /// Cooks a .mcpr with its IK correction. Throws FormatError.
 ClipForBank cook_for_bank(std::span<const std::byte> file);
 
-/// The bytes of a clip in a bank, but for where its tables are: they are put among the bank's.
+/// The bytes of a clip in a bank, without the places of its tables, which are put among the bank's.
 std::vector<std::byte> put_tables(const mcpr_cooked& clip, SharedTables& tables);
 
 }  // namespace mocapress

@@ -39,7 +39,7 @@ std::vector<std::byte> encoded(const Motion& motion, EncodeOptions options = {})
   return write_container(Encoder(motion).encode(options).compressed);
 }
 
-/// In orders of its own, so that the skeleton of the file is not that of the others.
+/// A clip with orders of its own, so that its skeleton in the file differs from the others.
 std::vector<std::byte> encoded_in_order(const Motion& motion, RotationOrder order) {
   RotationForms forms = rotation_forms(motion.skeleton);
   for (RotationForm& form : forms) form.order = order;
@@ -84,7 +84,7 @@ class BankTest : public testing::Test {
   fs::path bank() const { return folder_ / "bank.mcpk"; }
 
   void make(const BankOptions& options = {}) {
-    // No engine plays it: it is for packed banks alone.
+    // No engine plays this file, so only packed banks take it.
     if (options.form == runtime::BankForm::Cooked) fs::remove(folder_ / "clips/rle.mcpr");
     make_bank(bank(), find_bank_sources({folder_ / "clips"}), options);
   }
@@ -110,7 +110,7 @@ TEST_F(BankTest, CutShortWhileItIsReadIsStillWhole) {
   EXPECT_THROW(BankFile cut(bank()), InputError);
 }
 
-/// Errors of a file that other writers made may have all bits that floats have.
+/// Other writers may store errors with any bits of a float.
 TEST_F(BankTest, GivesErrorsBackThatHaveNoCode) {
   const auto put_errors = [&](const std::string& name, float eps, float most) {
     CompressedClip clip = test::segmented_clip(test::smooth_motion(20), SegmentLayout::whole(20));
@@ -166,7 +166,7 @@ TEST_F(BankTest, SkeletonsThatDifferInOrdersStandOnce) {
   const std::uint32_t all = BankFile(bank()).bank().count(runtime::BankItem::Part);
   put("walks/xzy", encoded_in_order(test::smooth_motion(60), RotationOrder::Xzy));
   make();
-  // Another skeleton would be a part, and so is what its source's orders are.
+  // A different skeleton would add a part, and so do other orders of rotations.
   EXPECT_EQ(BankFile(bank()).bank().count(runtime::BankItem::Part), all);
 }
 
@@ -338,7 +338,7 @@ TEST_P(BothForms, RemovingAllLeavesAnEmptyBankAndWhatIsNotThereNothing) {
   EXPECT_EQ(empty.texts(), (BankTexts{{"by", "us"}}));
 }
 
-// Each reads the bank before it writes it: without waiting, most of what the others add is lost.
+// Each process reads the bank before it writes it. Without waiting, most additions would be lost.
 TEST_F(BankTest, ManyWhoAddAtOnceAllAddTheirs) {
   make_bank(bank(), {}, {});
   {
@@ -379,7 +379,7 @@ TEST_P(BothForms, WhatFailsLeavesTheOldBank) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 3);
 }
 
-/// Clips that are alike, so that a few teach much.
+/// A bank of clips so similar that a few teach much.
 class LearnedBank : public BankTest {
  protected:
   LearnedBank() {
@@ -425,7 +425,7 @@ TEST_F(BankTest, LearnsNothingFromAFewClips) {
   EXPECT_EQ(read_bytes(bank()), plain);
 }
 
-/// A bank in memory whose bytes are changed.
+/// A bank in memory with changed bytes.
 class HostileBank : public BothForms {
  protected:
   HostileBank() {
