@@ -21,10 +21,10 @@ namespace mocapress {
 
 namespace {
 
-/// Segments of this many frames or fewer are kept exactly by their control points.
+/// Segments of at most this many frames are exact, since a curve has as many control points.
 inline constexpr int kShortestCurve = 3;
 
-/// Segments of `length` frames beyond the first frame, the last maybe shorter.
+/// The number of segments of `length` frames after the first frame; the last may be shorter.
 constexpr int curve_count(int frames, int length) {
   return frames > 1 ? (frames - 2) / length + 1 : 0;
 }
@@ -34,7 +34,7 @@ class SegmentDatabase {
  public:
   SegmentDatabase(std::span<const Motion> motions, Weighting weighting);
 
-  /// What one encoding of all motions comes to: the best way to cut and cluster for a tolerance.
+  /// One encoding of all motions: the best way to cut and cluster them for a tolerance.
   class Encoding {
    public:
     void write_codebook(ByteWriter& writer) const;
@@ -46,33 +46,33 @@ class SegmentDatabase {
     std::size_t cutting;
     std::size_t clustering;
     double tolerance;             // cm
-    std::vector<int> components;  // of each cluster
+    std::vector<int> components;  // number for each cluster
     float loading_step;           // cm
     float coefficient_step;       // cm
   };
   Encoding encode(double tolerance_cm) const;
 
  private:
-  /// What of a motion does not depend on the cut.
+  /// The parts of a motion that do not depend on the cut.
   struct Source {
     int frames;
     Eigen::RowVectorXd first_frame;
     std::vector<int> other_channels;
     std::vector<int> angles;
-    Eigen::VectorXd other_scales;  // cm for one unit of each other channel
+    Eigen::VectorXd other_scales;  // cm for a unit of each other channel
   };
   struct Clustering {
-    std::vector<int> clusters;               // of each segment, all motions in a row
-    std::vector<int> places;                 // its row in its cluster
-    std::vector<PrincipalComponents> parts;  // of each cluster's segments
+    std::vector<int> clusters;               // each segment's cluster, all motions in a row
+    std::vector<int> places;                 // each segment's row in its cluster
+    std::vector<PrincipalComponents> parts;  // one for each cluster
   };
   /// All motions as curves of one length.
   struct Cutting {
-    int length;                           // frames
-    double error;                         // cm: root mean square of what the curves miss
-    std::vector<std::size_t> first;       // segment of each motion
-    Eigen::MatrixXd markers;              // segments x control points 1, 2, 3 of all markers
-    std::vector<Eigen::MatrixXd> others;  // each motion's: 3 segments x other channels
+    int length;                      // frames
+    double error;                    // cm: root-mean-square distance of the curves from the motions
+    std::vector<std::size_t> first;  // each motion's first segment
+    Eigen::MatrixXd markers;         // segments x control points 1, 2, 3 of all markers
+    std::vector<Eigen::MatrixXd> others;  // for each motion: 3 segments x other channels
     std::vector<Clustering> clusterings;
   };
 
@@ -81,10 +81,10 @@ class SegmentDatabase {
 
   std::vector<Source> sources_;
   std::vector<Cutting> cuttings_;  // the longest first
-  Eigen::Index coordinates_ = 0;   // of the markers of a frame
+  Eigen::Index coordinates_ = 0;   // coordinates of a frame's markers
 };
 
-constexpr double kMostSteps = 32000;  // some way inside 16 bits
+constexpr double kMostSteps = 32000;  // well within 16 bits
 
 std::int16_t steps(double value, double step) {
   return static_cast<std::int16_t>(std::clamp(std::round(value / step), -32767.0, 32767.0));
@@ -151,7 +151,7 @@ SegmentDatabase::Cutting SegmentDatabase::cut(const std::vector<Eigen::MatrixXd>
                              .squaredNorm();
         return controls;
       };
-      // Of the markers, the mean.
+      // Averaged over the markers.
       const double share =
           std::sqrt(3.0 / static_cast<double>(std::max<Eigen::Index>(coordinates_, 1)));
       cutting.markers.row(static_cast<Eigen::Index>(cutting.first[m]) + s) =
@@ -166,7 +166,7 @@ SegmentDatabase::Cutting SegmentDatabase::cut(const std::vector<Eigen::MatrixXd>
   cutting.error = std::sqrt(squared_error / std::max(frames, 1));
 
   constexpr int kMostClusters = 64;
-  constexpr int kLargestCluster = 400;  // segments: larger ones take long to analyse
+  constexpr int kLargestCluster = 400;  // segments: larger clusters take long to analyse
   constexpr int kSmallestCluster = 6;
   for (int count = 1; count <= kMostClusters && segments > 0; count *= 4) {
     if (count > 1 && segments < count * kSmallestCluster) break;
@@ -187,8 +187,8 @@ SegmentDatabase::Cutting SegmentDatabase::cut(const std::vector<Eigen::MatrixXd>
 }
 
 SegmentDatabase::Encoding SegmentDatabase::encode(double tolerance_cm) const {
-  // Of the squared error a fifth is for the steps; what the curves leave is for the components. An
-  // error of a control point is in sight for about half a segment.
+  // The steps get a fifth of the squared error, the components get what the curves leave of the
+  // rest. An error of a control point shows over about half a segment.
   const double markers = static_cast<double>(coordinates_) / 3;
   const double may_miss = 0.8 * tolerance_cm * tolerance_cm;
   Encoding best;
@@ -199,7 +199,7 @@ SegmentDatabase::Encoding SegmentDatabase::encode(double tolerance_cm) const {
     if (left < 0 && cut.length > kShortestCurve) continue;
     for (std::size_t way = 0; way < cut.clusterings.size(); ++way) {
       const Clustering& clustering = cut.clusterings[way];
-      constexpr double kBytes = 1.3;  // of a number, deflated
+      constexpr double kBytes = 1.3;  // bytes for a deflated number
       double bytes = 0;
       std::vector<int> components;
       for (const PrincipalComponents& parts : clustering.parts) {
@@ -260,7 +260,7 @@ void SegmentDatabase::Encoding::write_clip(ByteWriter& writer, std::size_t clip)
                        std::numbers::pi / 32767));
   writer.write(coefficient_step);
 
-  // Each curve from where the decoder's came to be.
+  // Each curve starts at the end of the decoder's last one.
   const Eigen::MatrixXd& others = cut.others[clip];
   for (Eigen::Index c = 0; c < others.cols(); ++c) {
     const double at_first =
@@ -299,7 +299,7 @@ Eigen::VectorXd read_steps(ByteReader& reader, Eigen::Index count, double step) 
   return values;
 }
 
-/// Clusters of curves, as the decoder has them.
+/// Clusters of curves, as decoded.
 struct Codebook {
   struct Cluster {
     Eigen::VectorXd mean;
@@ -330,7 +330,7 @@ struct Codebook {
   }
 };
 
-/// Puts frames together again, segment by segment.
+/// Rebuilds frames, segment by segment.
 class ClipDecoder {
  public:
   ClipDecoder(const Skeleton& skeleton, int frames, const Codebook& codebook)
@@ -374,7 +374,7 @@ class ClipDecoder {
     return frame;
   }
 
-  /// Control points 1, 2, 3 of each segment of the channels that markers do not say.
+  /// Control points 1, 2, 3 of each segment, for channels that markers do not determine.
   Eigen::MatrixXd read_others(ByteReader& reader, const Eigen::RowVectorXd& first) const {
     const std::vector<int>& channels = markers_.other_channels();
     Eigen::MatrixXd controls(3 * segments_, std::ssize(channels));
@@ -406,12 +406,12 @@ class ClipDecoder {
   int segments_;
 };
 
-/// Of a clip, at most.
+/// The largest number of segments in a clip.
 std::size_t segments_of(int frames) {
   return static_cast<std::size_t>(curve_count(frames, kShortestCurve));
 }
 
-/// No clip's part inflates to more, whatever is in it.
+/// The most that a clip's part can inflate to, whatever its contents.
 std::size_t most_clip_bytes(const VirtualMarkers& markers, int frames) {
   const std::size_t segments = segments_of(frames);
   const auto coordinates = static_cast<std::size_t>(markers.coordinates());
@@ -420,7 +420,8 @@ std::size_t most_clip_bytes(const VirtualMarkers& markers, int frames) {
          segments * (1 + 6 * coordinates);
 }
 
-/// Nor does a codebook: there are no more clusters than segments, and no more components in all.
+/// The same for a codebook: it has at most as many clusters as segments, and at most as many
+/// components in all.
 std::size_t most_codebook_bytes(const VirtualMarkers& markers, std::size_t segments) {
   const std::size_t of_vector = 6 * static_cast<std::size_t>(markers.coordinates());
   constexpr std::size_t kMostClusters = 255;
@@ -516,7 +517,7 @@ ArikanDatabase compress_database(std::span<const Motion> motions, Weighting weig
 Clip decode_from_database(const Skeleton& skeleton, double sample_rate_hz, int frames,
                           std::span<const std::byte> codebook_bytes,
                           std::span<const std::byte> clip_bytes) {
-  constexpr int kMostFramesOfDatabase = 1 << 20;  // it is of more clips than this
+  constexpr int kMostFramesOfDatabase = 1 << 20;  // a database has several clips
   const VirtualMarkers markers(skeleton);
   const auto shared = inflate_bytes(
       codebook_bytes, most_codebook_bytes(markers, segments_of(kMostFramesOfDatabase)));

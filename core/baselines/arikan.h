@@ -17,19 +17,20 @@
 
 namespace mocapress {
 
-/// Clustered PCA of short Bezier curves of virtual markers, the database being the clip alone; a
+/// Clustered PCA of short Bezier curves of virtual markers, with the clip alone as database. A
 /// detail is a tolerance.
 const ComparisonMethod& arikan_method();
 
 /// Several motions whose segments share clusters and components.
 struct ArikanDatabase {
-  std::vector<std::byte> codebook;            // what they share
-  std::vector<std::vector<std::byte>> clips;  // each motion's own
+  std::vector<std::byte> codebook;            // shared by all motions
+  std::vector<std::vector<std::byte>> clips;  // one for each motion
 
   std::size_t bytes() const;
 };
 
-/// All skeletons have the same joints and channels; lengths may differ. Throws Error otherwise.
+/// Compresses motions whose skeletons have the same joints and channels; lengths may differ. Throws
+/// Error for other skeletons.
 ArikanDatabase compress_database(std::span<const Motion> motions, Weighting weighting,
                                  double tolerance_cm);
 

@@ -6,8 +6,8 @@
 
 namespace mocapress {
 
-/// Lloyd's algorithm from rows evenly spaced in order: each row's cluster, in [0, clusters). The
-/// same for the same rows.
+/// Lloyd's algorithm, starting from rows at even distances: each row's cluster, in [0, clusters).
+/// Equal rows give equal clusters.
 std::vector<int> k_means(const Eigen::MatrixXd& rows, int clusters);
 
 }  // namespace mocapress

@@ -20,7 +20,7 @@ namespace mocapress {
 namespace {
 
 constexpr int kShortestSegment = 16;   // frames
-constexpr double kStepsPerOctave = 8;  // of the scales
+constexpr double kStepsPerOctave = 8;  // steps for an octave of scales
 
 enum Node : std::uint8_t { kLeaf = 0, kHalves = 1 };
 
@@ -28,14 +28,15 @@ double scale_of(std::int8_t exponent) {
   return std::exp2(exponent / kStepsPerOctave);
 }
 
-/// What a channel moves on average: cm for a radian (or a cm).
+/// The average movement by a channel, in cm for a radian (or a cm), as an exponent.
 std::vector<std::int8_t> scale_exponents(const Motion& motion, Weighting weighting) {
-  constexpr double kLeast = 1;  // cm: so that nothing is lost altogether
+  constexpr double kLeast = 1;  // cm: so that no channel is lost altogether
   const ErrorModel model(motion.skeleton, motion.clip, weighting);
   std::vector<std::int8_t> exponents;
   for (const auto& curvature : model.curvature().colwise()) {
     const double mean = curvature.size() > 0 ? curvature.mean() : 0;
-    const double scale = std::sqrt(std::max(mean, kLeast * kLeast));  // rounded, it may be below 0
+    // Rounding may make the mean negative.
+    const double scale = std::sqrt(std::max(mean, kLeast * kLeast));
     exponents.push_back(static_cast<std::int8_t>(
         std::clamp(std::round(kStepsPerOctave * std::log2(scale)), -127.0, 127.0)));
   }
@@ -48,7 +49,7 @@ Eigen::RowVectorXd scales_of(const std::vector<std::int8_t>& exponents) {
   return scales;
 }
 
-/// The principal components of a segment, and of its halves if it has any.
+/// The principal components of a segment, and its halves if it has any.
 struct Segment {
   PrincipalComponents poses;
   std::unique_ptr<Segment> first;
@@ -63,7 +64,7 @@ struct Segment {
   }
 };
 
-/// Writes segments so that the poses stay within a tolerance (cm).
+/// Writes segments so that poses keep within a tolerance (cm).
 class SegmentWriter {
  public:
   SegmentWriter(double tolerance, double step) : tolerance_(tolerance), step_(step) {}
@@ -79,8 +80,8 @@ class SegmentWriter {
   }
 
  private:
-  // Half of the squared error for what the components leave out, half for the key frames: what
-  // a spline misses is at worst some 2.5 times its root mean square.
+  // Components and key frames get half of the squared error each. A spline's largest error is some
+  // 2.5 times its root mean square.
   std::vector<std::byte> write_leaf(const PrincipalComponents& poses) const {
     const int components = poses.enough_for(tolerance_ * tolerance_ / 2);
     ByteWriter writer;
@@ -134,12 +135,12 @@ class LiuMcMillanCoder : public DetailCoder {
 
  private:
   std::vector<std::int8_t> exponents_;
-  Eigen::MatrixXd scaled_;  // frames x channels, about cm
+  Eigen::MatrixXd scaled_;  // frames x channels, roughly in cm
   Segment whole_;
-  double reach_ = 0;  // no projection is larger
+  double reach_ = 0;  // largest projection
 };
 
-/// Reads what SegmentWriter wrote.
+/// Reads segments written by SegmentWriter.
 class SegmentReader {
  public:
   SegmentReader(ByteReader& reader, double step) : reader_(reader), step_(step) {}
@@ -220,7 +221,8 @@ class LiuMcMillan : public ComparisonMethod {
   }
 
  private:
-  /// A component needs 2 bytes a channel and 3 a frame, and has no more of them than frames.
+  /// A component takes 2 bytes for each channel and 3 for each frame, and there are at most as many
+  /// as frames.
   static std::size_t most_bytes(int frames, int channels) {
     const auto n = static_cast<std::size_t>(frames);
     const auto k = static_cast<std::size_t>(channels);

@@ -13,7 +13,7 @@
 namespace mocapress {
 namespace {
 
-/// The channels of a skeleton: the pose (angles) and what is stored beside it (translations).
+/// The channels of a skeleton in two parts: the pose (angles), and translations stored beside it.
 struct Split {
   std::vector<int> angles;
   std::vector<int> translations;

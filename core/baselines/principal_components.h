@@ -5,20 +5,21 @@
 
 namespace mocapress {
 
-/// Rows taken apart: row = mean + projections.row * basis^T.
+/// A decomposition of rows: row = mean + projections.row * basis^T.
 struct PrincipalComponents {
   Eigen::VectorXd mean;
-  Eigen::MatrixXd basis;        // columns of the rows x components, orthonormal, the largest first
+  Eigen::MatrixXd basis;  // columns of the rows x components, orthonormal, largest variance first
   Eigen::MatrixXd projections;  // rows x components
-  Eigen::VectorXd variances;    // mean squared projection of each component
+  Eigen::VectorXd variances;    // each component's mean squared projection
 
   int count() const { return static_cast<int>(basis.cols()); }
 
-  /// The fewest components that leave a mean squared error of no more than this.
+  /// The fewest components that leave a mean squared error of at most `squared_error`.
   int enough_for(double squared_error) const;
 };
 
-/// Components that explain nothing are left out: at most rows - 1 and columns.
+/// Decomposes rows. Components without variance are left out: there are at most rows - 1, and at
+/// most as many as columns.
 PrincipalComponents principal_components(Eigen::MatrixXd rows);
 
 }  // namespace mocapress

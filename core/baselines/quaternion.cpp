@@ -18,15 +18,15 @@ namespace mocapress {
 
 namespace {
 
-/// Of any length but zero, which stands for no turn.
+/// The rotation of a quaternion of any length; zero stands for no turn.
 Eigen::Matrix3d rotation_of(const Eigen::RowVector4d& wxyz) {
   constexpr double kLeast = 1e-12;
   const Eigen::Quaterniond q(wxyz(0), wxyz(1), wxyz(2), wxyz(3));
   return q.norm() > kLeast ? q.normalized().toRotationMatrix() : Eigen::Matrix3d::Identity();
 }
 
-/// One row for each component of unit quaternion `wxyz`: one unit more of it turns by 2 vec(e q*).
-/// What would change the length is left out, as the decoder sets that right.
+/// Small turns by the components of the unit quaternion `wxyz`, a row each: one unit of a component
+/// turns by 2 vec(e q*). Changes of length are ignored, since the decoder corrects them.
 Eigen::Matrix<double, 4, 3> turns_of_components(const Eigen::RowVector4d& wxyz) {
   const Eigen::Quaterniond conjugate(wxyz(0), -wxyz(1), -wxyz(2), -wxyz(3));
   Eigen::Matrix<double, 4, 3> turns;
@@ -117,7 +117,7 @@ SignalMoves QuaternionSignals::moves(const Clip& clip, const Eigen::MatrixXd& si
 }
 
 std::vector<double> QuaternionSignals::scales() const {
-  constexpr double kTurnOfComponent = 2;  // radians for one unit, at most
+  constexpr double kTurnOfComponent = 2;  // radians for a unit, at most
   const std::vector<double> of_channels = channel_scales(skeleton_);
   std::vector<double> scales;
   for (const JointSignals& of : joints_) {

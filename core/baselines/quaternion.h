@@ -7,7 +7,7 @@
 
 namespace mocapress {
 
-/// A clip's channels as signals with quaternions in place of angles: joint by joint its
+/// A clip's channels as signals, with quaternions in place of angles: joint by joint its
 /// translations, then w x y z of its rotation if it turns.
 class QuaternionSignals {
  public:
@@ -15,24 +15,24 @@ class QuaternionSignals {
 
   int count() const { return joints_.empty() ? 0 : joints_.back().end(); }
 
-  /// frames x signals. Of the two quaternions of each rotation, the one next to that of the frame
-  /// before.
+  /// The signals: frames x signals. Each rotation has two quaternions, of which the one nearer to
+  /// the last frame's is taken.
   Eigen::MatrixXd of(const Clip& clip) const;
 
-  /// The inverse. Quaternions may have any length.
+  /// The clip of such signals. Quaternions may have any length.
   Clip clip_of(const Eigen::MatrixXd& signals, double sample_rate_hz) const;
 
-  /// What small changes of `signals`, which are of(clip), do to the joints.
+  /// Movements of the joints by small changes of `signals`, which are of(clip).
   SignalMoves moves(const Clip& clip, const Eigen::MatrixXd& signals) const;
 
-  /// What makes signals comparable, as channel_scales() does channels.
+  /// Factors that make signals comparable, as channel_scales() does for channels.
   std::vector<double> scales() const;
 
  private:
   struct JointSignals {
     int joint;
-    int first;                      // of the signals
-    std::vector<int> translations;  // channels of the clip
+    int first;                      // first signal
+    std::vector<int> translations;  // the clip's channels
     bool turns;
 
     int quaternion() const { return first + static_cast<int>(translations.size()); }
@@ -43,7 +43,7 @@ class QuaternionSignals {
   std::vector<JointSignals> joints_;
 };
 
-/// Adaptive wavelets on quaternions in place of angles; a detail is a number of coefficients.
+/// Adaptive wavelets on quaternions in place of angles. A detail is a number of coefficients.
 const ComparisonMethod& quaternion_method();
 
 }  // namespace mocapress

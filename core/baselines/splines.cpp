@@ -102,7 +102,7 @@ Eigen::MatrixX4d bernstein(Eigen::Index steps) {
 }  // namespace
 
 Eigen::MatrixXd fit_bezier(const Eigen::Ref<const Eigen::MatrixXd>& rows) {
-  // Where the frames between do not say, the control points are those of a straight line.
+  // If the frames between leave them undetermined, the control points lie on a straight line.
   constexpr double kStraight = 1e-9;
   const Eigen::Index steps = rows.rows() - 1;
   const Eigen::RowVectorXd start = rows.row(0);

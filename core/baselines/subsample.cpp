@@ -24,7 +24,7 @@ class SubsampleCoder : public DetailCoder {
  public:
   explicit SubsampleCoder(const Motion& motion) : channels_(motion.clip.channels) {
     const int gaps = static_cast<int>(channels_.rows()) - 1;
-    // Of the strides that keep as many frames, the most even.
+    // Among strides that keep the same number of frames, the smallest has the most even gaps.
     for (int stride = gaps; stride > 1; --stride)
       if (kept(gaps, stride) != kept(gaps, stride - 1)) strides_.push_back(stride);
     strides_.push_back(1);
@@ -45,7 +45,7 @@ class SubsampleCoder : public DetailCoder {
   static int kept(int gaps, int stride) { return (gaps + stride - 1) / stride; }
 
   Eigen::MatrixXd channels_;
-  std::vector<int> strides_;  // falling
+  std::vector<int> strides_;  // descending
 };
 
 class Subsample : public ComparisonMethod {

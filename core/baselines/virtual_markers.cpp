@@ -9,9 +9,9 @@
 namespace mocapress {
 namespace {
 
-using Markers = Eigen::Map<const Eigen::Matrix3d>;  // a column each
+using Markers = Eigen::Map<const Eigen::Matrix3d>;  // one column for each
 
-/// The rotation whose columns come nearest to the arms of the markers about their middle.
+/// The rotation whose columns come nearest to the markers' offsets from their centre.
 Eigen::Matrix3d orientation(const Eigen::Matrix3d& markers) {
   const Eigen::Matrix3d arms = markers.colwise() - markers.rowwise().mean();
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(arms, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -64,7 +64,8 @@ void VirtualMarkers::turn(const Eigen::RowVectorXd& markers, Eigen::RowVectorXd&
     Eigen::Matrix3d& result = root_from_joint[static_cast<std::size_t>(j)];
     result = root_from_joint[static_cast<std::size_t>(joint.parent)];
     if (!turns(joint)) continue;
-    // From where the parent came to be, so that a joint makes good what its parent could not.
+    // Starts from the parent's decoded place, so that a joint corrects what its parent could not
+    // reach.
     const Eigen::Matrix3d axes = joint.joint_from_axes;
     const Eigen::Matrix3d wanted =
         axes.transpose() * result.transpose() * orientation(Markers(next)) * axes;

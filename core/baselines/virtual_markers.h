@@ -9,25 +9,25 @@
 
 namespace mocapress {
 
-/// Poses as points: three markers to each joint that turns and is no root, a bone's length along
-/// its axes, seen from the root. They say what a pose is without the hierarchy of the angles.
+/// Poses as points: three markers for each joint that turns and is no root, a bone's length along
+/// its axes, relative to the root. They describe a pose without the hierarchy of its angles.
 class VirtualMarkers {
  public:
   explicit VirtualMarkers(const Skeleton& skeleton);
 
-  /// Coordinates of all markers of a frame.
+  /// Number of coordinates of a frame's markers.
   Eigen::Index coordinates() const { return 9 * std::ssize(places_); }
 
-  /// The channels that markers do not say: all of the roots' and translations.
+  /// The channels that markers do not determine: all of the roots' and all translations.
   const std::vector<int>& other_channels() const { return other_channels_; }
-  /// The angles that they do say.
+  /// The angles that markers determine.
   const std::vector<int>& angles() const { return angles_; }
 
-  /// Where the markers are. cm, in the root's frame.
+  /// Places of the markers (cm), in the root's frame.
   Eigen::RowVectorXd of(const FrameRow& frame) const;
 
-  /// Sets the angles of `frame`, which holds those of the frame before, so that the joints turn as
-  /// the markers say.
+  /// Sets the angles of `frame`, which holds those of the frame before, so that the joints turn to
+  /// the markers.
   void turn(const Eigen::RowVectorXd& markers, Eigen::RowVectorXd& frame) const;
 
  private:
@@ -37,7 +37,7 @@ class VirtualMarkers {
   };
 
   const Skeleton& skeleton_;
-  std::vector<int> roots_;  // of each joint
+  std::vector<int> roots_;  // each joint's root
   std::vector<Place> places_;
   std::vector<int> other_channels_;
   std::vector<int> angles_;

@@ -12,7 +12,7 @@
 namespace mocapress {
 namespace {
 
-/// A cycle of 96 frames, each time a little larger: what motions of a database have in common.
+/// Motions as in a database: a cycle of 96 frames, each time a little larger.
 std::vector<Motion> similar_motions() {
   std::vector<Motion> motions;
   for (const double size : {1.0, 1.1, 1.2, 1.3}) {

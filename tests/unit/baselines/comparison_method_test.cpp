@@ -18,7 +18,7 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-/// A chain whose joints all have six channels, the rotation first.
+/// A chain of joints with six channels each, rotations first.
 Skeleton six_channel_skeleton() {
   using enum ChannelKind;
   Skeleton skeleton;
@@ -61,7 +61,7 @@ class EveryComparisonMethod : public testing::TestWithParam<const ComparisonMeth
   double eps(const Motion& motion, const Bytes& bytes) const {
     return measure(motion.skeleton, motion.clip, decode(motion, bytes)).eps_bone_ends;
   }
-  /// Decoded or refused, but nothing else.
+  /// Expects the bytes to be decoded, or refused by a FormatError.
   void expect_survived(const Motion& motion, const Bytes& bytes) const {
     try {
       const Clip clip = decode(motion, bytes);
@@ -72,7 +72,7 @@ class EveryComparisonMethod : public testing::TestWithParam<const ComparisonMeth
   }
 };
 
-/// Details a factor of about 1.6 apart, from none to the most.
+/// Details that differ by a factor of about 1.6, from none to the most.
 std::vector<int> ladder(const DetailCoder& coder) {
   std::vector<int> details{0};
   for (double d = 1; d < coder.most_detail(); d *= 1.6) details.push_back(static_cast<int>(d));
@@ -97,7 +97,7 @@ TEST_P(EveryComparisonMethod, MoreDetailTakesMoreBytesAndErrsLess) {
     errors.push_back(eps(motion, bytes));
     sizes.push_back(bytes.size());
   }
-  // DEFLATE and non-linear poses allow a step back now and then, but not far.
+  // DEFLATE and non-linear poses allow small steps back.
   for (std::size_t i = 1; i < errors.size(); ++i) {
     EXPECT_LT(errors[i], 1.15 * errors[i - 1] + 0.02) << i;
     EXPECT_GT(static_cast<double>(sizes[i]), 0.95 * static_cast<double>(sizes[i - 1]) - 8) << i;
@@ -166,7 +166,7 @@ TEST_P(EveryComparisonMethod, SurvivesRandomDamage) {
     Bytes inside = inflated;
     Bytes outside = whole;
     for (int flips = 0; flips <= trial % 4; ++flips) {
-      // Every other flip hits the head, where counts are.
+      // Every other flip is within the head, which holds counts.
       const std::size_t most =
           flips % 2 == 0 ? std::min<std::size_t>(40, inside.size()) : inside.size();
       inside[random.below(most)] = static_cast<std::byte>(random.below(256));

@@ -10,7 +10,7 @@
 namespace mocapress {
 namespace {
 
-/// Poses that two curves say, with a root that travels freely.
+/// Poses made from two curves, with a root that travels freely.
 Motion two_component_motion() {
   Motion motion = test::smooth_motion(300);
   for (int c = 3; c < motion.skeleton.channel_count(); ++c)
@@ -37,8 +37,8 @@ TEST(Pca, CountsMeanBasisProjectionsAndRoot) {
   const Motion motion = test::smooth_motion(300);
   const auto coder = pca_method().analyse(motion, Weighting::BoneEnds);
   for (const int components : {0, 3, 7}) {
-    // 18 angles, 3 translations, 16 bits each; a range for the mean, the basis, the projections and
-    // each translation.
+    // 18 angles and 3 translations, 16 bits each. A range each for the mean, the basis, the
+    // projections and the translations.
     const auto expected = static_cast<std::size_t>(
         2 + 2 * (18 + 18 * components + 300 * components + 3 * 300) + 8 * (3 + 3));
     EXPECT_EQ(inflate_bytes(coder->encode(components), 1 << 20).size(), expected);

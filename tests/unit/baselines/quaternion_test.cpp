@@ -37,7 +37,7 @@ TEST(QuaternionSignals, TheirErrorModelAgreesWithExactDistortionForSmallErrors) 
   const ErrorModel model(motion.skeleton, motion.clip,
                          measured_points(motion.skeleton, Weighting::BoneEnds),
                          quaternions.moves(motion.clip, signals));
-  // What a quaternion of one or two axes can be off by and keep to them is not asked of the model.
+  // The model does not cover errors by which a quaternion of one or two axes leaves those axes.
   const int free_signals = 3 + 4 + 4;  // root and spine
   Random random(1);
   ErrorState state(model);
@@ -70,7 +70,7 @@ TEST(Quaternion, GoesThroughWholeTurnsWithoutAJump) {
 }
 
 TEST(Quaternion, LeavesOutSignalsThatMoveNoWeight) {
-  // In joint-origins the hands' own turns move nothing that counts.
+  // In joint-origins the hands' own turns move no point that counts.
   const Motion motion = test::smooth_motion(200);
   const auto bytes = [&](Weighting weighting) {
     return MethodEncoder(motion)
