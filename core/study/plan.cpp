@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kHeldMethod = "annealed";  // of which feet are held
+constexpr std::string_view kHeldMethod = "annealed";  // feet are held with this method
 
 std::vector<Target> targets(Target::Kind kind, std::initializer_list<double> values) {
   std::vector<Target> all;

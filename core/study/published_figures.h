@@ -8,7 +8,7 @@
 
 namespace mocapress {
 
-/// Size after coding and the ratio to the uncompressed floats. 1 KB = 1024 bytes.
+/// A coded size and its ratio to the uncompressed floats. 1 KB = 1024 bytes.
 struct PublishedSize {
   double kb;
   double ratio;
@@ -27,9 +27,9 @@ struct PublishedTiming {
   int iterations;
 };
 
-/// What the paper reports of one clip of the CMU library.
+/// The paper's figures for one clip of the CMU library.
 struct PublishedClip {
-  std::string_view stem;  // of the file
+  std::string_view stem;  // file name without extension
   std::string_view title;
   int frames;
   std::array<PublishedSizes, 5> sizes;
@@ -57,15 +57,15 @@ inline constexpr std::array<PublishedClip, 2> kPublishedClips = {{
      {{{50, 308, 247}, {40, 312, 243}, {30, 391, 311}, {15, 456, 369}, {7, 483, 380}}}},
 }};
 
-/// Over the paper's 15 clips: no artifact was visible at this eps_x, at this ratio.
+/// The error and ratio up to which the paper saw no artifact in its 15 clips.
 inline constexpr double kPublishedInvisibleEpsCm = 0.5;
 inline constexpr double kPublishedMeanRatio = 25;
 
-/// Of the paper's video: coefficient ratio of the angles.
+/// The coefficient ratio of the angles in the paper's video.
 inline constexpr double kPublishedVideoRatio = 30;
 inline constexpr double kPublishedVideoIkRatio = 16;
 
-/// nullptr when the paper says nothing about a clip of that name.
+/// The paper's figures for a clip of this name; null if there are none.
 constexpr const PublishedClip* find_published(std::string_view stem) {
   for (const PublishedClip& clip : kPublishedClips)
     if (clip.stem == stem) return &clip;

@@ -34,8 +34,8 @@ std::string counted(std::size_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-/// A colour and marker a method keeps in every study; those without one of their own share what is
-/// left by their order.
+/// A colour and marker that a method keeps in every study. Methods without one of their own take
+/// the remaining ones in their order.
 int style_of(const Results& results, const Series& series) {
   constexpr std::string_view kOwn[] = {"annealed",     "standard", "per-channel", "haar",
                                        "linear",       "pca",      "subsample",   "quaternion",
@@ -79,7 +79,7 @@ Chart mean_chart(const Results& results) {
   return chart;
 }
 
-/// The paper's points as hollow markers.
+/// Adds the paper's points as hollow markers.
 void add_published(Chart& chart, const Results& results, const PublishedClip& clip) {
   const auto add = [&](const char* method, auto size_of) {
     const Series* series = results.find_series(method);
@@ -289,7 +289,7 @@ std::string captioned(const std::string& svg, const std::string& caption,
                  svg + element("figcaption", "", caption));
 }
 
-/// The landmark that is furthest off.
+/// The landmark with the largest error.
 std::size_t worst_landmark(const PosePoints& original, const PosePoints& decoded) {
   std::size_t worst = 0;
   double most = -1;
@@ -298,7 +298,7 @@ std::size_t worst_landmark(const PosePoints& original, const PosePoints& decoded
   return worst;
 }
 
-/// Midway between the floor and the top of the figure, over the middle of its bones.
+/// The point midway between the floor and the top of the figure, above the middle of its bones.
 Eigen::Vector3d centre_of(const Picture& picture, const PosePoints& points) {
   Eigen::Vector3d low = points.front();
   Eigen::Vector3d high = points.front();
@@ -311,7 +311,7 @@ Eigen::Vector3d centre_of(const Picture& picture, const PosePoints& points) {
   return (low + high) / 2;
 }
 
-/// Figure heights differ: what is seen is the tallest of the picture and some air.
+/// The height that is shown: the tallest figure of the picture and some air above.
 double seen_height_cm(const Picture& picture) {
   double height = 0;
   const auto consider = [&](const PicturedFrame& frame) {

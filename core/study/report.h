@@ -9,8 +9,8 @@
 
 namespace mocapress {
 
-/// A finished study as one HTML page that needs nothing else: curves, tables beside the paper's,
-/// poses. The same rows and pictures make the same page.
+/// A finished study as one HTML page that needs no other file: curves, tables beside the paper's,
+/// poses. Equal rows and pictures make an equal page.
 std::string report_html(const Results& results, const std::vector<Picture>& pictures);
 
 }  // namespace mocapress

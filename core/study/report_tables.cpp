@@ -22,7 +22,7 @@ std::string eps_text(double eps_cm) {
   return format_shortest(eps_cm) + " cm";
 }
 
-/// The series that have anything to show, in order.
+/// The series with anything to show, in order.
 template <typename HasAny>
 std::vector<const Series*> series_with(const Results& results, const HasAny& has_any) {
   std::vector<const Series*> chosen;
@@ -31,11 +31,11 @@ std::vector<const Series*> series_with(const Results& results, const HasAny& has
   return chosen;
 }
 
-using Errors = std::set<double, std::greater<>>;  // cm, the largest first
+using Errors = std::set<double, std::greater<>>;  // cm, largest first
 
 constexpr double kUsualErrors[] = {1, 0.5, 0.26, 0.1};
 
-/// What a study asked of a clip; usual ones where it asked for none.
+/// The errors that a study asked of a clip, or the usual ones if it asked for none.
 Errors asked_errors(const Results& results, const StudiedClip& clip) {
   Errors errors;
   for (const StudyRow& row : results.rows())
@@ -45,7 +45,7 @@ Errors asked_errors(const Results& results, const StudiedClip& clip) {
   return errors;
 }
 
-/// What it asked of every clip, and the usual ones.
+/// The errors asked of every clip, and the usual ones.
 Errors common_errors(const Results& results) {
   Errors errors(std::begin(kUsualErrors), std::end(kUsualErrors));
   if (results.clips().empty()) return errors;
@@ -57,7 +57,7 @@ Errors common_errors(const Results& results) {
   return errors;
 }
 
-/// Of at most `most` clips: those of the paper, else the first.
+/// At most `most` clips: those of the paper, else the first.
 std::vector<const StudiedClip*> shown_clips(const Results& results, std::size_t most) {
   std::vector<const StudiedClip*> shown;
   for (const StudiedClip& clip : results.clips())
@@ -86,7 +86,7 @@ std::string size_text(double kb, double ratio) {
   return format_significant(kb) + " (" + ratio_text(ratio) + ")";
 }
 
-/// "≈" where the figure comes from the curve.
+/// A size, marked "≈" if it is read from the curve.
 std::string size_cell(const Results& results, const StudiedClip& clip, const Series& series,
                       double eps_cm) {
   const auto size = results.size_at(clip, series, eps_cm);
@@ -147,7 +147,7 @@ std::string time_cells(const StudyRow* row, const StudiedClip& clip, double rati
   return cells + cell(kNothing, "paper") + cell(kNothing, "paper");
 }
 
-/// Of one kind, the target nearest to that of the paper's video at which feet were measured.
+/// Among targets of a kind at which feet were measured, the one nearest to the paper's video.
 std::optional<Target> footskate_target(const Results& results, Target::Kind kind) {
   std::optional<Target> nearest;
   const auto distance = [](const Target& target) {
@@ -160,7 +160,7 @@ std::optional<Target> footskate_target(const Results& results, Target::Kind kind
   return nearest;
 }
 
-/// The total way, the mean and the worst way of a contact, and the worst drift.
+/// The total path, a contact's mean and largest path, and the largest drift.
 std::string slide_cell(const Measurement& measured) {
   std::string text = fixed(*measured.footskate_cm, 1) + " cm";
   if (measured.slide)
@@ -233,7 +233,7 @@ std::string mean_size_table(const Results& results) {
   std::string body;
   const int clips = static_cast<int>(results.clips().size());
   for (const double eps_cm : common_errors(results)) {
-    // A mean of other clips than its neighbours' would compare clips, not methods.
+    // Means must be over the same clips, or they would compare clips instead of methods.
     std::vector<std::optional<MeanRatio>> means;
     double best = 0;
     bool all = true;
@@ -351,7 +351,7 @@ std::string clip_table(const Results& results) {
 
 namespace {
 
-/// The one of a kind that is nearest to `value`.
+/// The target of a kind nearest to `value`.
 std::optional<Target> nearest_target(const Results& results, Target::Kind kind, double value) {
   std::optional<Target> nearest;
   const auto off = [&](const Target& target) { return std::abs(std::log(target.value / value)); };
@@ -414,9 +414,9 @@ std::string angle_table(const Results& results) {
 
 namespace {
 
-constexpr double kShownRatio = 50;  // what r = 30 and r_IK = 16 of the paper's video come to
+constexpr double kShownRatio = 50;  // the ratio that r = 30 and r_IK = 16 of the paper's video give
 
-/// The same clip at the same size.
+/// Rows of one clip at the same size, with and without IK.
 struct Pair {
   const StudyRow* without;
   const StudyRow* with;
@@ -434,7 +434,7 @@ Pair pair_of(const Results& results, const StudiedClip& clip, const Series& held
   return {plain ? results.row(clip, *plain, target) : nullptr, results.row(clip, held, target)};
 }
 
-/// The ratio nearest to kShownRatio at which feet were held.
+/// Among ratios at which feet were held, the one nearest to kShownRatio.
 std::optional<Target> shown_target(const Results& results) {
   std::optional<Target> nearest;
   const auto off = [](const Target& t) { return std::abs(std::log(t.value / kShownRatio)); };
@@ -490,11 +490,11 @@ std::string held_feet_table(const Results& results) {
 
 namespace {
 
-/// All that one method failed to do with one clip.
+/// All targets that one method missed with one clip.
 struct Failure {
-  std::vector<std::string> steps;    // targets answered by the nearest step
-  std::vector<std::string> targets;  // targets not answered
-  std::string why;                   // of the first
+  std::vector<std::string> steps;    // targets for which the nearest step was taken
+  std::vector<std::string> targets;  // targets without a result
+  std::string why;                   // reason of the first
 };
 
 std::string joined(const std::vector<std::string>& words) {

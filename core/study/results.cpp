@@ -35,7 +35,7 @@ StudiedClip studied(const StudyRow& row) {
   return clip;
 }
 
-/// Clips of the same name in different folders go by their paths.
+/// Replaces titles shared by several clips by their paths.
 void make_titles_unique(std::vector<StudiedClip>& clips) {
   for (StudiedClip& clip : clips) {
     const std::string stem = stem_of(clip.path);

@@ -12,42 +12,42 @@
 
 namespace mocapress {
 
-/// What is one line of a chart: a method, with IK correction or without.
+/// One line of a chart: a method, with or without IK correction.
 struct Series {
   std::string method;
   std::optional<double> ik_ratio;
-  std::string title;  // for a legend
+  std::string title;  // text for a legend
 
   bool has(const StudyRow& row) const {
     return row.settings.method == method && row.ik_ratio() == ik_ratio;
   }
 };
 
-/// A clip that could be read.
+/// A clip that was read.
 struct StudiedClip {
   std::string path;
   ClipReview review = {};
-  std::string title;  // the file's name, or the path where that is not one clip's only
+  std::string title;  // the file's name, or its path if other clips share the name
   int frames = 0;
   int channels = 0;
   double sample_rate_hz = 0;
   std::size_t raw_bytes = 0;
-  const PublishedClip* published = nullptr;  // what the paper says about it
+  const PublishedClip* published = nullptr;  // the paper's figures for it; null: none
 };
 
-/// The smallest a series makes a clip at some error.
+/// The smallest size of a clip in a series, at some error.
 struct SizeAtError {
   double ratio;
   bool measured;  // false: read from the curve between measured points
 };
 
-/// A mean that says of how many.
+/// A mean and the number of clips behind it.
 struct MeanRatio {
   double ratio;
   int clips;
 };
 
-/// The rows of one finished study, looked up by clip and series.
+/// The rows of a finished study, found by clip and series.
 class Results {
  public:
   explicit Results(std::vector<StudyRow> rows);
@@ -57,7 +57,7 @@ class Results {
   const std::vector<Series>& series() const { return series_; }
   Weighting weighting() const { return weighting_; }
 
-  /// nullptr when no row has that method.
+  /// Null if no row has this method.
   const Series* find_series(std::string_view method) const;
 
   /// The series that a report leads with: of the method that ships, else of the paper's best, else
@@ -69,14 +69,14 @@ class Results {
 
   Curve curve(const StudiedClip& clip, const Series& series) const;
 
-  /// The row that was asked for this error, else the curve.
+  /// The size from the row for this error, else from the curve.
   std::optional<SizeAtError> size_at(const StudiedClip& clip, const Series& series,
                                      double eps_cm) const;
 
-  /// Geometric mean of the clips that have a size at this error.
+  /// The geometric mean over the clips that have a size at this error.
   std::optional<MeanRatio> mean_ratio_at(const Series& series, double eps_cm) const;
 
-  /// Over all clips; empty where there is no error that all of them have.
+  /// The curve over all clips; empty if they share no error.
   Curve mean_curve(const Series& series) const;
 
  private:

@@ -57,7 +57,7 @@ StudyRow row_from(const Json& json) {
   return row;
 }
 
-/// A row of a report, which says what made it and when.
+/// A row for a report, with the stamp that tells its program and time.
 Json stamped_json(const StudyRow& row, const ReportStamp& stamp) {
   Json json = to_json(row);
   json["program"] = stamp.program;
@@ -114,7 +114,7 @@ std::string rows_csv(std::span<const StudyRow> rows) {
 
 namespace {
 
-/// The lines that are whole rows.
+/// The complete rows among lines.
 struct WholeRows {
   explicit WholeRows(const std::string& text) {
     for (std::size_t begin = 0; begin < text.size();) {

@@ -16,15 +16,15 @@
 
 namespace mocapress {
 
-/// One compression of a study: what was asked, and what came of it or why nothing did.
+/// One compression of a study: its settings, and its measurement or the reason for none.
 struct StudyRow {
   std::string clip;         // the path as given
-  ClipReview review = {};   // where a library has one
-  std::string fingerprint;  // of the motion that was read; empty: it could not be
-  Settings settings;        // what was asked
-  int jobs = 1;             // compressions at a time, which seconds depend on
+  ClipReview review = {};   // given if a library has one
+  std::string fingerprint;  // hash of the motion as read; empty: it could not be read
+  Settings settings;        // as asked for
+  int jobs = 1;             // compressions at a time, which affect seconds
   std::optional<Measurement> measured;
-  std::string error;  // why there is no measurement
+  std::string error;  // reason for having no measurement
 
   /// r_IK; unset: without IK correction.
   std::optional<double> ik_ratio() const {
@@ -34,43 +34,43 @@ struct StudyRow {
   /// Whether the target was met: a ratio within 2 %, a bound not exceeded.
   bool reached() const;
 
-  /// What makes it the same compression in another run: all that was asked and the motion itself,
-  /// wherever its file is.
+  /// A key that equals that of the same compression in another run: it covers all settings and the
+  /// motion, but not its path.
   std::string key() const;
 };
 
-/// A row as one line of JSON without its end. The keys are those of `mocapress compress --json`
-/// where they mean the same; null where a value does not apply.
+/// The row as one line of JSON, without a line end. Keys with the meaning they have in `mocapress
+/// compress --json` are the same; null where a value does not apply.
 std::string to_json_line(const StudyRow& row);
 
-/// The inverse; unset on anything that is not a whole row.
+/// Reads such a line; unset for anything but a complete row.
 std::optional<StudyRow> parse_row(std::string_view line);
 
-/// All rows as a JSON array, one a line, each with the program's version and the date.
+/// All rows as a JSON array, one on each line, with the program's version and the date.
 std::string rows_json(std::span<const StudyRow> rows);
 
-/// The same columns as comma-separated values (RFC 4180, lines end with a line feed) under a header
+/// The same rows as comma-separated values (RFC 4180, lines end with a line feed) under a header
 /// line; empty where a value does not apply.
 std::string rows_csv(std::span<const StudyRow> rows);
 
-/// The whole rows in such a file; what is none is passed over. Throws InputError.
+/// The complete rows in a file of JSON lines; other lines are skipped. Throws InputError.
 std::vector<StudyRow> read_rows(const std::filesystem::path& path);
 
-/// The rows a study has so far, on disk as lines of JSON: what makes a run that was stopped, or
-/// died, go on where it was.
+/// The rows of a study so far, as lines of JSON on disk. A run that was stopped or died resumes
+/// from them.
 class RowsFile {
  public:
-  /// Opens or makes the file. Lines that are no whole row (the last of a run that died) are
-  /// dropped. Throws InputError, and WriteError, also when another run has it open.
+  /// Opens or creates the file. Drops lines that are no complete rows, as the last one of a run
+  /// that died. Throws InputError; throws WriteError, also if another run has it open.
   explicit RowsFile(const std::filesystem::path& path);
 
-  /// The rows that were there.
+  /// The rows found when it was opened.
   const std::vector<StudyRow>& rows() const { return rows_; }
 
-  /// That other runs could not be kept away from it.
+  /// Set if other runs could not be locked out.
   const std::optional<Warning>& warning() const { return lines_.warning(); }
 
-  /// Appends a row; it is on the disk then. Throws WriteError.
+  /// Appends a row and returns once it is on the disk. Throws WriteError.
   void append(const StudyRow& row);
 
  private:

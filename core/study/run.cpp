@@ -19,13 +19,13 @@
 namespace mocapress {
 namespace {
 
-/// A clip shared by its jobs: read by the first, given back by the last, so that only as many are
-/// in memory as are worked on.
+/// A clip shared by its jobs: the first reads it and the last frees it, so that memory holds only
+/// the clips being worked on.
 class SharedClip {
  public:
   explicit SharedClip(int jobs) : jobs_left_(jobs) {}
 
-  /// nullptr, and error(), when it cannot be read.
+  /// The clip; null if it cannot be read, and then error() says why.
   const LoadedClip* get(const StudyPlan& plan, const std::filesystem::path& path) {
     const std::lock_guard lock(mutex_);
     if (!clip_ && error_.empty()) {
@@ -73,10 +73,10 @@ class Run {
   }
 
   StudyOutcome run() {
-    // Jobs are taken one by one in the plan's order: that keeps few clips in hand.
+    // Jobs are taken one by one in the plan's order, so that few clips are in memory.
     parallel_for(0, workers_, [this](int) {
       for (std::size_t job = next_++; job < jobs_.size() && !stopped_; job = next_++)
-        // Isolated: a thread that waits inside a job must not take up another.
+        // Isolated, so that a thread that waits within a job does not take up another.
         tbb::this_task_arena::isolate([&] { do_job(job); });
     });
     StudyOutcome outcome;
@@ -123,13 +123,13 @@ class Run {
     const auto found = earlier_.find(row.key());
     if (found == earlier_.end()) return false;
     StudyRow kept = *found->second;
-    kept.clip = std::move(row.clip);  // the same motion may be elsewhere now
+    kept.clip = std::move(row.clip);  // the motion's present path may be another
     kept.review = std::move(row.review);
     row = std::move(kept);
     return true;
   }
 
-  /// False when the observer ended it.
+  /// Compresses and measures a clip. False: the observer stopped it.
   bool compress(const LoadedClip& clip, StudyRow& row) {
     bool told_to_stop = false;
     try {
@@ -141,7 +141,7 @@ class Run {
       if (!compression.complete) return false;
       row.measured = clip.measure(compression);
     } catch (const std::bad_alloc&) {
-      throw;  // says nothing of the clip: a row of it would be kept for later runs
+      throw;  // no fault of the clip: as a row it would be kept for later runs
     } catch (const std::exception& error) {
       row.error = error.what();
     }
@@ -187,7 +187,7 @@ class Run {
   int workers_ = 1;
   std::atomic<std::size_t> next_ = 0;
   std::atomic<bool> stopped_ = false;
-  std::mutex mutex_;  // of what follows, and of the calls out
+  std::mutex mutex_;  // guards the members below, and calls to the observer
   StudyProgress progress_;
   std::vector<std::optional<StudyRow>> rows_;
 };

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kPictures = 2;
-constexpr double kPicturedRatio = 50;  // aggressive enough to be seen
+constexpr double kPicturedRatio = 50;  // a ratio high enough for errors to be seen
 
 /// The method that ships beside the paper's plain one, else the first two.
 std::vector<std::string> pictured_methods(const Results& results) {
@@ -40,7 +40,7 @@ struct Pictured {
   std::string path;
   bool published;
   double ratio;
-  double eps_cm;  // of the first method
+  double eps_cm;  // error of the first method
 };
 
 std::optional<Pictured> pictured(const Results& results, const StudiedClip& clip,
@@ -62,7 +62,7 @@ std::optional<Pictured> pictured(const Results& results, const StudiedClip& clip
   return best;
 }
 
-/// The paper's clips first, then those that suffer most.
+/// Clips to draw: the paper's first, then those with the largest errors.
 std::vector<Pictured> pictured_clips(const Results& results,
                                      const std::vector<std::string>& methods) {
   std::vector<Pictured> clips;
@@ -77,7 +77,7 @@ std::vector<Pictured> pictured_clips(const Results& results,
   return clips;
 }
 
-/// Unset when the observer ended it.
+/// Takes the pictures. Unset: the observer stopped it.
 std::optional<std::vector<Picture>> take_pictures(const StudyPlan& plan, const Results& results,
                                                   const Observer<EncodeProgress>& observer,
                                                   Warnings& warnings) {
@@ -91,7 +91,7 @@ std::optional<std::vector<Picture>> take_pictures(const StudyPlan& plan, const R
       try {
         taken[i] = take_picture(plan, clips[i].path, methods, clips[i].ratio, observer);
         if (!taken[i]) stopped = true;
-      } catch (const InputError& error) {  // the figures were measured before
+      } catch (const InputError& error) {  // the figures do not depend on it
         problems[i] = error.what();
       }
     });

@@ -12,26 +12,26 @@
 namespace mocapress {
 
 /// The files of a study in its folder.
-inline constexpr const char* kRowsSoFar = "rows.jsonl";  // what a stopped study goes on from
+inline constexpr const char* kRowsSoFar = "rows.jsonl";  // rows that a stopped study resumes from
 inline constexpr const char* kRowsCsv = "rows.csv";
 inline constexpr const char* kRowsJson = "rows.json";
 inline constexpr const char* kReport = "report.html";
 
-/// Runs a study whose rows are kept in `folder` as they come, so that a run that was stopped, or
-/// died, is gone on with by running it again; rows of other targets and methods stay for later.
-/// Makes the folder. Throws InputError, WriteError.
+/// Runs a study and keeps its rows in `folder`, so that a run that was stopped or died resumes when
+/// it is run again. Rows of other targets and methods stay for later. Creates the folder. Throws
+/// InputError, WriteError.
 StudyOutcome run_study_kept(const std::filesystem::path& folder, const StudyPlan& plan,
                             const Observer<StudyProgress>& observer = {});
 
-/// The report of rows, be they all of the plan's or not: its pictures are compressed anew, from the
-/// clips that can be read; `warnings` names the others. Unset when the observer, which several
-/// threads call, ended it.
+/// The report of rows, which may be only some of the plan's. Pictures are compressed anew from the
+/// clips that can be read; `warnings` names the others. Unset: the observer, which several threads
+/// call, stopped it.
 std::optional<std::string> study_report(const StudyPlan& plan, const Results& results,
                                         const Observer<EncodeProgress>& observer = {},
                                         Warnings* warnings = nullptr);
 
-/// run_study_kept(), and when all rows are there the tables and the report; an observer that says
-/// no before leaves those of an earlier run.
+/// Runs run_study_kept() and, once all rows are there, writes the tables and the report. If the
+/// observer stops it before, those of an earlier run stay.
 StudyOutcome run_study_in(const std::filesystem::path& folder, const StudyPlan& plan,
                           const Observer<StudyProgress>& observer = {});
 

@@ -32,7 +32,7 @@ struct AllTracks {
   }
 };
 
-/// The height the lowest landmark rests at.
+/// The height at which the lowest landmark rests.
 double floor_cm(const Eigen::MatrixXd& tracks) {
   double lowest = std::numeric_limits<double>::infinity();
   for (int landmark = 0; 3 * landmark < tracks.cols(); ++landmark)
@@ -65,7 +65,7 @@ std::optional<PicturedFoot> worst_foot(const std::vector<ContactSpan>& contacts,
   return foot;
 }
 
-/// Where the landmarks together are furthest off.
+/// The frame at which the landmarks together have the largest error.
 int worst_frame(const Distortion& distortion) {
   Eigen::Index frame = 0;
   distortion.distances.rowwise().squaredNorm().maxCoeff(&frame);

@@ -13,8 +13,9 @@
 
 namespace mocapress {
 
-/// Compresses a clip of the plan to `ratio` by each of `methods` and picks the frames. Unset when
-/// the observer ended it. Throws InputError; TargetMissed when a method does not reach the ratio.
+/// Compresses a clip of the plan to `ratio` by each of `methods` and picks the frames to draw.
+/// Unset: the observer stopped it. Throws InputError; throws TargetMissed if a method does not
+/// reach the ratio.
 std::optional<Picture> take_picture(const StudyPlan& plan, const std::filesystem::path& clip,
                                     const std::vector<std::string>& methods, double ratio,
                                     const Observer<EncodeProgress>& observer = {});

@@ -23,7 +23,7 @@ using test::point;
 using testing::HasSubstr;
 using testing::Not;
 
-/// The first thing wrong with the nesting of tags; empty: nothing.
+/// The first mistake in the nesting of tags; empty: none.
 std::string imbalance(const std::string& html) {
   static const std::regex kTag("<(/?)([a-zA-Z][a-zA-Z0-9]*)([^<>]*)>");
   std::vector<std::string> open;
@@ -40,7 +40,7 @@ std::string imbalance(const std::string& html) {
   return open.empty() ? "" : "<" + open.back() + "> is not closed";
 }
 
-/// Rows of two clips by two methods of known sizes, one of them a clip of the paper.
+/// Rows of two clips, one of them the paper's, by two methods with known sizes.
 std::vector<StudyRow> known_rows() {
   std::vector<StudyRow> rows;
   for (const double ratio : {10.0, 40.0}) {
@@ -82,7 +82,7 @@ TEST(Results, ReadsASizeFromTheCurveUnlessItWasMeasured) {
 TEST(Results, MeanRatioIsGeometricAndSaysOfHowManyClips) {
   const Results results(known_rows());
   const Series& annealed = *results.find_series("annealed");
-  // 0.2 cm: 10:1 of the first clip and 40:1 of the second.
+  // 0.2 cm lies at 10:1 for the first clip and at 40:1 for the second.
   const auto both = results.mean_ratio_at(annealed, 0.2);
   ASSERT_TRUE(both);
   EXPECT_NEAR(both->ratio, 20, 1e-9);
@@ -145,7 +145,7 @@ TEST(ReportTables, TellByHowManyDegreesJointsHeadAndHandsAreTurned) {
     row.measured->body.hand = PartTurn{7.25, 9};
   }
   const std::string table = angle_table(Results(rows));
-  EXPECT_THAT(table, HasSubstr("At 40:1"));  // of 10 and 40 nearer to the paper's 30
+  EXPECT_THAT(table, HasSubstr("At 40:1"));  // of 10 and 40, the nearer to the paper's 30
   EXPECT_THAT(table, HasSubstr("<td>4.00&#176;<small> (&#8211;, 7.25&#176;)</small></td>"));
   EXPECT_THAT(report_html(Results(rows), {}), HasSubstr(table));
 }

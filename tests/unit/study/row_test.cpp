@@ -19,7 +19,7 @@ namespace {
 using test::full_row;
 using test::point;
 
-/// A file of this test alone.
+/// A test with a file of its own.
 class RowsFileTest : public testing::Test {
  protected:
   RowsFileTest() { std::filesystem::remove(path_); }
@@ -133,7 +133,7 @@ TEST(RowsReports, SayWhichProgramMadeThemAndWhen) {
   const std::vector rows{full_row()};
   for (const std::string& text : {rows_csv(rows), rows_json(rows)}) {
     EXPECT_NE(text.find("Mocapress "), std::string::npos);
-    EXPECT_NE(text.find("2023-11-14T22:13:20Z"), std::string::npos);  // as tests fix it
+    EXPECT_NE(text.find("2023-11-14T22:13:20Z"), std::string::npos);  // time fixed by the tests
   }
 }
 

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Two clips in a folder of each test's own.
+/// A test with two clips in a folder of its own.
 class Study : public testing::Test {
  protected:
   Study() {
@@ -42,7 +42,7 @@ class Study : public testing::Test {
   const fs::path folder_ = fs::path(testing::TempDir()) / ("study-" + std::to_string(getpid()));
 };
 
-/// The rows with what a clock says taken out.
+/// The rows without values that depend on the clock.
 std::vector<std::string> timeless(std::vector<StudyRow> rows) {
   std::vector<std::string> lines;
   for (StudyRow& row : rows) {
@@ -142,7 +142,7 @@ TEST_F(Study, GoesOnAfterAStopToTheSameRowsAsWithoutOne) {
   });
   EXPECT_TRUE(outcome.complete);
   EXPECT_GE(last.kept, 4);
-  EXPECT_EQ(RowsFile(stopped / kRowsSoFar).rows().size(), 12u);  // none measured twice
+  EXPECT_EQ(RowsFile(stopped / kRowsSoFar).rows().size(), 12u);  // none was measured twice
   EXPECT_EQ(timeless(outcome.rows), timeless(run_study_in(at_once, plan()).rows));
   for (const char* file : {kRowsCsv, kRowsJson, kReport}) EXPECT_TRUE(fs::exists(stopped / file));
 }

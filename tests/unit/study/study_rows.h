@@ -8,7 +8,7 @@
 
 namespace mocapress::test {
 
-/// A row in which every value is another.
+/// A row in which every value differs from its default.
 inline StudyRow full_row() {
   StudyRow row;
   row.clip = "clips/walk, \"slow\" <1>.bvh";
