@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What bits at the ends of a clip are worth: ADAPTIVE.md, "Ends and loops".
+// The worth of bits at the ends of a clip: ADAPTIVE.md, "Ends and loops".
 #pragma once
 
 #include <Eigen/Core>

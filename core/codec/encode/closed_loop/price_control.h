@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a settling of the closed loop comes to its error: ADAPTIVE.md, "Prices that come to rest".
+// Steers a settling of the closed loop to its error: ADAPTIVE.md, "Let prices come to rest".
 #pragma once
 
 #include <algorithm>
