@@ -35,7 +35,7 @@ AppendedFile::~AppendedFile() {
   try {
     if (made_ && empty && is_at(file_.number(), target_)) ::unlink(target_.c_str());
   } catch (const InputError&) {
-    // An empty file that is left does no harm.
+    // An empty file may stay; it does no harm.
   }
 }
 
@@ -95,7 +95,7 @@ void AppendedFile::append(std::string_view line) {
     return;
   }
   const int why = errno;
-  // Half a line would spoil the next. Without a lock the end may be somebody else's.
+  // Half a line would spoil the next. Without a lock the end of the file may be somebody else's.
   if (!warning_ && ::ftruncate(file_.number(), static_cast<off_t>(size_)) != 0) fail(errno);
   fail(why);
 }
@@ -104,7 +104,7 @@ void AppendedFile::replace(const std::function<void(StagedFile&)>& write) {
   StagedFile file(target_);
   write(file);
   file.commit();
-  open();  // only then is the old one let go
+  open();  // the old file is released only then
 }
 
 void AppendedFile::fail(int error) const {

@@ -23,31 +23,31 @@ class InUse : public WriteError {
 /// a line that could not be written whole is taken out again.
 class AppendedFile {
  public:
-  /// As flock(2).
+  /// A lock function like flock(2).
   using Lock = int (*)(int file, int operation);
 
-  /// Opens the file or makes it; links as with StagedFile. Throws WriteError; InUse while another
-  /// process has it open; InputError where the system cannot say what is at the place.
+  /// Opens the file or creates it; follows links as StagedFile does. Throws WriteError; InUse while
+  /// another process has it open; InputError if the system cannot tell what is at the place.
   explicit AppendedFile(std::filesystem::path path, Lock lock);
   explicit AppendedFile(std::filesystem::path path);
   AppendedFile(const AppendedFile&) = delete;
   AppendedFile& operator=(const AppendedFile&) = delete;
 
-  /// Removes a file that it made and in which there is nothing.
+  /// Removes a file that it created and that is still empty.
   ~AppendedFile();
 
-  /// That the file system has no locks: then nothing keeps other processes away.
+  /// Set if the file system has no locks, so that other processes are not kept away.
   const std::optional<Warning>& warning() const { return warning_; }
 
   std::uint64_t size() const { return size_; }
 
-  /// Reads fewer bytes only where the file ends before. Throws InputError.
+  /// Reads `length` bytes, or fewer at the end of the file. Throws InputError.
   std::string read(std::uint64_t offset, std::size_t length) const;
 
-  /// `line` without its end. Throws WriteError.
+  /// Appends `line`, given without its end. Throws WriteError.
   void append(std::string_view line);
 
-  /// Replaces all contents at once by what `write` gives. Throws WriteError, and what `write`
+  /// Replaces all contents at once by what `write` writes. Throws WriteError, and what `write`
   /// throws.
   void replace(const std::function<void(StagedFile&)>& write);
 

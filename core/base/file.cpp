@@ -108,7 +108,7 @@ void write_stream(const std::filesystem::path& path,
   StagedFile file(path);
   StagedBuffer buffer(file);
   std::ostream stream(&buffer);
-  stream.exceptions(std::ios::badbit);  // what the file throws gets through
+  stream.exceptions(std::ios::badbit);  // lets exceptions of the file through
   stream.imbue(std::locale::classic());
   write(stream);
   stream.flush();

@@ -14,15 +14,16 @@ namespace mocapress {
 /// a link, a hard link and another spelling of a path give the same.
 struct FileIdentity {
   std::uint64_t device = 0;
-  std::uint64_t number = 0;  // of the inode
+  std::uint64_t number = 0;  // inode
 
   auto operator<=>(const FileIdentity&) const = default;
 };
 
-/// Unset: nothing is there. Throws InputError where the path cannot be looked at.
+/// The identity of the file at a path; unset if nothing is there. Throws InputError if the path
+/// cannot be examined.
 std::optional<FileIdentity> identity_of(const std::filesystem::path& path);
 
-/// Throws WriteError where writing to `place` would write onto one of `sources`.
+/// Throws WriteError if writing to `place` would overwrite one of `sources`.
 void refuse_source(const std::filesystem::path& place,
                    const std::vector<std::filesystem::path>& sources);
 

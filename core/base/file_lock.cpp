@@ -25,7 +25,7 @@ std::optional<FileLock> FileLock::wait_for(const std::filesystem::path& path,
     if (!file && (errno == ENOENT || errno == ENOTDIR)) return FileLock(std::move(file));
     if (!file) throw InputError(path.string(), 0, 0, std::strerror(errno));
     if (lock(file.number(), LOCK_EX | LOCK_NB) == 0) {
-      // Who had it may have replaced it.
+      // The last holder may have replaced the file.
       if (is_at(file.number(), place)) return FileLock(std::move(file));
     } else if (errno == EWOULDBLOCK || errno == EINTR) {
       if (!may_wait()) return std::nullopt;

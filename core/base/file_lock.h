@@ -12,23 +12,22 @@
 
 namespace mocapress {
 
-/// The right to read a file and then to replace it, which one has at a time, of all that ask for
-/// it. Given back at the end.
+/// An exclusive lock held while a file is read and then replaced; released at the end.
 class FileLock {
  public:
-  /// As flock(2).
+  /// A lock function like flock(2).
   using Lock = int (*)(int file, int operation);
 
-  /// Locks the file at the end of a place's links, once those that have it give it back. There is
-  /// nothing to lock where there is no file. Unset: `may_wait`, asked every few milliseconds, said
-  /// no. Throws InputError where the file is there but cannot be opened.
+  /// Locks the file at the end of a path's links, waiting while others hold the lock. If there is
+  /// no file, there is nothing to lock. Unset: `may_wait`, asked every few milliseconds, returned
+  /// false. Throws InputError if the file is there but cannot be opened.
   static std::optional<FileLock> wait_for(const std::filesystem::path& path,
                                           const std::function<bool()>& may_wait);
   static std::optional<FileLock> wait_for(const std::filesystem::path& path,
                                           const std::function<bool()>& may_wait, Lock lock);
 
-  /// Says that the file could not be locked, as where the file system has no locks: then nothing
-  /// keeps other processes away.
+  /// Set if the file could not be locked, as on a file system without locks, so that other
+  /// processes are not kept away.
   const std::optional<Warning>& warning() const { return warning_; }
 
  private:

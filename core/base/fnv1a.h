@@ -11,7 +11,7 @@
 
 namespace mocapress {
 
-/// Tells changed bytes from unchanged ones. Not against malice.
+/// A hash that tells changed bytes from unchanged ones, without protection against malice.
 class Fnv1a {
  public:
   void add(std::span<const std::byte> bytes) {

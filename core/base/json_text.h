@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// JSON from text and back. The library's parser and writer are templates that cost seconds wherever
-// they are used: they are compiled here alone.
+// Parses and writes JSON. The library's parser and writer are templates that take seconds to
+// compile, so they are compiled here only.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -11,7 +11,7 @@ namespace mocapress {
 
 using Json = nlohmann::ordered_json;  // keys are written in the order they were read or set
 
-/// What a text from strangers may hold.
+/// Limits on JSON from untrusted files.
 struct JsonLimits {
   int depth;           // braces and brackets within each other
   std::size_t values;  // each takes some 50 bytes of memory

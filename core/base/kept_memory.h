@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// For programs, not for libraries: how the process handles its memory is the program's affair.
+// For programs, not for libraries: a process's handling of memory is the program's affair.
 #pragma once
 
 #ifdef __linux__

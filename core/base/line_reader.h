@@ -33,7 +33,7 @@ class LineReader {
 
   std::string path_;
   FileDescriptor file_;
-  std::string piece_;              // of the file, up to piece_end_
+  std::string piece_;              // part of the file, up to piece_end_
   std::size_t next_in_piece_ = 0;  // where the next line begins
   std::uint64_t piece_end_ = 0;
   std::uint64_t offset_ = 0;

@@ -17,7 +17,7 @@ std::string host_name() {
   return ::gethostname(name, sizeof name - 1) == 0 ? name : "";
 }
 
-/// The number where it has no name.
+/// The user's name, or number if there is no name.
 std::string user_name() {
   char buffer[4096];
   passwd entry{};

@@ -7,7 +7,7 @@
 
 namespace mocapress {
 
-/// A run that has a folder to itself: what it writes there so that others can say who it is.
+/// A run that has a folder to itself, as written there for others to read.
 struct LockHolder {
   std::string host;
   std::string user;
@@ -25,7 +25,7 @@ std::string text(const LockHolder& holder);
 
 Json to_json(const LockHolder& holder);
 
-/// The inverse. Throws like the JSON library does.
+/// Reads what a holder wrote. Throws as the JSON library does.
 LockHolder lock_holder_from(const Json& json);
 
 }  // namespace mocapress

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// errno says why not.
+/// If false, errno tells why.
 bool is_folder(const fs::path& path) {
   struct stat status;
   if (::stat(path.c_str(), &status) != 0) return false;

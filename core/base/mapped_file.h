@@ -10,14 +10,14 @@
 
 namespace mocapress {
 
-/// A file as it lies on disk, read where it is used. What replaces the file leaves this one as it
-/// was.
+/// A file's bytes mapped into memory and read where they are used. Replacing the file leaves these
+/// bytes as they were.
 class MappedFile {
  public:
-  /// Throws InputError.
-  /// Pages come as they are touched, or all `beforehand`: that takes longer, and no touch waits.
+  /// Throws InputError. Pages are loaded as they are touched, or all `beforehand`, which takes
+  /// longer but never waits later.
   explicit MappedFile(const std::filesystem::path& path, bool beforehand = false);
-  /// A file that is open under this number; none where errno says why it cannot be.
+  /// Maps the file open under this number; unset if that fails, and errno tells why.
   static std::optional<MappedFile> of_descriptor(int file, bool beforehand = false);
   MappedFile(MappedFile&& other) noexcept : bytes_(std::exchange(other.bytes_, {})) {}
   MappedFile& operator=(MappedFile&& other) noexcept {

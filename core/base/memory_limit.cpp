@@ -12,7 +12,7 @@ namespace {
 
 std::atomic<std::uint64_t> limit = kUsualMemoryLimit;
 
-/// In MiB, rounded up.
+/// Bytes as text in MiB, rounded up.
 std::string size_text(std::uint64_t bytes) {
   constexpr std::uint64_t kMebibyte = std::uint64_t{1} << 20;
   return std::to_string(bytes / kMebibyte + (bytes % kMebibyte > 0 ? 1 : 0)) + " MiB";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Apart from parallel.h, whose TBB headers do not go with those of Qt.
+// Apart from parallel.h, since TBB's headers conflict with those of Qt.
 #pragma once
 
 #include <functional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Parallel loops: oneTBB's. The thread sanitizer does not see into Debian's build of that library
-// and would take every loop for a race, so that under it two plain threads do the work.
+// Parallel loops by oneTBB. The thread sanitizer does not see into Debian's build of that library
+// and would report every loop as a race, so under it two plain threads do the work.
 #pragma once
 
 #ifdef __SANITIZE_THREAD__

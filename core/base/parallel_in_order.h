@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A parallel loop whose results are taken one after the other: oneTBB's pipeline. Under the thread
-// sanitizer, as in parallel.h, two plain threads.
+// A parallel loop whose results are taken one after the other, by oneTBB's pipeline. Under the
+// thread sanitizer it uses two plain threads, as parallel.h does.
 #pragma once
 
 #include <algorithm>
@@ -22,9 +22,9 @@
 namespace mocapress {
 
 /// Calls make(index) for each of [0, count) on all cores, and take(index, made) in the order of the
-/// indices, one at a time but not always on the same thread. However many there are, a few results
-/// wait at a time. What make() throws is thrown in its turn. Once take() says false it is not
-/// called again.
+/// indices, one at a time but not always on the same thread. Only a few results wait at a time. An
+/// exception of make() is thrown when its turn comes. After take() returns false it is not called
+/// again.
 template <typename Make, typename Take>
 void parallel_in_order(std::size_t count, const Make& make, const Take& take) {
   using Made = std::invoke_result_t<const Make&, std::size_t>;

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Unset: there is nothing at the path.
+/// Unset if nothing is at the path.
 std::optional<struct stat> status_of(const fs::path& path) {
   struct stat status;
   if (::stat(path.c_str(), &status) == 0) return status;

@@ -15,8 +15,8 @@ PathKind path_kind(const std::filesystem::path& path);
 /// Whether there is anything at the path. Throws InputError as path_kind() does.
 bool is_there(const std::filesystem::path& path);
 
-/// Whether two paths lead to one file; no where either is absent. Throws InputError as path_kind()
-/// does.
+/// Whether two paths lead to the same file; false if either is absent. Throws InputError as
+/// path_kind() does.
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
 }  // namespace mocapress

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Names come from files, and a terminal obeys what stands in them: escape sequences that set its
-// title or colours, marks that turn the direction of what follows.
+// Makes names from files safe to print, since terminals obey escape sequences that set their title
+// or colours, and marks that turn the direction of text.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace mocapress {
 
-/// One line of what a file holds, for people: control characters as "\x1b", and those of Unicode
-/// that change the direction of text as "\u202e".
+/// One printable line from the contents of a file: control characters become "\x1b" and the like,
+/// and Unicode's that change the direction of text "\u202e".
 std::string printable(std::string_view text);
 
 }  // namespace mocapress

@@ -7,8 +7,8 @@
 
 namespace mocapress {
 
-/// A seeded generator whose draws are the same on every platform, which the distributions of the
-/// standard library do not promise. Passed by reference, never global.
+/// A seeded generator with the same draws on every platform, which the standard library's
+/// distributions do not promise. Passed by reference, never global.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}

@@ -57,7 +57,7 @@ FileDescriptor open_folder_of(const std::filesystem::path& file) {
   return FileDescriptor(::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
 }
 
-/// Whether an error says that there is nothing at a path. Any other leaves that open.
+/// Whether an error means that nothing is at a path. Any other error leaves that open.
 static bool is_absence(int error) {
   return error == ENOENT || error == ENOTDIR;
 }
@@ -80,7 +80,7 @@ Warning cannot_be_locked(const std::filesystem::path& path, int error) {
 
 bool synchronise_folder(int folder) {
   const FileDescriptor readable(::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (!readable) return errno == EACCES;  // may be written but not read: nothing can be done
+  if (!readable) return errno == EACCES;  // a folder without read permission cannot be synchronised
   return synchronise(readable.number());
 }
 
@@ -97,7 +97,7 @@ constexpr mode_t kPermissions = 0777;
   throw WriteError(path.string() + ": cannot be written: " + why);
 }
 
-/// Hidden, and nobody can guess it.
+/// A hidden name that nobody can guess.
 std::string random_name() {
   std::array<unsigned char, 16> random;
   if (::getentropy(random.data(), random.size()) != 0) return {};
@@ -110,13 +110,13 @@ std::string random_name() {
   return name;
 }
 
-/// Through which an open file can be given a name.
+/// The path through which an open file can be given a name.
 std::string link_to(int file) {
   return "/proc/self/fd/" + std::to_string(file);
 }
 
-/// As Linux's protected_symlinks has it: who plants a link in a shared folder does not decide what
-/// others overwrite.
+/// Applies Linux's rule of protected_symlinks, so that a link planted in a shared folder does not
+/// decide what others overwrite.
 bool may_be_planted(const fs::path& path, const struct stat& link) {
   struct stat folder;
   const fs::path parent = path.has_parent_path() ? path.parent_path() : ".";
@@ -126,7 +126,7 @@ bool may_be_planted(const fs::path& path, const struct stat& link) {
          link.st_uid != folder.st_uid;
 }
 
-/// What may not be replaced is refused. True: a file is there.
+/// Throws for a place that must not be replaced. True: a file is there.
 bool is_replaced(const fs::path& path, const fs::path& target, struct stat& there) {
   if (::stat(target.c_str(), &there) != 0) {
     if (is_absence(errno)) return false;
@@ -139,7 +139,7 @@ bool is_replaced(const fs::path& path, const fs::path& target, struct stat& ther
   return true;
 }
 
-/// Where the group cannot be kept, its permissions are not handed to another one.
+/// If the group cannot be kept, its permissions are not given to another group.
 void keep_permissions(int file, const struct stat& old) {
   constexpr auto kSameOwner = static_cast<uid_t>(-1);
   mode_t mode = old.st_mode & kPermissions;
@@ -148,7 +148,7 @@ void keep_permissions(int file, const struct stat& old) {
   ::fchmod(file, mode);  // a file system without permissions has none to keep
 }
 
-/// Where the file system cannot rename without replacing, looks first.
+/// Renames without replacing; if the file system cannot do that, looks first.
 int rename_to_free_place(int folder, const char* from, const char* to) {
   if (::renameat2(folder, from, folder, to, RENAME_NOREPLACE) == 0) return 0;
   if (errno != EINVAL && errno != ENOSYS) return -1;
@@ -196,7 +196,8 @@ StagedFile::~StagedFile() {
   if (!name_.empty()) ::unlinkat(folder_.number(), name_.c_str(), 0);
 }
 
-/// Nothing is left of it should we be killed. May leave it to open_named() to say why it cannot be.
+/// Opens a file without a name, of which nothing is left if we are killed. May leave it to
+/// open_named() to report an error.
 void StagedFile::open_unnamed(mode_t mode) {
   FileDescriptor file(::openat(folder_.number(), ".", O_TMPFILE | O_RDWR | O_CLOEXEC, mode));
   if (file && ::access(link_to(file.number()).c_str(), F_OK) == 0) file_ = std::move(file);
@@ -266,7 +267,8 @@ void StagedFile::commit_all(std::span<StagedFile> files, Existing existing) {
   synchronise_all(files, true);
 }
 
-/// Contents, or names: the whole file system of the first file, and one by one those on others.
+/// Synchronises contents or names: the whole file system of the first file, and files on others one
+/// by one.
 void StagedFile::synchronise_all(std::span<StagedFile> files, bool names) {
   if (files.empty()) return;
   struct stat first;

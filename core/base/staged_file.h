@@ -18,7 +18,7 @@
 
 namespace mocapress {
 
-/// A file or folder that the system holds open for us; closed at the end.
+/// A file or folder held open, closed at the end.
 class FileDescriptor {
  public:
   explicit FileDescriptor(int number = -1) : number_(number) {}
@@ -38,71 +38,72 @@ class FileDescriptor {
 
 // These answer whether it went well; errno says why not.
 
-/// Writes everything, however often the system takes only a part.
+/// Writes everything, even if the system takes it in parts.
 bool write_all(int file, std::string_view bytes);
 
-/// Reads from `offset` on until `bytes` is full or the file ends, to which `bytes` is then cut.
+/// Reads from `offset` until `bytes` is full or the file ends, and then cuts `bytes` to what was
+/// read.
 bool read_all(int file, std::uint64_t offset, std::string& bytes);
 
-/// Waits until the contents are on the disk. A file system that has nothing to synchronise is
-/// content.
+/// Waits until the contents are on the disk. Succeeds on file systems that have nothing to
+/// synchronise.
 bool synchronise(int file);
 
-/// The folder that `file` is or will be in. It need not be readable.
+/// Opens the folder that contains or will contain `file`. It need not be readable.
 FileDescriptor open_folder_of(const std::filesystem::path& file);
 
 /// Waits until the names in an open folder are on the disk.
 bool synchronise_folder(int folder);
 
-/// A file that takes its place whole or not at all. Whatever fails, a full disk, a kill or a power
-/// cut, the place has the old file or the new one. Nothing else is left behind, but for a kill or a
-/// power cut while the file has its random name.
+/// A file that takes its place whole or not at all. After any failure, a full disk, a kill or a
+/// power cut, the place has the old file or the new one. Nothing else is left behind, except if a
+/// kill or power cut comes while the file has its random name.
 ///
-/// Until commit() the file has no name, and in it a random one for an instant. Where the file
-/// system has no files without a name, it has the random one from the start, hidden beside its
-/// place, and is made there anew: neither a file nor a link is ever reused.
+/// Until commit() the file has no name, and during it a random one for an instant. On file systems
+/// without unnamed files it has the random name from the start, hidden beside its place, and is
+/// newly created there: neither an existing file nor a link is ever reused.
 ///
-/// What is at the place already:
-/// - A file keeps its permissions, and its owner and group where we may set them. A new file gets
-///   those of the umask.
-/// - A link stays, and what it points to is written. A link that somebody else put into a folder
-///   where everyone may write, such as /tmp, is refused.
+/// The place may hold something already:
+/// - A file keeps its permissions, and its owner and group if we may set them. A new file gets
+///  those of the umask.
+/// - A link stays, and the file it points to is written. A link that somebody else put into a
+///  folder where everyone may write, such as /tmp, is refused.
 /// - A file that is write-protected, a folder, a device and the like are refused.
 class StagedFile {
  public:
   enum class Existing { Replace, Refuse };
-  enum class Temporary { Unnamed, Named };  // Unnamed: where the file system offers it
+  enum class Temporary { Unnamed, Named };  // Unnamed: if the file system can
 
-  /// Throws WriteError, as all of these do.
+  /// Throws WriteError, like all members.
   explicit StagedFile(std::filesystem::path path, Temporary temporary = Temporary::Unnamed);
   StagedFile(StagedFile&&) noexcept = default;
   StagedFile& operator=(StagedFile&&) = delete;
 
-  /// Removes what was not committed.
+  /// Removes the file unless it was committed.
   ~StagedFile();
 
-  /// The place, as it was given.
+  /// The place as given.
   const std::filesystem::path& path() const { return path_; }
 
   void write(std::span<const std::byte> bytes);
   void write(std::string_view text);
 
-  /// Over what was written before, from `offset` on.
+  /// Overwrites earlier contents from `offset` on.
   void write_at(std::uint64_t offset, std::span<const std::byte> bytes);
 
-  /// All that was written, as the file system gives it back.
+  /// Everything written so far, as the file system returns it.
   std::vector<std::byte> read_back() const;
 
-  /// The same where it lies, for what is large.
+  /// The same as a mapped file, for large contents.
   MappedFile map_back() const;
 
   /// Waits until the contents are on the disk, puts the file in place, and waits until its name is
-  /// on the disk. May be called once, as the last of all. Where only the last of these fails, the
-  /// file is in place, and WriteError says that a power cut may undo it.
+  /// on the disk. Call it once, after everything else. If only the last step fails, the file is in
+  /// place, and the WriteError says that a power cut may undo it.
   void commit(Existing existing = Existing::Replace);
 
-  /// The same of many files, all of which wait for the disk together: twice, not twice each. Where
-  /// one cannot take its place, those before it have.
+  /// The same for many files, which wait for the disk together: twice in all, not twice each. If
+  /// one cannot take its place, those before it have taken theirs.
   static void commit_all(std::span<StagedFile> files, Existing existing = Existing::Replace);
 
  private:
@@ -115,20 +116,20 @@ class StagedFile {
   [[noreturn]] void fail_in_place(int error) const;
 
   std::filesystem::path path_;
-  std::string place_;      // its name in the folder
-  FileDescriptor folder_;  // so that it stays the same folder whatever is renamed
+  std::string place_;      // name in the folder
+  FileDescriptor folder_;  // keeps the same folder whatever is renamed
   FileDescriptor file_;
-  std::string name_;  // the random one; empty: it has none
+  std::string name_;  // the random name; empty: none
 };
 
-/// Whether an open file is still the one at a place, and not one that was replaced. Throws
-/// InputError where the system cannot say.
+/// Whether an open file is still the one at a place, or was replaced. Throws InputError if the
+/// system cannot tell.
 bool is_at(int file, const std::filesystem::path& place);
 
-/// The warning that nothing keeps other processes away from a file, as flock(2) failed.
+/// The warning that a file is not locked against other processes, since flock(2) failed.
 Warning cannot_be_locked(const std::filesystem::path& path, int error);
 
-/// Where writing to `path` writes: the end of its links. Throws WriteError.
+/// The place that writing to `path` really writes: the end of its links. Throws WriteError.
 std::filesystem::path end_of_links(const std::filesystem::path& path);
 
 }  // namespace mocapress

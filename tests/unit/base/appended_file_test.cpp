@@ -21,7 +21,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// A network folder without locks.
+/// A lock as on a network folder without locks.
 int no_locks(int, int) {
   errno = ENOLCK;
   return -1;

@@ -45,7 +45,7 @@ TEST_F(FileLockTest, WhoWaitedGetsTheFileThatTookItsPlace) {
     return true;
   });
   ASSERT_TRUE(second);
-  EXPECT_FALSE(FileLock::wait_for(path_, no));  // that is at the place, not the one that was
+  EXPECT_FALSE(FileLock::wait_for(path_, no));  // the lock is on the file now at the place
 }
 
 TEST_F(FileLockTest, WhereThereIsNoFileThereIsNothingToWaitFor) {

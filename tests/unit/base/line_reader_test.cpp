@@ -30,7 +30,7 @@ class LineReaderTest : public testing::Test {
 };
 
 TEST_F(LineReaderTest, GivesEveryLineAndItsPlace) {
-  const std::string longer(200'000, 'x');  // than a piece of the file
+  const std::string longer(200'000, 'x');  // longer than a piece of the file
   write_text(path_, "one\n\n" + longer + "\nlast");
   LineReader reader(path_);
   std::string line;
@@ -57,7 +57,7 @@ TEST_F(LineReaderTest, AnEmptyFileHasNoLine) {
 }
 
 TEST_F(LineReaderTest, AReadErrorIsNotTheEnd) {
-  LineReader unreadable("/proc/self/mem");  // opens, and has no first page to read
+  LineReader unreadable("/proc/self/mem");  // opens, but its first page cannot be read
   std::string line;
   EXPECT_THROW(unreadable.next(line), InputError);
   EXPECT_THROW(LineReader(path_.string() + "-none"), InputError);

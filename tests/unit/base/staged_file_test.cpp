@@ -26,7 +26,7 @@ using Existing = StagedFile::Existing;
 
 constexpr uid_t kSomebodyElse = 12345;
 
-/// Both ways: as file systems offer it, and as others must do.
+/// Runs both ways: with unnamed files, and with named ones as some file systems need.
 class StagedFileTest : public testing::TestWithParam<Temporary> {
  protected:
   StagedFileTest() { fs::create_directories(folder_); }
@@ -40,7 +40,7 @@ class StagedFileTest : public testing::TestWithParam<Temporary> {
 
   void write(const fs::path& path, std::string_view text) const { staged(path, text).commit(); }
 
-  /// What went wrong; empty: nothing did.
+  /// The message of a failure; empty: none.
   std::string failure(const fs::path& path, std::string_view text,
                       Existing existing = Existing::Replace) const {
     try {
@@ -74,7 +74,8 @@ class StagedFileTest : public testing::TestWithParam<Temporary> {
     return ::stat(path.c_str(), &found) == 0 ? found.st_mode & 07777 : 0;
   }
 
-  /// In a process of its own, `make` room scarce and replace an old file by what does not fit.
+  /// In a process of its own, makes room scarce by `make_scarce` and replaces an old file by
+  /// contents that do not fit.
   std::string overfill(const std::function<bool()>& make_scarce, const std::string& why) const {
     return test::in_own_process([&]() -> std::string {
       if (!make_scarce()) return test::kSkip;
