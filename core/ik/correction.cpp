@@ -14,7 +14,7 @@ namespace mocapress {
 
 namespace {
 
-/// The limbs of one thread, and where in the list of all effectors each of theirs stands.
+/// The limbs of one thread, and each limb's effectors as indices into the list of all effectors.
 class Corrector {
  public:
   Corrector(const Skeleton& skeleton, const std::vector<Effector>& effectors, IkSolver solver)
@@ -40,7 +40,7 @@ class Corrector {
         targets_.push_back(limb.position(static_cast<int>(e)) +
                            differences.block<1, 3>(frame, 3 * places_[l][e]).transpose());
       const IkOutcome outcome = solve(solver_, limb, targets_);
-      // In the 32-bit floats that the runtime decoder gives: they are what is measured.
+      // Rounded to the 32-bit floats that the runtime gives, since those are measured.
       for (int a = 0; a < limb.angle_count(); ++a)
         clip.channels(frame, limb.channel(a)) = static_cast<float>(limb.angles()(a));
       report.worst_miss_cm = std::max(report.worst_miss_cm, outcome.miss_cm);
@@ -78,7 +78,7 @@ CorrectionReport apply_correction(const Skeleton& skeleton, const std::vector<Ef
   assert(differences.rows() == clip.channels.rows());
   assert(differences.cols() == 3 * std::ssize(effectors));
   CorrectionReport all;
-  std::mutex mutex;  // of the report
+  std::mutex mutex;  // guards the report
   parallel_ranges(0, clip.frames(), 64, [&](int first, int end) {
     Corrector corrector(skeleton, effectors, solver);
     CorrectionReport report;

@@ -12,33 +12,33 @@
 
 namespace mocapress {
 
-/// World positions (cm) of the effectors, frames x 3 * effectors, out of landmark_tracks().
+/// World positions (cm) of the effectors, frames x 3 * effectors, taken from landmark_tracks().
 Eigen::MatrixXd effector_tracks(const Eigen::MatrixXd& landmark_tracks,
                                 const std::vector<Effector>& effectors);
 
-/// What a corrected clip could not do.
+/// The misses of a correction.
 struct CorrectionReport {
   double worst_miss_cm = 0;
-  int unreached = 0;    // limbs at frames with an effector further than kReachedCm from its target
-  long iterations = 0;  // of the solver, over all frames
+  int unreached = 0;    // limbs at frames with an effector more than kReachedCm from its target
+  long iterations = 0;  // the solver's, over all frames
 
-  /// Of further frames.
+  /// Adds the report of further frames.
   void add(const CorrectionReport& other);
 };
 
-/// Moves each effector by `differences` (frames x 3 * effectors, cm, in the world) from where the
-/// clip has it, by turning the joints of its chain. A frame's result depends on that frame alone,
-/// so that any frame can be decoded by itself. Frames are solved in parallel.
+/// Moves each effector by `differences` (frames x 3 * effectors, cm, world space) by turning the
+/// joints of its chain. A frame's result depends on that frame alone, so that any frame can be
+/// decoded by itself. Frames are solved in parallel.
 CorrectionReport apply_correction(const Skeleton& skeleton, const std::vector<Effector>& effectors,
                                   IkSolver solver, const Eigen::MatrixXd& differences, Clip& clip);
 
-// A correction that makes a knee snap is worse than none: how fast it turns tells.
+// A correction that makes a knee snap is worse than none, so the speed of knees is measured.
 
 /// The joint that bends an effector's limb: the second of its chain, or the only one.
 int knee_of(const Effector& effector);
 
-/// The fastest turn of any of some effectors' knees from one frame to the next, of a clip that
-/// comes some frames at a time, in time.
+/// The fastest turn of some effectors' knees between successive frames, in a clip whose frames
+/// arrive in blocks, in order.
 class KneeSpeed {
  public:
   /// Both must outlive this.
@@ -50,11 +50,11 @@ class KneeSpeed {
  private:
   const Skeleton& skeleton_;
   const std::vector<Effector>& effectors_;
-  std::vector<Eigen::Matrix3d> last_;  // of each knee, its rotation at the last frame
+  std::vector<Eigen::Matrix3d> last_;  // each knee's rotation at the last frame
   double fastest_ = 0;
 };
 
-/// The same of a whole clip.
+/// The same for a whole clip.
 double fastest_knee(const Skeleton& skeleton, const std::vector<Effector>& effectors,
                     const Clip& clip);
 

@@ -9,8 +9,8 @@
 
 namespace mocapress {
 
-/// A joint whose origin is to be where the original has it, and the joints above it that may turn
-/// to bring it there: up to, but not including, the joint where its limb leaves the trunk.
+/// A joint whose origin is brought to its original place, and the joints above it that may turn for
+/// that: up to, but not including, the joint where its limb leaves the trunk.
 struct Effector {
   int joint;
   std::vector<int> chain;  // joints with rotation channels, outermost last
@@ -28,7 +28,7 @@ Effector effector_between(const Skeleton& skeleton, int top, int joint);
 /// reach far.
 std::vector<int> limb_above(const Skeleton& skeleton, int joint);
 
-/// effector_at(), with an empty chain where nothing above the joint turns.
+/// effector_at(), with an empty chain if nothing above the joint turns.
 Effector effector_of_limb(const Skeleton& skeleton, int joint);
 
 }  // namespace mocapress

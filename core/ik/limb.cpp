@@ -38,7 +38,7 @@ std::vector<runtime::EffectorEnds> ends_of(const std::vector<Effector>& effector
   return ends;
 }
 
-/// The planner of a skeleton's limbs, after it planned. Throws Error.
+/// Runs the planner for a skeleton's limbs. Throws Error.
 class Planned {
  public:
   Planned(const std::vector<runtime::JointModel>& joints, const std::vector<Effector>& effectors)

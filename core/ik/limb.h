@@ -12,18 +12,18 @@
 
 namespace mocapress {
 
-/// The joints of a skeleton as the runtime decoder has them, without their names.
+/// The joints of a skeleton in the runtime's form, without their names.
 std::vector<runtime::JointModel> models_of(const Skeleton& skeleton);
 
-/// The runtime decoder's limb (core/runtime/ik/limb.h) with memory of its own: effectors that share
-/// joints, and the joints between them and the root. `angles` are the rotation channels of the
-/// effectors' chains, which may change; all others keep the values of the frame.
+/// The runtime's limb (core/runtime/ik/limb.h) with memory of its own: effectors that share joints,
+/// and the joints between them and the root. `angles` are the rotation channels of the effectors'
+/// chains, which may change; all others keep the values of the frame.
 class Limb {
  public:
-  /// Throws Error when these effectors are no one limb that can be solved.
+  /// Throws Error if these effectors are not one limb that can be solved.
   Limb(const Skeleton& skeleton, const std::vector<Effector>& effectors);
 
-  /// In the order in which they are solved.
+  /// The effectors in the order of solving.
   const std::vector<Effector>& effectors() const { return effectors_; }
   int angle_count() const { return plan().turns; }
 
@@ -39,16 +39,16 @@ class Limb {
   void turn(int angle, double by) { (*limb_)->turn(angle, by); }
   void turn(const Eigen::VectorXd& by) { (*limb_)->turn(by.data()); }
 
-  /// Where the effector is with the present angles. cm, in the world.
+  /// Position of the effector with the present angles (cm, world space).
   Eigen::Vector3d position(int effector) const { return vector((*limb_)->position(effector)); }
 
-  /// What a small turn of `angle` would do to the effector: cm a radian, zero where it does not
-  /// move it.
+  /// Velocity that a turn of `angle` gives the effector: cm a radian, zero if it does not move it.
   Eigen::Vector3d velocity(int effector, int angle) const {
     return vector((*limb_)->velocity(effector, angle));
   }
 
-  /// Whether it is a ball joint and a hinge below it with one effector: solved at once.
+  /// Whether it is a ball joint with a hinge below it and one effector, which is solved in closed
+  /// form.
   bool is_two_bones() const { return plan().is_two_bones; }
 
   /// Centre of an angle's turn.
@@ -62,7 +62,7 @@ class Limb {
 
   std::vector<Effector> effectors_;
   std::vector<runtime::JointModel> joints_;
-  // What the plan points to.
+  // Storage that the plan points to.
   std::vector<std::uint16_t> effector_numbers_;
   std::vector<std::uint16_t> effector_links_;
   std::vector<runtime::LimbLink> links_;
@@ -74,8 +74,8 @@ class Limb {
 /// Groups effectors whose chains share joints, so that each limb can be solved by itself.
 std::vector<Limb> limbs_of(const Skeleton& skeleton, const std::vector<Effector>& effectors);
 
-/// Throws Error when a limb of these effectors has more effectors or angles than a solver has room
-/// for, when there are more than runtime::kMostEffectors, or a joint stands twice.
+/// Throws Error if a limb of these effectors has more effectors or angles than a solver has room
+/// for, if there are more than runtime::kMostEffectors, or if a joint occurs twice.
 void check_effectors(const Skeleton& skeleton, const std::vector<Effector>& effectors);
 
 }  // namespace mocapress

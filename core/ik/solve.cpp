@@ -28,9 +28,9 @@ IkOutcome solve(IkSolver solver, Limb& limb, std::span<const Eigen::Vector3d> ta
 
 namespace {
 
-/// One frame's row of `turns`, by trying each coordinate.
+/// Fills one frame's row of `turns` by moving each coordinate in turn.
 void try_frame(IkSolver solver, Limb& limb, const FrameRow& frame, Eigen::MatrixXd& turns, int t) {
-  constexpr double kTried = 1;  // cm: far more than a solver leaves
+  constexpr double kTried = 1;  // cm: far more than a solver's miss
   const auto effectors = limb.effectors().size();
   const auto rows = static_cast<Eigen::Index>(3 * effectors);
   std::vector<Eigen::Vector3d> targets(effectors);
@@ -57,7 +57,7 @@ std::vector<LimbResponse> limb_responses(const Skeleton& skeleton,
     response.turns.resize(clip.frames(),
                           3 * std::ssize(response.effectors) * std::ssize(response.channels));
     parallel_ranges(0, clip.frames(), 64, [&](int first, int end) {
-      Limb own(skeleton, limb.effectors());  // one a thread
+      Limb own(skeleton, limb.effectors());  // one for each thread
       for (int t = first; t < end; ++t)
         try_frame(solver, own, clip.channels.row(t), response.turns, t);
     });

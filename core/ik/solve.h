@@ -13,26 +13,26 @@
 namespace mocapress {
 
 struct IkOutcome {
-  double miss_cm = 0;  // the largest distance left between an effector and its target
+  double miss_cm = 0;  // largest remaining distance between an effector and its target
   int iterations = 0;
   bool reached = true;  // miss_cm is within kReachedCm
 };
 
 using runtime::kReachedCm;
 
-/// Turns the limb's angles, starting from the frame's, so that its effectors come to `targets` (cm,
-/// in the world, one for each). Bone lengths cannot change: only angles do. A target out of reach
-/// is approached and reported. Requires targets.size() == limb.effectors().size().
+/// Turns the limb's angles, starting from the frame's, so that its effectors reach `targets` (cm,
+/// world space, one for each). Bone lengths do not change. A target out of reach is approached and
+/// reported. Requires targets.size() == limb.effectors().size().
 IkOutcome solve(IkSolver solver, Limb& limb, std::span<const Eigen::Vector3d> targets);
 
-/// How a solver answers to small corrections of the effectors of one limb.
+/// The answer of a solver to small corrections of one limb's effectors.
 struct LimbResponse {
   std::vector<Effector> effectors;
-  std::vector<int> channels;  // the angles it may turn
+  std::vector<int> channels;  // angles it may turn
   Eigen::MatrixXd turns;      // radians a cm: frames x 3 * effectors * channels
 };
 
-/// For each limb, around the poses of a clip. Frames are solved in parallel.
+/// The response of each limb, around the poses of a clip. Frames are solved in parallel.
 std::vector<LimbResponse> limb_responses(const Skeleton& skeleton,
                                          const std::vector<Effector>& effectors, IkSolver solver,
                                          const Clip& clip);

@@ -18,7 +18,7 @@ constexpr IkSolver kSolvers[] = {IkSolver::CyclicDescent, IkSolver::NearestPose}
 
 class Correction : public testing::Test {
  protected:
-  /// Half a second of walking; every rotation but the root's off by a slow wave.
+  /// Half a second of walking, with a slow wave added to every rotation except the root's.
   void SetUp() override {
     motion_.clip.channels.conservativeResize(60, Eigen::NoChange);
     damaged_ = motion_.clip;
@@ -78,7 +78,8 @@ TEST_F(Correction, MovesNoJointFurtherThanTheFeet) {
 
 TEST_F(Correction, OfNothingChangesNothing) {
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(60, 3 * std::ssize(feet_));
-  damaged_.channels = damaged_.channels.cast<float>().cast<double>().eval();  // as decoded
+  // Rounded like decoded values.
+  damaged_.channels = damaged_.channels.cast<float>().cast<double>().eval();
   for (const IkSolver solver : kSolvers) {
     Clip corrected = damaged_;
     apply_correction(motion_.skeleton, feet_, solver, none, corrected);

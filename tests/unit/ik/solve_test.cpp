@@ -137,7 +137,7 @@ TEST(Solve, NearestPoseChangesSmoothlyWithItsTargetEvenWithTheLegNearlyStraight)
     double last = knee;
     for (int step = 0; step <= 200; ++step) {
       Limb limb = limb_at(skeleton, bent_frame(knee));
-      // A target that wanders by half a centimetre up and down, 0.005 cm a step.
+      // A target that wanders up and down by half a centimetre, 0.005 cm a step.
       const Eigen::Vector3d target =
           limb.position(0) + Eigen::Vector3d(0, 0.5 * std::sin(step * 0.01), 0);
       solve(IkSolver::NearestPose, limb, {&target, 1});
@@ -195,7 +195,7 @@ TEST(Solve, HoldsSeveralEffectorsOfOneLimbAtOnce) {
   for (const IkSolver solver : kSolvers) {
     Limb limb(skeleton, {effector_at(skeleton, 4), effector_at(skeleton, 5)});
     limb.set_frame(bent_frame());
-    // Where both would be after a small turn of every angle: reachable together.
+    // The effectors' positions after a small turn of every angle, which can be reached together.
     const Eigen::VectorXd turn = Eigen::VectorXd::Constant(limb.angle_count(), 0.03);
     limb.turn(turn);
     const Eigen::Vector3d targets[] = {limb.position(0), limb.position(1)};
