@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the clips of a packed bank teach of each other: PRIO of FORMAT.md.
+// Learns from the clips of a packed bank how to code them: PRIO of FORMAT.md.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the clips of a new bank come from.
+// The sources of a new bank's clips.
 #pragma once
 
 #include <cstddef>

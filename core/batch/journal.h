@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a batch has done so far, on disk as lines of JSON: a header, then a row a clip as clips end.
+// The progress of a batch, on disk as lines of JSON: a header, then a row for each clip that has
+// ended.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A queue as a file, for another machine to do: presets, formats and every clip with its own.
+// A queue as a file for another machine: presets, formats and every clip with its own settings.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a BVH file leaves unsaid, guessed from its values.
+// Guesses, from its values, what a BVH file does not state.
 #pragma once
 
 #include <Eigen/Core>

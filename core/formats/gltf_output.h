@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What every glTF is written with: buffers, data URIs and the two containers, after sections 2.8,
-// 3.6 and 4 of the glTF 2.0 specification.
+// The common parts of every written glTF: buffers, data URIs and the two containers, after sections
+// 2.8, 3.6 and 4 of the glTF 2.0 specification.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// glTF 2.0, .gltf, .glb and what is .glb by another name (.vrm, .vrma): metres, Y up. A skeleton is
-// the nodes that are joints of a skin, or else what moves (node_motion.h).
+// glTF 2.0 as .gltf, .glb or .glb by another name (.vrm, .vrma): metres, Y up. A skeleton consists
+// of the nodes that are joints of a skin, or else of those that move (node_motion.h).
 #pragma once
 
 #include <string>

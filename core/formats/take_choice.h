@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files with several animations (FBX, glTF): which of them is meant.
+// Chooses among the animations of a file that has several (FBX, glTF).
 #pragma once
 
 #include <optional>

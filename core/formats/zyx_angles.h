@@ -8,8 +8,7 @@
 
 namespace mocapress {
 
-/// Angles (x, y, z) in radians with rotation = Rz * Ry * Rx. Of all solutions, those nearest to
-/// `previous`.
+/// The solution (x, y, z) in radians of rotation = Rz * Ry * Rx that is nearest to `previous`.
 Eigen::Vector3d zyx_angles(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& previous);
 
 /// The same motion, in which each joint that `wanted` selects turns about its parent's axes: its

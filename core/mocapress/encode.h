@@ -24,9 +24,7 @@ struct Encoded {
                                 // and need not meet its target
 };
 
-/// Compresses one motion, any number of times and by any settings. What does not depend on the
-/// settings is computed once, when first needed. Const and safe to use from several threads at a
-/// time.
+/// Computes everything that does not depend on settings once, when first needed.
 class ClipEncoder {
  public:
   /// Compresses `source.motion`. The source's format is kept in the .mcpr, so that a motion written

@@ -21,7 +21,7 @@ struct LocalPose {
   Eigen::Vector3f translation(int joint) const { return joints.col(joint).tail<3>(); }
 };
 
-/// What happens at a clip's ends: time stops, or a loop goes round.
+/// The rule at a clip's ends: time stops, or a loop goes round.
 enum class AtEnds { Hold, Loop };
 
 /// A .mcpr opened for playing. It decodes any instant by itself, by the runtime decoder and with

@@ -43,8 +43,7 @@ struct ContactSetting {
   bool operator==(const ContactSetting&) const = default;
 };
 
-/// How to compress any clip. Joints go by name, because no skeleton is known yet. Settings with a
-/// name are a preset.
+/// Settings to compress any clip.
 struct Settings {
   std::string name;  // of a preset; empty: none
   // "closed-loop", the best there is; "annealed", "standard", "per-channel", "haar", "linear"; or a

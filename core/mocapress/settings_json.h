@@ -20,8 +20,8 @@ Settings settings_from(const Json& json);
 /// The same for settings that must have a name.
 Settings preset_from(const Json& json);
 
-/// What was asked, as flat keys of a row of results: "method", "target", "target_value",
-/// "weighting", "coding", "seed", "ik_ratio" (null: no correction). The rest is left out.
+/// The settings as flat keys of a row of results: "method", "target", "target_value", "weighting",
+/// "coding", "seed", "ik_ratio" (null: no correction).
 Json row_json(const Settings& settings);
 
 /// The inverse. Throws Error, or like the JSON library does.

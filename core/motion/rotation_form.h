@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The forms in which three angles can make a rotation. None suits all motion. Where the middle
-// angle comes near a right one, the outer two turn about one axis and jump. A limb whose twist is
-// an angle of its own needs few bits for it.
+// The forms in which three angles can make a rotation. None suits all motion. If the middle angle
+// comes near a right angle, the outer two turn about nearly the same axis and jump. A limb whose
+// twist is an angle of its own needs few bits for it.
 #pragma once
 
 #include <array>

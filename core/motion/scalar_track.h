@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What moves besides joints: morph weights, custom properties, events, scales.
+// Moving quantities other than joints: morph weights, custom properties, events, scales.
 #pragma once
 
 #include <cstdint>

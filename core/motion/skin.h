@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a character looks like: a mesh that its joints carry, by linear blend skinning as engines
-// do.
+// The look of a character: a mesh that its joints carry, by linear blend skinning as in engines.
 #pragma once
 
 #include <Eigen/Core>

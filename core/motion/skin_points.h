@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A character's surface as it is measured: points spread evenly over its mesh, moved as engines
-// move them.
+// A character's surface as errors are measured on it: points spread evenly over its mesh, moved as
+// engines move them.
 #pragma once
 
 #include <array>

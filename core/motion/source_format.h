@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How the file a motion was read from puts it into numbers, so that a file written from it can be
-// the same. The sample rate is not among it: that is the clip's own.
+// The conventions of the file a motion was read from, so that a file written from it can have the
+// same. The sample rate is not among them, since it belongs to the clip.
 #pragma once
 
 #include <cstdint>

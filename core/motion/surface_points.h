@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What Weighting::Surface looks at.
+// The points that Weighting::Surface measures.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tables of a report. Each is empty when the study has nothing for it.
+// The tables of a report. Each is empty if the study has no data for it.
 
 #pragma once
 

@@ -16,7 +16,7 @@ inline constexpr std::string_view kAxes = "AXES";
 /// Returns whether a joint may have fixed turns: it must have a parent and turn freely.
 bool may_turn_axes(const Joint& joint);
 
-/// Of the section for a coded skeleton: none where no axes are turned.
+/// The section for a coded skeleton; empty if no axes are turned.
 std::size_t axes_section_bytes(const Skeleton& coded);
 
 /// The payload of AXES.

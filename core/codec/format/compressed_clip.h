@@ -116,7 +116,7 @@ struct CompressedClip {
   /// skeleton. An estimate where the motion is not coded yet.
   std::size_t motion_bytes() const;
 
-  /// How many of them are the correction's: what the motion alone would not take.
+  /// The part of these bytes that the correction adds to the motion's.
   std::size_t correction_bytes() const;
 
   /// One segment where there are no others.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the adaptive coding should know of clips before their first bit, found from such clips:
-// each context by itself first, from how alike clips are, then log odds and mixing weights
-// together, by the gradient of the coded bits.
+// Fits the adaptive coding's prior knowledge to clips. First each context by itself, from the
+// similarity of the clips; then log odds and mixing weights together, by the gradient of the coded
+// bits.
 #pragma once
 
 #include <array>

@@ -10,7 +10,7 @@ using namespace mocapress;
 
 namespace {
 
-// What is left out is as in Settings{}; settings_to_json() writes all of it.
+// Members that are left out keep their values in Settings{}; settings_to_json() writes all of them.
 constexpr const char* kSettings = R"({
   "target": {"kind": "error", "value": 0.25},
   "weighting": "surface",

@@ -177,7 +177,7 @@ void FileLoader::find_double_precision_limits() {
           double_precision_limit(joints_[j].kinds[c], reach_[j]);
 }
 
-/// Of the segment that is decoded.
+/// The coded values of a segment, to be decoded.
 QuantisedSource FileLoader::source(int segment) const {
   const std::uint64_t bytes =
       segments_[segment].bytes + (sections_.segments.count() == 1 ? sections_.correction_bytes : 0);

@@ -37,7 +37,7 @@ struct QuantisedView {
   std::int32_t* signal(int s) const { return values + static_cast<std::ptrdiff_t>(s) * length; }
 };
 
-/// What a CoefficientCoder takes notes in.
+/// Working memory of a CoefficientCoder.
 struct CoderNotes {
   std::int64_t* sums;  // of magnitudes, in this band and the one above, by signal
   std::int64_t* sums_above;
@@ -69,7 +69,7 @@ struct BitSources {
   int set;  // of weights; -1: one context alone
 };
 
-/// What the scale of a value was expected from, and what came: likewise.
+/// The features behind the expected scale of a value, and the value: for `Bits` that want to know.
 struct ValueSources {
   std::array<int, kScaleFeatures> features;
   int level;
@@ -80,8 +80,8 @@ struct ValueSources {
 
 /// Walks through signals in the order of the file. `Bits` either writes the bits it is given or
 /// ignores and replaces them: bool code(bool bit, Probability one); refuse() when a number that was
-/// read is out of bounds, and failed(), after which nothing that was read is of use. What is read
-/// replaces what `coded` holds, which then must be zeros. Bits that have note(BitSources, bool) or
+/// read is out of bounds; failed(), after which nothing that was read is of use. Values that are
+/// read replace those in `coded`, which must be zeros before. `Bits` with note(BitSources, bool) or
 /// note(ValueSources) are told what each was predicted from.
 template <typename Bits>
 class CoefficientCoder {
@@ -229,7 +229,7 @@ class CoefficientCoder {
     }
   }
 
-  /// Of v > 0, rounded down.
+  /// Half octaves of v > 0, rounded down.
   static int half_octaves_of(float v) {
     return static_cast<int>(bit_pattern<std::uint32_t>(v) >> 22) - 2 * 127;
   }
@@ -379,7 +379,7 @@ bool CoefficientCoder<Bits>::code_significance(int b, int s, int density) {
       MixingSets::kSignificant);
 }
 
-/// How much there is in the band above, as a degree.
+/// The density of the band above, as a degree.
 template <typename Bits>
 int CoefficientCoder<Bits>::density_of(int b, int s) const {
   const int upper = bands_[b - 1].size;

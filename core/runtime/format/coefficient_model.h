@@ -101,7 +101,7 @@ struct CoefficientModel {
   CoefficientModel(int signal_count, AdaptiveBit* memory)
       : layout(signal_count), contexts(memory) {}
 
-  /// What it knows before the first bit: coefficient_priors.cpp.
+  /// Starts from the priors in coefficient_priors.cpp.
   void begin();
 
   /// The same without those: for fitting them.

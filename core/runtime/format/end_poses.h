@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the first and last frame of a clip still lack, where more was promised of them than the
-// coefficients give, and the velocity at one of them: FORMAT.md, ENDS.
-// The same walk for writing and reading.
+// Corrections of a clip's first and last pose, coded if more was promised of them than the
+// coefficients give, and of the velocity at one of them: FORMAT.md, ENDS. Writing and reading share
+// this code.
 #pragma once
 
 #include <cmath>
@@ -17,7 +17,8 @@ namespace mocapress::runtime {
 inline constexpr int kLeastEndStepExponent = -16;
 inline constexpr int kMostEndStepExponent = 48;
 
-/// What ENDS adds to: the pose of the first frame, that of the last, and the velocity at either.
+/// The corrections that ENDS codes: to the first pose, to the last pose, and to the velocity at
+/// either.
 inline constexpr int kFirstPose = 0;
 inline constexpr int kLastPose = 1;
 inline constexpr int kVelocity = 2;  // a frame, away from the end
@@ -25,7 +26,7 @@ inline constexpr int kMostEnds = 3;
 inline constexpr int kFarthestReach = 127;             // frames
 inline constexpr std::uint8_t kVelocityFollows = 128;  // beside the reach of the last pose
 
-/// How much of what an end lacks goes to a frame so many frames from it, less than `reach`.
+/// The share of an end's correction at a frame `frames_away` from it, less than `reach`.
 inline float end_share(int end, int frames_away, int reach) {
   const float left = static_cast<float>(reach - frames_away) / static_cast<float>(reach);
   const float share = left * left;
@@ -37,22 +38,22 @@ inline double largest_end_share(int end, int reach) {
   return end == kVelocity ? 4.0 / 27 * reach : 1;
 }
 
-/// How many frames have a share in what each of the three lacks.
+/// The number of frames that each of the three corrections reaches.
 struct EndReaches {
   std::uint8_t frames[kMostEnds] = {};  // 0: nothing is added
 
   bool any() const { return frames[kFirstPose] > 0; }
   int count() const { return frames[kVelocity] > 0 ? kMostEnds : kVelocity; }
 
-  /// How much of what an end lacks goes to a frame of a clip of so many.
+  /// The share of an end's correction at a frame of a clip of so many.
   float share_at(int end, int frame, int frames_of_clip) const {
     const int away = end == kFirstPose ? frame : frames_of_clip - 1 - frame;
     return away < frames[end] ? end_share(end, away, frames[end]) : 0.0F;
   }
 };
 
-/// What an end lacks in a channel, in steps of the channel times 2^(-step_exponent / 2). cm or
-/// radians
+/// An end's correction of a channel (cm or radians). One step is the channel's times
+/// 2^(-step_exponent / 2).
 inline float end_value(std::int32_t steps, float step_of_channel, int step_exponent) {
   const float whole = std::ldexp(step_of_channel, -(step_exponent >> 1));
   return static_cast<float>(steps) * (step_exponent % 2 == 0 ? whole : whole * 0x1.6a09e6p-1F);

@@ -58,7 +58,7 @@ class SectionsReader {
     return check_room();
   }
 
-  /// What is skipped counts for nothing.
+  /// Takes a section and counts its bytes, unless it is skipped.
   mcpr_result take_counted(const Section& section) {
     is_skipped_ = false;
     const mcpr_result result = take(section);

@@ -54,7 +54,7 @@ inline double nearest_turn(double angle, double previous) {
 }
 
 /// Decomposes a rotation into angles R_i(a) R_j(b) R_k(c) about three different axes (0 1 2: x y
-/// z). Of the two solutions, returns the one nearer to `previous`.
+/// z). Returns the solution nearer to `previous`.
 template <typename Axes, typename Matrix, typename Vector>
 Vector three_angles(const Axes& axes, const Matrix& rotation, const Vector& previous) {
   constexpr double kGimbalLock = 1e-9;

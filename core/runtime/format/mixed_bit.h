@@ -31,7 +31,7 @@ constexpr std::int32_t squash(std::int32_t log_odds) {
 /// The inverse of squash() for the upper 12 bits of a probability.
 extern const std::array<std::int16_t, 4096> kStretched;
 
-/// What is known of the bits of one context: a probability that follows them, fast at first.
+/// A probability that follows the bits of one context, fast at first.
 struct AdaptiveBit {
   static constexpr std::uint16_t kSlowest = 250;
 
@@ -41,7 +41,7 @@ struct AdaptiveBit {
   void follow(bool bit);
 };
 
-/// How far a context goes to meet a bit that it sees after so many others, in 65536ths.
+/// The rate at which a context moves towards a bit after so many others, in 65536ths.
 extern const std::array<std::int32_t, AdaptiveBit::kSlowest + 1> kRates;
 
 inline void AdaptiveBit::follow(bool bit) {
@@ -51,7 +51,7 @@ inline void AdaptiveBit::follow(bool bit) {
   if (seen < kSlowest) ++seen;
 }
 
-/// How much each of several contexts is to be believed. Integers, 65536 = once.
+/// The weight of each of several contexts. Integers, 65536 = once.
 struct MixingWeights {
   static constexpr std::size_t kMost = 8;
   std::array<std::int32_t, kMost> of{};

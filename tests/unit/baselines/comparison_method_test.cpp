@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every comparison method promises.
+// The promises of every comparison method.
 #include "core/codec/methods/comparison_method.h"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sample character, which glTF and FBX hold alike and two readers read.
+// The sample character, which glTF and FBX hold alike, read by both readers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whatever the bytes: a reader reads, or throws an InputError that says where. Nothing else.
+// For any bytes a reader either reads or throws an InputError with a place, and nothing else.
 #include <gtest/gtest.h>
 
 #include <cmath>

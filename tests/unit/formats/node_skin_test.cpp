@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Skins of takes against the nodes' own transforms: what moves a vertex is its bone's world matrix
-// times the inverse bind matrix, as FBX and glTF define it.
+// Compares skins of takes with the nodes' own transforms. A vertex is moved by its bone's world
+// matrix times the inverse bind matrix, as FBX and glTF define it.
 #include "core/formats/node_skin.h"
 
 #include <gmock/gmock.h>

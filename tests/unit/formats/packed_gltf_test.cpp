@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// glTF as gltfpack (EXT_meshopt_compression, KHR_mesh_quantization) and glTF-Transform
-// (KHR_draco_mesh_compression) write it. Needs both libraries.
+// glTF as written by gltfpack (EXT_meshopt_compression, KHR_mesh_quantization) and glTF-Transform
+// (KHR_draco_mesh_compression). Needs both libraries.
 #include <draco/compression/encode.h>
 #include <draco/mesh/triangle_soup_mesh_builder.h>
 #include <gtest/gtest.h>

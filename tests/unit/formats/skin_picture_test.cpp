@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures that meshes of a glTF have their colours from.
+// Pictures that colour the meshes of a glTF.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files as strangers have them (the corpus's folder `strangers`; its README has the right values),
-// and what is said of files that cannot be read.
+// Files from strangers (the corpus's folder `strangers`; its README has the right values), and the
+// messages for files that cannot be read.
 #include <gtest/gtest.h>
 
 #include <algorithm>

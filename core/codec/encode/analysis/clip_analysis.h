@@ -36,8 +36,7 @@ class ClipAnalysis {
  public:
   explicit ClipAnalysis(Motion motion) : motion_(std::move(motion)) {}
 
-  /// The same motion in other channels. What does not depend on channels is taken from `same`,
-  /// which must outlive this.
+  /// Takes everything that does not depend on channels from `same`, which must outlive this.
   ClipAnalysis(Motion motion, const ClipAnalysis& same)
       : motion_(std::move(motion)), same_(&same) {}
 

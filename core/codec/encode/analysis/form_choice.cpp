@@ -45,7 +45,8 @@ constexpr std::size_t kCandidates = kRotationOrders + kTurnedOrders.size();
 /// Bits for each candidate: all orders, then the orders about turned axes.
 using Bits = std::array<double, kCandidates>;
 
-/// Of the axes that a frame may be given by, some backwards, the one nearest to the identity.
+/// The frame nearest to the identity among the right-handed ones with these axes, some turned
+/// backwards.
 Eigen::Matrix3d nearest_frame(Eigen::Matrix3d axes) {
   if (axes.determinant() < 0) axes = -axes;
   Eigen::Matrix3d best = axes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What ErrorBound does to one point after another, frame by frame.
+// The steps of ErrorBound for one point after another, frame by frame.
 #pragma once
 
 #include <Eigen/Core>

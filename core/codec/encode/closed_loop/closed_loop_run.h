@@ -103,7 +103,7 @@ class ClosedLoopRun {
   /// overshoot.
   bool weigh_alike(const ShortFunction& function) const;
 
-  /// Of the errors as they are. Prices the ends by it.
+  /// Computes the energy of the present errors, and prices the ends by it.
   void find_energy();
 
   int channels() const { return loop_.transform_.channels(); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the closed loop does to the coefficients of a channel, side by side, in the instruction set
-// that the machine has.
+// The steps of the closed loop on the coefficients of a channel, in the machine's best instruction
+// set.
 #pragma once
 
 #include <bit>

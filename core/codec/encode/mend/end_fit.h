@@ -10,7 +10,7 @@ namespace mocapress {
 /// already holds at the ends, and a draft promises nothing and must be quick.
 bool codes_ends(const EncodeOptions& options);
 
-/// How many frames at either end the fit looks at to see how far an end's error reaches.
+/// Number of frames at either end from which the fit tells how far an end's error reaches.
 int frames_at_ends(int frames);
 
 /// Codes what the first and the last pose of a trial lack, in the fewest bits that keep the

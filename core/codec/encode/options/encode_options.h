@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What one encode of one clip is asked for. Settings (core/mocapress/settings.h) say the same for
-// any clip, with joints by name.
+// The request for one encode of one clip. Settings (core/mocapress/settings.h) are the same for any
+// clip, with joints by name.
 #pragma once
 
 #include <cstdint>

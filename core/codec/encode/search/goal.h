@@ -85,10 +85,10 @@ class Goal {
   /// Measures the visible errors of a coded clip.
   Visibility seen(const CompressedClip& compressed) const;
 
-  /// How the first and the last pose fare, and the seam between them.
+  /// Errors of the first and the last pose, and of the seam between them.
   EndErrors ends(const CompressedClip& compressed) const;
 
-  /// How far the worst point of each frame is off. cm
+  /// Error of the worst point at each frame, in cm.
   Eigen::VectorXd worst_of_frames(const CompressedClip& compressed) const;
 
   /// Raises the weights of frames at which a clip exceeds a hard maximum or is noticed.

@@ -123,7 +123,7 @@ void expect_refused(File changed, std::size_t first_offset, std::size_t last_off
     decode(read_container(changed));
     ADD_FAILURE() << why;
   } catch (const FormatError& error) {
-    // What decoding refuses, core counts from the motion's first byte.
+    // While decoding, core counts offsets from the motion's first byte.
     const bool in_headers = last_offset < start_of(changed, "MOTN");
     if (in_headers) {
       EXPECT_EQ(error.byte_offset(), opened.result.offset) << why;
@@ -235,7 +235,7 @@ TEST(Segments, ThirtyThousandOfThemOpenAndDecodeInTime) {
   constexpr int kFrames = 1 << 22;  // as many as a file may have
   const File bytes = write_container(segments_of_nothing(kFrames, 2));
   EXPECT_EQ(test::OpenedClip(bytes).result.status, MCPR_OK);
-  // What concerns all of them is done but once.
+  // Work for all segments is done only once.
   EXPECT_EQ(decode(read_container(bytes)).frames(), kFrames);
 }
 

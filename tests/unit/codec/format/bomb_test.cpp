@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a few bytes may cost: memory by the samples they may stand for (container_test), time of the
-// IK solver by those.
+// Limits on the cost of a few bytes: memory by the samples they stand for (container_test), and
+// time of the IK solver by the same.
 #include <gtest/gtest.h>
 
 #include "core/base/byte_cursor.h"

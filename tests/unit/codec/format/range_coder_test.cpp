@@ -36,7 +36,7 @@ std::vector<std::byte> encode(const CodedBits& coded) {
   return encoder.finish();
 }
 
-/// What was read, or nothing where it was refused.
+/// The decoded values; unset if decoding was refused.
 std::optional<std::vector<bool>> decode(std::span<const std::byte> bytes,
                                         const std::vector<Probability>& probabilities) {
   runtime::RangeDecoder decoder(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());

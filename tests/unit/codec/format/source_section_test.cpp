@@ -106,7 +106,7 @@ TEST(SourceSection, SurvivesCutsAndMutations) {
     const Bytes mutated = with_payload(bytes);
     EXPECT_NO_THROW(read_container(mutated));  // which knows nothing of it
     try {
-      // What is read is what would be written again.
+      // Reading and writing again gives the same section.
       EXPECT_EQ(with_source(mutated, source_of(mutated)), mutated);
     } catch (const FormatError&) {
     }

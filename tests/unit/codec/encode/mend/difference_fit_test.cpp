@@ -24,7 +24,7 @@ std::vector<FitWeights> weights_with(double step) {
   return {weights, weights, weights};
 }
 
-/// Of steps so small that rounding is nothing.
+/// Steps so small that rounding has no effect.
 double finest(double) {
   return 1e-5;
 }

@@ -11,7 +11,7 @@
 namespace mocapress {
 namespace {
 
-/// What each r_IK would come to.
+/// The split that each r_IK would give.
 using Curve = std::function<Split(double ratio)>;
 
 /// A motion of 4,000 bytes or more, whose correction takes the more the finer it is.
