@@ -10,6 +10,7 @@
 #include "core/runtime/format/file_sections.h"
 #include "core/runtime/mocapress_runtime.h"
 
+static_assert(MCPK_HEAD_BYTES == sizeof(mcpk_bank));
 static_assert(MCPK_NAME_BYTES == mocapress::runtime::kMostNameOfClip + 1);
 
 namespace mocapress::runtime {
@@ -51,7 +52,7 @@ mcpr_result mcpk_open(const void* memory, size_t size, int check, const mcpk_ban
   if (runtime::failed(result)) return result;
   const auto* const head = static_cast<const mcpk_bank*>(memory);
   result = runtime::check_bank_head(*head, size);
-  if (!runtime::failed(result) && check != 0) result = runtime::check_bank(*head);
+  if (!runtime::failed(result) && check != 0) result = runtime::check_bank(*head, check != 2);
   if (!runtime::failed(result)) *bank = head;
   return result;
 }
@@ -96,6 +97,28 @@ const char* mcpk_key(const mcpk_bank* bank, uint32_t number) {
 const char* mcpk_value(const mcpk_bank* bank, uint32_t number) {
   if (bank == nullptr || number >= bank->count(runtime::BankItem::Text) / 2) return nullptr;
   return bank->text(runtime::BankItem::Text, 2 * number + 1);
+}
+
+mcpr_result mcpk_place(const mcpk_bank* bank, uint32_t clip, uint64_t* offset, uint64_t* bytes) {
+  if (bank == nullptr || offset == nullptr || bytes == nullptr)
+    return runtime::no_such("no bank, or no place was given for the answer");
+  runtime::BankRegion place{bank->items.offset, bank->bytes - bank->items.offset};
+  if (clip != bank->clips) {
+    runtime::BankEntry entry;
+    const mcpr_result result = runtime::find_entry(bank, clip, bank->is_cooked(), entry);
+    if (runtime::failed(result)) return result;
+    place = entry.place;
+  }
+  *offset = place.offset;
+  *bytes = place.bytes;
+  return runtime::kOk;
+}
+
+mcpr_result mcpk_check(const mcpk_bank* bank, uint32_t clip) {
+  if (bank == nullptr) return runtime::no_such("no bank");
+  runtime::BankEntry entry;
+  const mcpr_result result = runtime::find_entry(bank, clip, bank->is_cooked(), entry);
+  return runtime::failed(result) ? result : runtime::check_clip(*bank, entry);
 }
 
 mcpr_result mcpk_inspect(const mcpk_bank* bank, uint32_t clip, const mcpr_limits* limits,

@@ -577,8 +577,9 @@ typedef struct mcpk_bank mcpk_bank;
 
 /* Opens a bank; *bank points to `memory`. check = 0 looks at the head only, in the same time for
  * any number of clips, and trusts the rest to be what `mocapress bank` made. check = 1 verifies
- * every byte, so that banks from anywhere are safe to use. Fails with MCPR_NOT_A_CLIP,
- * MCPR_UNKNOWN_VERSION, MCPR_DAMAGED or MCPR_INVALID. */
+ * every byte, so that banks from anywhere are safe to use. check = 2 verifies all but the clips,
+ * which may be loaded later: see mcpk_place. Fails with MCPR_NOT_A_CLIP, MCPR_UNKNOWN_VERSION,
+ * MCPR_DAMAGED or MCPR_INVALID. */
 MCPR_API mcpr_result mcpk_open(const void* memory, size_t size, int check, const mcpk_bank** bank);
 
 /* The dimensions of a bank. */
@@ -610,6 +611,21 @@ MCPR_API const char* mcpk_tag(const mcpk_bank* bank, uint32_t clip, uint32_t num
  * null if it has fewer pairs. */
 MCPR_API const char* mcpk_key(const mcpk_bank* bank, uint32_t number);
 MCPR_API const char* mcpk_value(const mcpk_bank* bank, uint32_t number);
+
+/* The bytes at the beginning of a bank that mcpk_open reads with check = 0. */
+#define MCPK_HEAD_BYTES 104
+
+/* For a bank of which only some clips are wanted in memory, on a server for example. Tells where
+ * the bytes of a clip are, counted from the beginning of the bank; with `clip` = mcpk_info.clips,
+ * where all that follows the clips is, which they share. Load the head, and open it with check = 0
+ * and the size of the whole bank; load what follows the clips to its place, and open the bank with
+ * check = 2; then load clips to their places, and call mcpk_check before using one. What lies
+ * between need not be there. */
+MCPR_API mcpr_result mcpk_place(const mcpk_bank* bank, uint32_t clip, uint64_t* offset,
+                                uint64_t* bytes);
+
+/* Verifies a clip that was loaded after its bank was opened, so that it is safe to use. */
+MCPR_API mcpr_result mcpk_check(const mcpk_bank* bank, uint32_t clip);
 
 /* Inspects and reads a clip of a packed bank, as mcpr_inspect and mcpr_read do with a file.
  * mcpr_build then makes the clip. */

@@ -90,6 +90,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (std::uint32_t clip = 0; clip < std::min(bank->clips, 20U); ++clip) {
       if (mcpk_name(bank, clip, name) > 0) mcpk_find(bank, name);
       mcpk_tag(bank, clip, 0);
+      std::uint64_t place[2];
+      mcpk_place(bank, clip, &place[0], &place[1]);
       mcpk_find_joint(bank, clip, "hips");
       if (!bank->is_cooked()) read_packed(bank, clip);
     }

@@ -81,29 +81,10 @@ mcpr_result check_items(const mcpk_bank& bank) {
   return kOk;
 }
 
-mcpr_result check_clip(const mcpk_bank& bank, const BankEntry& entry) {
-  const auto offset = static_cast<std::size_t>(entry.place.offset);
-  if (!bank.is_cooked()) {
-    FileSections sections;
-    return read_sections(bank, entry, mcpr_default_limits(), sections);
-  }
-  const mcpr_cooked* cooked = nullptr;
-  mcpr_result result = cooked_clip_of(bank, entry, cooked);
-  if (!failed(result) && cooked->bytes != entry.place.bytes)
-    result = failure(MCPR_DAMAGED, 0, "a clip of the bank has another size than it says");
-  if (!failed(result))
-    result = check_cooked(*cooked, {cooked->tables, kFirstTable, bank.tables.bytes});
-  if (failed(result)) return failure(result.status, offset + result.offset, result.message);
-  return cooked->joints == BankSkeleton(bank.item(BankItem::Part, entry.kind)).joints()
-             ? kOk
-             : failure(MCPR_INVALID, offset,
-                       "a clip of the bank has another skeleton than it says");
-}
-
-/// Whether a gap holds only zeros, and is no longer than alignment requires.
-bool is_padding(const mcpk_bank& bank, std::uint64_t from, std::uint64_t to) {
+/// Whether a gap holds only zeros, if it `is_there`, and is no longer than alignment requires.
+bool is_padding(const mcpk_bank& bank, std::uint64_t from, std::uint64_t to, bool is_there = true) {
   if (to < from || to - from >= kCookedAlignment) return false;
-  for (; from < to; ++from)
+  for (; is_there && from < to; ++from)
     if (*bank.at(from) != 0) return false;
   return true;
 }
@@ -139,8 +120,9 @@ mcpr_result check_clips(const mcpk_bank& bank, std::uint32_t block) {
   return kOk;
 }
 
-/// Checks that the blocks follow each other without gaps, and so do the regions of the bank.
-mcpr_result check_index(const mcpk_bank& bank) {
+/// Checks that the blocks follow each other without gaps, and so do the regions of the bank. With
+/// `clips`, checks these too.
+mcpr_result check_index(const mcpk_bank& bank, bool clips) {
   const Bytes index = bank.bytes_of(bank.index);
   const auto refuse = [&](std::size_t offset) {
     return failure(MCPR_INVALID, offset, "the index of the bank makes no sense");
@@ -155,7 +137,7 @@ mcpr_result check_index(const mcpk_bank& bank) {
     const std::uint32_t first = kClipsOfBlock * block;
     for (std::uint32_t clip = first; clip < bank.clips && clip < first + kClipsOfBlock; ++clip) {
       const bool is_there = walk.next(entry);
-      const bool follows = is_there && is_padding(bank, clips_end, entry.place.offset) &&
+      const bool follows = is_there && is_padding(bank, clips_end, entry.place.offset, clips) &&
                            (clip == 0 || compare_names(before.name, before.name_length, entry.name,
                                                        entry.name_length) < 0);
       if (!follows || std::memchr(entry.name, 0, entry.name_length) != nullptr)
@@ -163,13 +145,15 @@ mcpr_result check_index(const mcpk_bank& bank) {
       clips_end = entry.place.offset + entry.place.bytes;
       before = entry;
     }
-    if (const mcpr_result result = check_clips(bank, block); failed(result)) return result;
+    if (clips)
+      if (const mcpr_result result = check_clips(bank, block); failed(result)) return result;
     end = walk.offset();
   }
   const auto follows = [&](const BankRegion& region, std::uint64_t before_it) {
     return is_padding(bank, before_it, region.offset);
   };
-  const bool is_whole = end == index.offset + index.size && follows(bank.items, clips_end) &&
+  const bool is_whole = end == index.offset + index.size &&
+                        is_padding(bank, clips_end, bank.items.offset, clips) &&
                         follows(bank.index, bank.items.offset + bank.items.bytes) &&
                         follows(bank.tables, bank.index.offset + bank.index.bytes) &&
                         bank.tables.offset + bank.tables.bytes == bank.bytes;
@@ -192,7 +176,26 @@ mcpr_result cooked_clip_of(const mcpk_bank& bank, const BankEntry& entry,
   return kOk;
 }
 
-mcpr_result check_bank(const mcpk_bank& bank) {
+mcpr_result check_clip(const mcpk_bank& bank, const BankEntry& entry) {
+  const auto offset = static_cast<std::size_t>(entry.place.offset);
+  if (!bank.is_cooked()) {
+    FileSections sections;
+    return read_sections(bank, entry, mcpr_default_limits(), sections);
+  }
+  const mcpr_cooked* cooked = nullptr;
+  mcpr_result result = cooked_clip_of(bank, entry, cooked);
+  if (!failed(result) && cooked->bytes != entry.place.bytes)
+    result = failure(MCPR_DAMAGED, 0, "a clip of the bank has another size than it says");
+  if (!failed(result))
+    result = check_cooked(*cooked, {cooked->tables, kFirstTable, bank.tables.bytes});
+  if (failed(result)) return failure(result.status, offset + result.offset, result.message);
+  return cooked->joints == BankSkeleton(bank.item(BankItem::Part, entry.kind)).joints()
+             ? kOk
+             : failure(MCPR_INVALID, offset,
+                       "a clip of the bank has another skeleton than it says");
+}
+
+mcpr_result check_bank(const mcpk_bank& bank, bool clips) {
   mcpr_result result = check_checksum(bank, bank.index, bank.index_checksum,
                                       "the index of the bank is damaged: its checksum differs");
   if (!failed(result))
@@ -202,7 +205,7 @@ mcpr_result check_bank(const mcpk_bank& bank) {
     result = check_checksum(bank, bank.tables, bank.tables_checksum,
                             "the tables of the bank are damaged: their checksum differs");
   if (!failed(result)) result = check_items(bank);
-  return failed(result) ? result : check_index(bank);
+  return failed(result) ? result : check_index(bank, clips);
 }
 
 }  // namespace mocapress::runtime

@@ -21,6 +21,11 @@ export class Mocapress {
   openClip(bytes: ArrayBuffer | ArrayBufferView, name?: string): Clip;
   /** Opens the bytes of a .mcpk bank, and checks all of them. */
   openBank(bytes: ArrayBuffer | ArrayBufferView): Bank;
+  /**
+   * Opens a bank on a server without loading its clips: Bank.load() gets them by HTTP ranges. A server without ranges
+   * sends the whole bank. `options` are those of fetch().
+   */
+  streamBank(url: string | URL, options?: RequestInit): Promise<Bank>;
 }
 
 export class Bank {
@@ -29,6 +34,10 @@ export class Bank {
   readonly names: string[];
   /** Cooked clips are sampled as they lie; those of packed banks are decoded when opened. */
   readonly isCooked: boolean;
+  /** Loads a clip of a streamed bank and checks it; otherwise does nothing. */
+  load(name: string): Promise<void>;
+  isLoaded(name: string): boolean;
+  /** A clip of a streamed bank must be loaded before. */
   openClip(name: string): Clip;
   tags(name: string): string[];
   /** Frees the bank. Dispose of clips of a cooked bank before it. */

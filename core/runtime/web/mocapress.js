@@ -6,6 +6,8 @@ const simdProbe = new Uint8Array([
   0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
 ]);
 
+const headBytes = 104; // MCPK_HEAD_BYTES
+
 const trackKinds = ['property', 'morphWeight', 'scaleX', 'scaleY', 'scaleZ'];
 
 export class MocapressError extends Error {
@@ -65,14 +67,42 @@ export class Mocapress {
     return new Bank(this.#exports, bank);
   }
 
+  async streamBank(url, options) {
+    const exports = this.#exports;
+    const fetchRange = rangesOf(url, options);
+    const head = await fetchRange(0, headBytes);
+    if (head.byteLength !== headBytes) return this.openBank(head); // the whole bank
+    const ofHead = this.#copy(head);
+    let memory = 0;
+    try {
+      const bank = exports.web_open_head(ofHead);
+      if (bank === 0) throw lastError(exports);
+      const [offset, bytes] = placeIn(exports, bank, exports.web_bank_clips(bank));
+      const shared = await fetchRange(offset, bytes);
+      if (shared.length !== bytes) throw new MocapressError(`${url}: the server sends ${shared.length} bytes, not ${bytes}`);
+      memory = this.#allocate(offset + bytes);
+      write(exports, memory, head);
+      write(exports, memory + offset, shared);
+      if (exports.web_open_shared(memory, offset + bytes) === 0) throw lastError(exports);
+      return new Bank(exports, memory, fetchRange);
+    } catch (error) {
+      exports.web_free(memory);
+      throw error;
+    } finally {
+      exports.web_free(ofHead);
+    }
+  }
+
   /** Copies bytes to where the runtime reads them. */
   #copy(bytes) {
-    const view = ArrayBuffer.isView(bytes)
-      ? new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength)
-      : new Uint8Array(bytes);
-    const memory = this.#exports.web_allocate(view.length);
+    const memory = this.#allocate(bytes.byteLength);
+    write(this.#exports, memory, bytes);
+    return memory;
+  }
+
+  #allocate(bytes) {
+    const memory = this.#exports.web_allocate(bytes);
     if (memory === 0) throw new MocapressError('there is not enough memory for the file');
-    new Uint8Array(this.#exports.memory.buffer, memory, view.length).set(view);
     return memory;
   }
 
@@ -85,17 +115,34 @@ export class Bank {
   #exports;
   #bank;
   #numbers = new Map();
+  #fetchRange;
+  #loads = new Map();
+  #loaded = new Set();
 
-  constructor(exports, bank) {
+  constructor(exports, bank, fetchRange) {
     this.#exports = exports;
     this.#bank = bank;
+    this.#fetchRange = fetchRange;
     for (let i = 0; i < exports.web_bank_clips(bank); ++i)
       this.#numbers.set(textAt(exports, exports.web_bank_name(bank, i)), i);
     this.names = [...this.#numbers.keys()];
     this.isCooked = exports.web_bank_is_cooked(bank) !== 0;
   }
 
+  async load(name) {
+    const number = this.#number(name);
+    if (this.isLoaded(name)) return;
+    if (!this.#loads.has(number))
+      this.#loads.set(number, this.#load(number).finally(() => this.#loads.delete(number)));
+    await this.#loads.get(number);
+  }
+
+  isLoaded(name) {
+    return !this.#fetchRange || this.#loaded.has(this.#number(name));
+  }
+
   openClip(name) {
+    if (!this.isLoaded(name)) throw new MocapressError(`the clip ${name} is not there yet: load() gets it`);
     const open = this.isCooked ? this.#exports.web_open_cooked : decoderOf(this.#exports, 'web_open_packed');
     return new Clip(this.#exports, open(this.#bank, this.#number(name)), name);
   }
@@ -111,6 +158,16 @@ export class Bank {
   dispose() {
     this.#exports.web_free(this.#bank);  // the bank is its bytes
     this.#bank = 0;
+  }
+
+  async #load(number) {
+    const [offset, bytes] = placeIn(this.#exports, this.#bank, number);
+    const clip = await this.#fetchRange(offset, bytes);
+    if (this.#bank === 0) throw new MocapressError('the bank was disposed of');
+    if (clip.length !== bytes) throw new MocapressError('the bank on the server is not the same any more');
+    write(this.#exports, this.#bank + offset, clip);
+    if (this.#exports.web_check(this.#bank, number) === 0) throw lastError(this.#exports);
+    this.#loaded.add(number);
   }
 
   #number(name) {
@@ -291,6 +348,31 @@ export function worldPositions(joints, pose, stride = 7) {
     positions[3 * j + 2] = positions[3 * p + 2] + tz + 2 * (b * uy - c * ux);
   }
   return positions;
+}
+
+/** A function that fetches some bytes of a file. A server that knows no ranges sends all of it. */
+function rangesOf(url, { headers, ...options } = {}) {
+  return async (offset, bytes) => {
+    const ranged = new Headers(headers);
+    ranged.set('Range', `bytes=${offset}-${offset + bytes - 1}`);
+    const response = await fetch(url, { ...options, headers: ranged });
+    if (!response.ok) throw new MocapressError(`${url}: the server answers ${response.status}`);
+    return new Uint8Array(await response.arrayBuffer());
+  };
+}
+
+function placeIn(exports, bank, number) {
+  const place = exports.web_place(bank, number);
+  if (place === 0) throw lastError(exports);
+  return new Float64Array(exports.memory.buffer, place, 2);
+}
+
+/** Copies bytes into the module's memory. */
+function write(exports, address, bytes) {
+  const view = ArrayBuffer.isView(bytes)
+    ? new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength)
+    : new Uint8Array(bytes);
+  new Uint8Array(exports.memory.buffer, address, view.length).set(view);
 }
 
 function decoderOf(exports, name) {

@@ -20,6 +20,8 @@ export class MocapressLoader extends Loader<MocapressMotion> {
     onProgress?: (event: ProgressEvent) => void,
     onError?: (error: unknown) => void,
   ): void;
+  /** Opens a bank on a server without its clips, which MocapressMotion.load() gets one by one. */
+  streamAsync(url: string): Promise<MocapressMotion>;
   /** WebAssembly is compiled in the background, so the first call takes a moment. */
   parse(bytes: ArrayBuffer, name?: string): Promise<MocapressMotion>;
 }
@@ -29,6 +31,8 @@ export class MocapressMotion {
   private constructor();
   readonly names: string[];
   clip(name?: string): Clip;
+  /** The clip, after it was loaded from the server if the bank is streamed. */
+  load(name?: string): Promise<Clip>;
   /** The clip as keyframes: for the bones of `root`, or for bones named as its joints. */
   animation(name?: string, root?: Object3D, options?: ScaleOptions): AnimationClip;
   /** All clips as keyframes, made anew at each call. For large banks, ask for single ones. */

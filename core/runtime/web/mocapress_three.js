@@ -42,11 +42,23 @@ export class MocapressLoader extends Loader {
     loader.load(url, (bytes) => this.parse(bytes, stem(url)).then(onLoad).catch(fail), onProgress, onError);
   }
 
+  async streamAsync(url) {
+    const bank = await (await this.#start()).streamBank(this.manager.resolveURL(this.path + url), {
+      headers: this.requestHeader,
+      credentials: this.withCredentials ? 'include' : 'same-origin',
+    });
+    return new MocapressMotion(bank, true);
+  }
+
   async parse(bytes, name = '') {
-    this.#mocapress ??= createMocapress(this.#module);
-    const mocapress = await this.#mocapress;
+    const mocapress = await this.#start();
     const isBank = String.fromCharCode(...new Uint8Array(bytes, 0, Math.min(4, bytes.byteLength))) === 'MCPK';
     return new MocapressMotion(isBank ? mocapress.openBank(bytes) : mocapress.openClip(bytes, name), isBank);
+  }
+
+  #start() {
+    this.#mocapress ??= createMocapress(this.#module);
+    return this.#mocapress;
   }
 }
 
@@ -66,6 +78,11 @@ export class MocapressMotion {
       this.#clips.set(name, this.#bank.openClip(name));
     }
     return this.#clips.get(name);
+  }
+
+  async load(name = this.names[0]) {
+    await this.#bank?.load(name);
+    return this.clip(name);
   }
 
   animation(name = this.names[0], root = undefined, options = {}) {

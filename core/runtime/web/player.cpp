@@ -258,6 +258,34 @@ MOCAPRESS_EXPORT const mcpk_bank* web_open_bank(const void* memory, std::size_t 
   return succeeded(mcpk_open(memory, size, 1, &bank)) ? bank : nullptr;
 }
 
+/// Opens the head of a bank of which the rest is not there yet.
+MOCAPRESS_EXPORT const mcpk_bank* web_open_head(const void* memory) {
+  const mcpk_bank* bank = nullptr;
+  return succeeded(mcpk_open(memory, SIZE_MAX, 0, &bank)) ? bank : nullptr;
+}
+
+/// Opens a bank of which the clips are not there yet.
+MOCAPRESS_EXPORT const mcpk_bank* web_open_shared(const void* memory, std::size_t size) {
+  const mcpk_bank* bank = nullptr;
+  return succeeded(mcpk_open(memory, size, 2, &bank)) ? bank : nullptr;
+}
+
+/// Two numbers: where a clip is, and its bytes; of what follows the clips, for one too many.
+MOCAPRESS_EXPORT const double* web_place(const mcpk_bank* bank, std::uint32_t number) {
+  static double place[2];
+  std::uint64_t offset = 0;
+  std::uint64_t bytes = 0;
+  if (!succeeded(mcpk_place(bank, number, &offset, &bytes))) return nullptr;
+  place[0] = static_cast<double>(offset);
+  place[1] = static_cast<double>(bytes);
+  return place;
+}
+
+/// 0 is a failure.
+MOCAPRESS_EXPORT int web_check(const mcpk_bank* bank, std::uint32_t number) {
+  return succeeded(mcpk_check(bank, number)) ? 1 : 0;
+}
+
 MOCAPRESS_EXPORT std::uint32_t web_bank_clips(const mcpk_bank* bank) {
   return mcpk_describe(bank).clips;
 }

@@ -277,6 +277,37 @@ TEST_F(BankTest, KeepsTagsAndTexts) {
 
 class BothForms : public BankTest, public testing::WithParamInterface<runtime::BankForm> {};
 
+TEST_P(BothForms, ClipsCanBeLoadedOneByOne) {
+  make({.form = GetParam()});
+  const std::vector<std::byte> whole = read_bytes(bank());
+  const BankFile expected(bank());
+  AlignedBytes memory(whole.size());
+  std::memset(memory.data(), 0xAA, whole.size());
+  const auto load = [&](std::uint64_t offset, std::uint64_t bytes) {
+    std::memcpy(static_cast<std::byte*>(memory.data()) + offset, whole.data() + offset, bytes);
+  };
+  load(0, MCPK_HEAD_BYTES);
+  const mcpk_bank* bank = nullptr;
+  ASSERT_EQ(mcpk_open(memory.data(), whole.size(), 0, &bank).status, MCPR_OK);
+  EXPECT_NE(mcpk_open(memory.data(), whole.size(), 2, &bank).status, MCPR_OK);
+  std::uint64_t offset = 0;
+  std::uint64_t bytes = 0;
+  ASSERT_EQ(mcpk_place(bank, bank->clips, &offset, &bytes).status, MCPR_OK);
+  load(offset, bytes);
+  ASSERT_EQ(mcpk_open(memory.data(), whole.size(), 2, &bank).status, MCPR_OK);
+  EXPECT_NE(mcpk_open(memory.data(), whole.size(), 1, &bank).status, MCPR_OK);
+  EXPECT_EQ(mcpk_place(bank, bank->clips + 1, &offset, &bytes).status, MCPR_ARGUMENT);
+  for (std::uint32_t clip = 0; clip < bank->clips; ++clip) {
+    ASSERT_EQ(mcpk_place(bank, clip, &offset, &bytes).status, MCPR_OK);
+    EXPECT_EQ(offset, expected.entry(clip).place.offset);
+    if (bank->is_cooked()) {
+      EXPECT_NE(mcpk_check(bank, clip).status, MCPR_OK) << "not there yet";
+    }
+    load(offset, bytes);
+    EXPECT_EQ(mcpk_check(bank, clip).status, mcpk_check(&expected.bank(), clip).status);
+  }
+}
+
 TEST_P(BothForms, AddingOneByOneMakesTheBytesOfMakingAllAtOnce) {
   make({.form = GetParam()});
   const std::vector<std::byte> at_once = read_bytes(bank());
