@@ -198,12 +198,12 @@ StagedFile::~StagedFile() {
 
 /// Opens a file without a name, of which nothing is left if we are killed. May leave it to
 /// open_named() to report an error.
-void StagedFile::open_unnamed(mode_t mode) {
+void StagedFile::open_unnamed(std::uint32_t mode) {
   FileDescriptor file(::openat(folder_.number(), ".", O_TMPFILE | O_RDWR | O_CLOEXEC, mode));
   if (file && ::access(link_to(file.number()).c_str(), F_OK) == 0) file_ = std::move(file);
 }
 
-void StagedFile::open_named(mode_t mode) {
+void StagedFile::open_named(std::uint32_t mode) {
   std::string name = random_name();
   file_ = FileDescriptor(::openat(folder_.number(), name.c_str(),
                                   O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode));

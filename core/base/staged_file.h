@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <sys/types.h>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -108,8 +107,8 @@ class StagedFile {
 
  private:
   static void synchronise_all(std::span<StagedFile> files, bool names);
-  void open_unnamed(mode_t mode);
-  void open_named(mode_t mode);
+  void open_unnamed(std::uint32_t mode);
+  void open_named(std::uint32_t mode);
   void give_name();
   void take_place(Existing existing);
   [[noreturn]] void fail(int error) const;

@@ -28,4 +28,5 @@ file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/sbom.cdx.json" @ONLY CONTENT
   @components@
  ]}
 ")
+include(GNUInstallDirs)
 install(FILES "${PROJECT_BINARY_DIR}/sbom.cdx.json" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/mocapress")

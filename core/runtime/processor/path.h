@@ -5,6 +5,10 @@
 #include "core/runtime/mocapress_runtime.h"
 #include "core/runtime/processor/four.h"
 
+#if defined(MOCAPRESS_HAS_AVX2) && defined(_MSC_VER)
+#include <intrin.h>
+#endif
+
 namespace mocapress::runtime {
 
 enum class Kernels {
@@ -21,6 +25,24 @@ inline constexpr mcpr_path kPathOfFour = MCPR_PATH_WASM;
 #else
 inline constexpr mcpr_path kPathOfFour = MCPR_PATH_SSE2;
 #endif
+
+/// Whether this machine, and its operating system, have AVX2.
+inline bool has_avx2() {
+#if !defined(MOCAPRESS_HAS_AVX2)
+  return false;
+#elif defined(_MSC_VER)
+  int leaf[4];
+  __cpuid(leaf, 0);
+  if (leaf[0] < 7) return false;
+  __cpuid(leaf, 1);
+  constexpr int kSavesRegisters = 1 << 27;  // OSXSAVE: the system saves what XCR0 tells
+  if ((leaf[2] & kSavesRegisters) == 0 || (_xgetbv(0) & 6) != 6) return false;
+  __cpuidex(leaf, 7, 0);
+  return (leaf[1] & 1 << 5) != 0;
+#else
+  return __builtin_cpu_supports("avx2") != 0;
+#endif
+}
 
 inline Kernels kernels_of(mcpr_path path) {
 #ifdef MOCAPRESS_FOUR

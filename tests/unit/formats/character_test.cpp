@@ -2,6 +2,7 @@
 // The sample character, which glTF and FBX hold alike, read by both readers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 
@@ -109,7 +110,8 @@ TEST_F(Character, IsNotPutOntoJointsOfOtherNames) {
 }
 
 TEST_F(Character, ThatDoesNotFitOneOfManyClipsIsLeftOffAndThatIsSaid) {
-  const auto other = std::filesystem::path(testing::TempDir()) / "of_other_joints.bvh";
+  const auto other = std::filesystem::path(testing::TempDir()) /
+                     ("of-other-joints-" + std::to_string(getpid()) + ".bvh");
   write_motion(other, test::smooth_motion(10));
   ReadOptions options;
   options.character = (folder_ / "character.glb").string();

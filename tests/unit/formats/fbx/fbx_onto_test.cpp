@@ -2,6 +2,7 @@
 #include "core/formats/fbx/fbx_onto.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -70,7 +71,7 @@ Motion turned(Motion motion) {
 class FbxOnto : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) / "fbx_onto_test";
+    folder_ = fs::path(testing::TempDir()) / ("fbx-onto-" + std::to_string(getpid()));
     fs::create_directories(folder_);
   }
   void TearDown() override { fs::remove_all(folder_); }
