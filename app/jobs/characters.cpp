@@ -8,7 +8,7 @@
 namespace mocapress {
 namespace {
 
-/// What is said of the rig, else what is said of all others.
+/// The entry of the rig, else the one for all others.
 template <typename ByRig>
 auto entryOf(ByRig& characters, const std::string& rig) {
   const auto found = characters.find(rig);

@@ -9,7 +9,7 @@
 
 namespace mocapress {
 
-/// What was put on clips, and the file it came from.
+/// A character put on clips, and the file it came from.
 struct PutCharacter {
   Character character;  // without a skin: it was not read yet, or cannot be
   QString path;         // empty: each clip has its own
@@ -20,7 +20,7 @@ struct PutCharacter {
 /// it fits: projects had one character for all.
 using Characters = std::map<std::string, PutCharacter>;
 
-/// What is on clips of this skeleton.
+/// The character on clips of this skeleton.
 PutCharacter characterOn(const Characters& characters, const Skeleton& skeleton);
 
 /// The same, read now where it was not, which the map keeps.

@@ -18,7 +18,7 @@ std::string review_clip(std::string_view name, const Encoder& original,
                         std::span<const std::byte> file, const Clip* decoded,
                         const Observer<EncodeProgress>& observer = {});
 
-/// What a page of one clip says about it.
+/// Short texts about a clip on its page.
 std::vector<std::string> review_facts(std::string_view method, double ratio,
                                       const Distortion& distortion, const Visibility& visibility);
 

@@ -204,7 +204,7 @@ Character read_character(const path& file) {
 
 namespace {
 
-/// What the user would wonder about.
+/// Warnings about what looks odd on the figure.
 Warnings fit_warnings(const path& file, const Character& character, const Skeleton& skeleton,
                       const OwnLengths& lengths) {
   Warnings warnings;

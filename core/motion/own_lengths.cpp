@@ -76,7 +76,7 @@ std::vector<bool> on_trunk(const std::vector<Carrier>& carriers) {
   return trunk;
 }
 
-/// How much lower the lowest joint is than the hips, by that of the clip's bones in the same pose:
+/// The drop from hips to the lowest joint, divided by that of the clip's bones in the same pose:
 /// the one in which the skin was bound, which stands.
 double leg_scale(const std::vector<Carrier>& carriers, const std::vector<bool>& trunk) {
   std::size_t at = 0;  // a root, unless there is a limb

@@ -63,7 +63,7 @@ void read_journal(const std::byte* bytes, std::size_t size) {
   if (rows > journal.rows()) std::abort();
 }
 
-/// What a glTF moves is written onto it once more.
+/// Writes the motion of a glTF onto it once more.
 void write_onto(const std::byte* bytes, std::size_t size) {
   const StoredFile file(bytes, size, ".gltf");
   const MotionFile clip =

@@ -31,7 +31,7 @@ int judge(const std::string& command, const char* name) {
   return std::system((command + " '" + (kFolder / name).string() + "' > /dev/null").c_str());
 }
 
-/// How a release build is compiled and linked. Nothing is built: Ninja is asked.
+/// The commands that compile and link a release build. Nothing is built: Ninja is asked.
 TEST(Packaging, ReleaseBuildsAreHardened) {
   if (!installed("ninja") || !installed("cmake")) GTEST_SKIP() << "needs cmake and ninja";
   const std::filesystem::path build =

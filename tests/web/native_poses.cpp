@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the native runtime makes of a .mcpr file, as JSON: native_poses CLIP.mcpr INSTANTS. The
-// tests of the browser compare WebAssembly with it. World positions are those that
+// Prints what the native runtime makes of a .mcpr file, as JSON: native_poses CLIP.mcpr INSTANTS.
+// The tests of the browser compare WebAssembly with it. World positions are those that
 // mcpr_decode_moment gives; poses are sampled by a cursor.
 #include "mocapress_runtime.h"
 

@@ -75,7 +75,7 @@ class ClipFiles : public QObject {
   /// A page on which a browser shows the clip and its original.
   void exportReview();
 
-  /// What is said about a clip on its page: the library's verdict and note.
+  /// Remarks about a clip on its page: the library's verdict and note.
   using Remarks = std::function<std::vector<std::string>(const QString& path)>;
   void setRemarks(Remarks remarks) { remarks_ = std::move(remarks); }
 

@@ -133,7 +133,7 @@ class Document : public QObject {
   void setCharacters(const Characters& characters);
   const Characters& characters() const { return characters_; }
 
-  /// What is put on the clip that is open.
+  /// The character put on the clip that is open.
   PutCharacter character() const;
 
   void setCurves(const CurveSelection& curves);

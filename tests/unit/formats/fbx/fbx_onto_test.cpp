@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How far (cm) a joint is from its namesake at the worst frame.
+/// The distance (cm) of a joint from its namesake at the worst frame.
 double largest_move(const Motion& motion, const Motion& again) {
   EXPECT_EQ(again.clip.frames(), motion.clip.frames());
   if (again.clip.frames() != motion.clip.frames()) return 1e9;
@@ -82,7 +82,7 @@ class FbxOnto : public testing::Test {
     return file;
   }
 
-  /// What is read of `motion` written onto the file.
+  /// Reads again `motion` written onto the file.
   MotionFile again(const fs::path& onto, const Motion& motion, const WriteOptions& options = {},
                    const ScalarTracks& tracks = {}) const {
     return read_fbx("again.fbx", fbx_bytes_onto(onto, motion, {}, options, tracks),

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How far (cm) any joint of `motion` is from its namesake in `again`, at the worst frame.
+/// The largest distance (cm) of a joint of `motion` from its namesake in `again`, over all frames.
 double largest_move(const Motion& motion, const Motion& again) {
   EXPECT_EQ(again.clip.frames(), motion.clip.frames());
   EXPECT_NEAR(again.clip.sample_rate_hz, motion.clip.sample_rate_hz, 1e-6);
