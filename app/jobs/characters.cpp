@@ -42,6 +42,7 @@ CharacterFiles filesOf(const Characters& characters) {
 }
 
 QString characterFile(const CharacterFiles& files, const std::string& rig) {
+  if (rig.empty() && files.size() == 1) return files.begin()->second;
   const auto found = entryOf(files, rig);
   return found == files.end() ? QString() : found->second;
 }

@@ -30,7 +30,8 @@ PutCharacter readCharacterOn(Characters& characters, const Skeleton& skeleton);
 using CharacterFiles = std::map<std::string, QString>;
 CharacterFiles filesOf(const Characters& characters);
 
-/// The file of what is on clips of this rig; empty: each has its own.
+/// The file of what is on clips of this rig; empty: each has its own. A clip whose rig is not known
+/// yet ("") gets the only one there is: where that does not fit it is left off, and that is said.
 QString characterFile(const CharacterFiles& files, const std::string& rig);
 
 }  // namespace mocapress

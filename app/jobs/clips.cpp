@@ -172,6 +172,7 @@ OriginalPtr dressed(const OriginalClip& original, const PutCharacter& character)
   Motion motion = original.motion();
   result.of_character = dress(motion.skeleton, character, original.skin.get());
   result.character = character.path;
+  result.has_character = character.character.skin != nullptr;
   result.encoder = std::make_shared<const Encoder>(std::move(motion));
   result.encoder->original_tracks();
   result.encoder->contacts();

@@ -40,14 +40,20 @@ struct OriginalClip {
   bool states_rate = true;  // the file does
   Warnings warnings;
   std::shared_ptr<const Skin> skin;  // null: the file has none
-  QString character;      // path of the one that was put on it, also of one that does not fit
-  Warnings of_character;  // what to say of that one
+  QString character;           // path of the one that was put on it, also of one that does not fit
+  bool has_character = false;  // that one could be read
+  Warnings of_character;       // what to say of that one
   Takes takes;
   ClipOutline outline;
   ScalarTracks scalars;  // morph weights and the like
   std::shared_ptr<const Encoder> encoder;
 
   const Motion& motion() const { return encoder->motion(); }
+
+  /// Whether that one, as far as it was read, is on it.
+  bool wears(const PutCharacter& put) const {
+    return character == put.path && (has_character || !put.character.skin);
+  }
   /// Shares ownership of the encoder, which holds them.
   Tracks tracks() const { return {encoder, &encoder->original_tracks()}; }
   Poses poses() const;

@@ -39,8 +39,7 @@ OriginalPtr readOriginal(OpenRequest& request) {
       request.original->stamp.hash == now.stamp.hash) {
     const PutCharacter put =
         readCharacterOn(request.characters, request.original->motion().skeleton);
-    return request.original->character == put.path ? request.original
-                                                   : dressed(*request.original, put);
+    return request.original->wears(put) ? request.original : dressed(*request.original, put);
   }
   std::optional<std::filesystem::path> skeleton;
   if (!request.skeleton.isEmpty()) skeleton = toPath(request.skeleton);
@@ -61,6 +60,7 @@ OriginalPtr readOriginal(OpenRequest& request) {
   original.outline = outlineOf(file.motion, original.skin.get());
   const PutCharacter put = readCharacterOn(request.characters, file.motion.skeleton);
   original.character = put.path;
+  original.has_character = put.character.skin != nullptr;
   original.of_character = dress(file.motion.skeleton, put, original.skin.get());
   original.encoder = std::make_shared<const Encoder>(std::move(file.motion));
   original.encoder->original_tracks();

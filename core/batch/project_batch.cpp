@@ -59,9 +59,13 @@ std::map<std::string, std::string> characters_in(const Json& json, const fs::pat
   return characters;
 }
 
-/// Empty: the clip has its own.
+/// Empty: the clip has its own. One whose rig the project does not know yet gets the only character
+/// there is: where that does not fit it is left off, and that is said.
 std::string character_on(const Json& clip, const std::map<std::string, std::string>& characters) {
-  const auto found = characters.find(clip.value("rig", ""));
+  const std::string rig = clip.value("rig", "");
+  if (rig.empty() && characters.size() == 2 && characters.at("").empty())
+    return characters.rbegin()->second;
+  const auto found = characters.find(rig);
   return found == characters.end() ? characters.at("") : found->second;
 }
 

@@ -62,13 +62,16 @@ void FootskateMeter::add(int first_frame, const TrackRows& original, const Track
 }
 
 Footskate FootskateMeter::footskate() const {
+  constexpr double kLeastDrift = 1e-3;  // cm; less is rounding
   Footskate footskate;
   for (const SlideFinding& finding : findings_) {
     footskate.drift_total_cm += finding.drift_cm;
     footskate.drift_worst_cm = std::max(footskate.drift_worst_cm, finding.drift_cm);
-    if (finding.slid_cm <= 0) continue;
-    footskate.total_cm += finding.slid_cm;
+    if (finding.slid_cm <= 0 && finding.drift_cm < kLeastDrift) continue;
     footskate.findings.push_back(finding);
+    double& slid_cm = footskate.findings.back().slid_cm;
+    slid_cm = std::max(slid_cm, 0.0);
+    footskate.total_cm += slid_cm;
   }
   std::stable_sort(
       footskate.findings.begin(), footskate.findings.end(),

@@ -25,9 +25,10 @@ struct SlideFinding {
 /// from where the error of the contact's first frame would have kept it.
 struct Footskate {
   double total_cm = 0;  // over all contacts; one that slid less than in the original counts 0
-  std::vector<SlideFinding> findings;  // one for each contact that slid further, the worst first
-  double drift_total_cm = 0;           // over all contacts, whether they slid further or not
-  double drift_worst_cm = 0;           // the largest of a single contact
+  // One for each contact that slid further or drifted; those that slid furthest first.
+  std::vector<SlideFinding> findings;
+  double drift_total_cm = 0;  // over all contacts, whether they slid further or not
+  double drift_worst_cm = 0;  // the largest of a single contact
 };
 
 /// Measures clips whose tracks arrive in blocks of frames, in order and without gaps.

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 
+#include "core/base/printable.h"
 #include "core/formats/gltf_meshes.h"
 #include "core/formats/gltf_target.h"
 #include "core/formats/key_times.h"
@@ -323,7 +324,8 @@ void TakeReader::read_curves(Warnings& warnings) {
     try {
       read_weights(samplers[sampler], *target);
     } catch (const InputError& error) {  // bad weights are no reason to refuse the motion
-      const std::string reason = std::string(error.what()).substr(file_.name().size() + 2);
+      const std::string reason =
+          std::string(error.what()).substr(printable(file_.name()).size() + 2);
       warnings.push_back({file_.name(), 0, "morph weights are not read: the file " + reason});
     }
   }
@@ -484,7 +486,7 @@ MotionFile read_gltf(const std::string& name, std::string_view bytes, const Read
   try {
     read.take.meshes = gltf_meshes(file, read, read.warnings);
   } catch (const InputError& error) {  // a bad mesh is no reason to refuse the motion
-    const std::string reason = std::string(error.what()).substr(file.name().size() + 2);
+    const std::string reason = std::string(error.what()).substr(printable(file.name()).size() + 2);
     read.warnings.push_back({name, 0, "its character is not read: " + reason});
   }
   MotionFile motion = motion_of(name, read.take, options, SourceFormat::Kind::Gltf);

@@ -47,17 +47,17 @@ async function showClip(name, facts) {
 }
 )";
 
-/// A button in each row of the clips; what the row says goes with the clip.
+/// Puts a button into each row of the clips, after kReportScript, which has the rows and finds
+/// their columns. Facts from the row go with the clip.
 inline constexpr const char* kReviewButtons = R"(
-const heads = Array.from(table.tHead.rows[0].cells, function (head) { return head.textContent; });
 const told = ["preset", "ratio", "max", "to the eye", "verdict", "note"];
-for (const row of body.rows) {
+for (const row of rows) {
   const name = row.cells[0].textContent;
   const button = document.createElement("button");
   button.textContent = "View";
   button.onclick = function () {
     const facts = told.map(function (head) {
-      const cell = row.cells[heads.indexOf(head)];
+      const cell = row.cells[column(head)];
       const unit = head === "max" ? " cm" : "";
       return cell.textContent.length > 1 ? head + " " + cell.textContent + unit : "";
     });

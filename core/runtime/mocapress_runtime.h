@@ -624,7 +624,8 @@ MCPR_API const char* mcpk_value(const mcpk_bank* bank, uint32_t number);
 MCPR_API mcpr_result mcpk_place(const mcpk_bank* bank, uint32_t clip, uint64_t* offset,
                                 uint64_t* bytes);
 
-/* Verifies a clip that was loaded after its bank was opened, so that it is safe to use. */
+/* Verifies a clip that was loaded after its bank was opened, so that it is safe to use. A packed
+ * clip has no checksum of its own: damage that leaves its structure whole gives other motion. */
 MCPR_API mcpr_result mcpk_check(const mcpk_bank* bank, uint32_t clip);
 
 /* Inspects and reads a clip of a packed bank, as mcpr_inspect and mcpr_read do with a file.

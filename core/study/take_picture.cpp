@@ -53,7 +53,7 @@ std::optional<PicturedFoot> worst_foot(const std::vector<ContactSpan>& contacts,
     return measure_footskate(spans, tracks.original, decoded, sample_rate_hz);
   };
   const Footskate first = slides(contacts, tracks.decoded.front());
-  if (first.findings.empty()) return std::nullopt;
+  if (first.total_cm <= 0) return std::nullopt;
   const ContactSpan span = first.findings.front().span;
   PicturedFoot foot{.landmark = span.landmark,
                     .pose = tracks.at((span.first_frame + span.last_frame) / 2),

@@ -77,6 +77,7 @@ def test_joints_that_move_are_named_when_they_cannot_be_kept(tmp_path):
     ({"trans": np.zeros((3, 3))}, "trans is not frames x 3"),
     ({"mocap_framerate": -1.0}, "the rate is not above 0"),
     ({"offsets": np.zeros((3, 3))}, "offsets are not joints x 3"),
+    ({"offsets": np.array(["a"])}, "offsets are not numbers"),
     ({"poses": np.array([{}], dtype=object)}, "not an .npz archive that can be read"),
     ({"joint_names": ["a"], "parents": [-1]}, "parents are not one|rotations are not"),
     ({"joint_names": ["a"] * 52, "parents": ["x"] * 52}, "parents are not whole numbers"),

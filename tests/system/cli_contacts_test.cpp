@@ -35,7 +35,7 @@ TEST_F(CliContacts, AreDataThatCanBeEditedAndTakenBack) {
   double sum = 0;
   for (const json& one : findings) {
     sum += one["slid_cm"].get<double>();
-    EXPECT_EQ(one.contains("drift_cm"), one["slid_cm"] > 0);
+    EXPECT_TRUE(one.contains("drift_cm") || one["slid_cm"] == 0);
   }
   EXPECT_NEAR(sum, footskate({}), 0.02);  // the file's skeleton has 32-bit floats
 

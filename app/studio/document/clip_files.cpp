@@ -221,8 +221,10 @@ void ClipFiles::write(const QString& path) {
   const QFileInfo file(path);
   const QString kind = file.suffix().toLower();
   if (kind == QLatin1String("mcpr")) return session_->save(path);
-  if (kind == QLatin1String("html"))
-    return session_->exportReview(path, remarks_(session_->document().original()->path));
+  // The name may have been typed into any of the dialogs, and the clip may be another by now.
+  if (const OriginalPtr& original = session_->document().original();
+      kind == QLatin1String("html") && original)
+    return session_->exportReview(path, remarks_(original->path));
   const QString skeleton =
       file.path() + QLatin1Char('/') + file.completeBaseName() + QLatin1String(".asf");
   // The dialog asked about a file that is there, not about which it is, nor about the skeleton.

@@ -168,6 +168,7 @@ void Session::show(const OpenedClip& opened, const OpenRequest& request) {
     takeUp(opened.original ? opened.original->path : request.path,
            !opened.decoded && !request.options);
   }
+  shown_slot_ = document_.tuning().active;
   chooseCurves();
   emit slotsChanged();
   emit this->opened(request);
@@ -314,6 +315,7 @@ void Session::apply(const Tuning& tuning) {
 
 void Session::answer(const DecodedPtr& decoded, bool final) {
   document_.setDecoded(decoded, final);
+  shown_slot_ = document_.tuning().active;
   if (final && decoded->distortion)
     past_->figures[settingsKey(document_.options())] = figuresOf(*decoded);
   chooseCurves();
@@ -324,7 +326,8 @@ void Session::answer(const DecodedPtr& decoded, bool final) {
 std::optional<SlotFigures> Session::slotFigures(int slot) const {
   const Tuning& tuning = document_.tuning();
   const DecodedPtr& decoded = document_.decoded();
-  if (slot == tuning.active && decoded && decoded->distortion) return figuresOf(*decoded);
+  if (slot == tuning.active && slot == shown_slot_ && decoded && decoded->distortion)
+    return figuresOf(*decoded);
   const auto found =
       past_->figures.find(settingsKey(tuning.both[static_cast<std::size_t>(slot)].encode));
   return found == past_->figures.end() ? std::nullopt : std::optional(found->second);
@@ -416,9 +419,21 @@ void Session::changeCharacter(const PutCharacter& character) {
   std::optional<PutCharacter> before;
   if (const auto found = document_.characters().find(rig); found != document_.characters().end())
     before = found->second;
+  // Other clips of the rig have steps of their own: what one of those put on since stays.
+  const auto change = [this, rig](const std::optional<PutCharacter>& from,
+                                  const std::optional<PutCharacter>& to) {
+    const auto now = document_.characters().find(rig);
+    const QString path = now == document_.characters().end() ? QString() : now->second.path;
+    const bool stands = path == (from ? from->path : QString());
+    if (stands) setCharacter(rig, to);
+    return stands;
+  };
+  // Without a mesh, settings that weigh by it change.
   history()->push(new EditStep(
-      tr("Character"), [this, rig, character] { setCharacter(rig, character); },
-      [this, rig, before] { setCharacter(rig, before); }));
+      tr("Character"), [=] { change(before, character); },
+      [=, this, tuning = document_.tuning()] {
+        if (change(character, before)) apply(tuning);
+      }));
 }
 
 void Session::recallCharacters(const CharacterFiles& files) {
@@ -442,7 +457,7 @@ void Session::wear() {
   const OriginalPtr original = document_.original();
   const PutCharacter character = document_.character();
   // What is being opened gets it there, or once it is open.
-  if (!original || opening_.busy() || original->character == character.path) return;
+  if (!original || opening_.busy() || original->wears(character)) return;
   struct Worn {
     OriginalPtr original;
     DecodedPtr decoded;

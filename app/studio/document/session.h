@@ -191,6 +191,7 @@ class Session : public QObject {
   Document document_;
   std::map<QString, Past> pasts_;  // by path; of no clip: ""
   Past* past_ = nullptr;           // of the clip that is open
+  int shown_slot_ = 0;             // whose settings made what is decoded
   Memory memory_;
   ReadingMemory reading_memory_;
   Compressor compressor_;

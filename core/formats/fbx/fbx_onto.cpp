@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <optional>
+#include <unordered_map>
 #include <unordered_set>
 
 #include "core/base/error.h"
@@ -55,6 +56,10 @@ class EditedTake {
     if (take_.layers.empty() || take_.layers.front().is_silent)
       file.records.fail("its take " + take_.name +
                         " has no first layer that is heard: a motion cannot be written there");
+    keeps_rate_ = rate_hz == read.take.sample_rate_hz;
+    for (const FbxRecord* c = file.records.first_child(*connections_); c != nullptr;
+         c = file.records.next(*c))
+      if (const auto child = file.records.value(*c, 1)) by_child_[child->whole()].push_back(c);
   }
 
   void move(const NodeTrack& track);
@@ -92,6 +97,8 @@ class EditedTake {
   FbxCurveOutput out_;
   FbxTakeInfo take_;
   std::vector<FbxMovement> movements_;
+  bool keeps_rate_ = true;
+  std::unordered_map<std::int64_t, std::vector<const FbxRecord*>> by_child_;  // connections
 };
 
 std::vector<std::int64_t> EditedTake::ticks_of(const Clip& clip, double rate_hz) {
@@ -141,11 +148,9 @@ void EditedTake::disconnect(std::size_t curve_node, std::size_t object, std::str
         return file_.objects.is(link.object, "AnimationLayer");
       }) > 1)
     records.fail("has curves that several takes share: a motion cannot be written onto one");
-  for (const FbxRecord* c = records.first_child(*connections_); c != nullptr;
-       c = records.next(*c)) {
+  for (const FbxRecord* const c : by_child_[id(curve_node)]) {
     const std::vector<FbxValue> values = records.values(*c);
-    if (values.size() > 3 && values[1].whole() == id(curve_node) &&
-        values[2].whole() == id(object) && values[3].text == property)
+    if (values.size() > 3 && values[2].whole() == id(object) && values[3].text == property)
       edits_.dropped.insert(c);
   }
 }
@@ -246,8 +251,9 @@ void EditedTake::move(const ScalarTracks& tracks) {
       return track.kind == wanted.kind && track.node == wanted.node && track.name == wanted.name &&
              !taken.contains(&track);
     });
-    if (found == tracks.end() || found->values == wanted.values) continue;
+    if (found == tracks.end()) continue;
     taken.insert(&*found);
+    if (keeps_rate_ && found->values == wanted.values) continue;
     if (!is_alone(place.curve_node))
       file_.records.fail("has a curve of " + label(*found) + " that others share");
     std::vector<float> values;

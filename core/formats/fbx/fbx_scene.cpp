@@ -8,6 +8,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "core/base/printable.h"
 #include "core/formats/fbx/fbx_meshes.h"
 #include "core/formats/key_times.h"
 #include "core/formats/take_choice.h"
@@ -503,7 +504,8 @@ FbxTake read_fbx_take(FbxFile& file, const ReadOptions& options) {
   try {
     take.take.meshes = fbx_meshes(file, take, take.warnings);
   } catch (const InputError& error) {  // no reason to refuse the motion
-    const std::string reason = std::string(error.what()).substr(file.records.file().size() + 2);
+    const std::string reason =
+        std::string(error.what()).substr(printable(file.records.file()).size() + 2);
     take.warnings.push_back({file.records.file(), 0, "its character is not read: " + reason});
   }
   return take;

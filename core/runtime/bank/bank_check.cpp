@@ -196,6 +196,11 @@ mcpr_result check_clip(const mcpk_bank& bank, const BankEntry& entry) {
 }
 
 mcpr_result check_bank(const mcpk_bank& bank, bool clips) {
+  // Without `clips`, bytes before the items need not be there (mcpk_place): none is read as another
+  // part.
+  if (bank.index.offset < bank.items.offset + bank.items.bytes ||
+      bank.tables.offset < bank.index.offset + bank.index.bytes)
+    return failure(MCPR_INVALID, 0, "the parts of the bank are out of order");
   mcpr_result result = check_checksum(bank, bank.index, bank.index_checksum,
                                       "the index of the bank is damaged: its checksum differs");
   if (!failed(result))

@@ -34,7 +34,8 @@ export class Bank {
   readonly names: string[];
   /** Cooked clips are sampled as they lie; those of packed banks are decoded when opened. */
   readonly isCooked: boolean;
-  /** Loads a clip of a streamed bank and checks it; otherwise does nothing. */
+  /** Loads a clip of a streamed bank, so that it is safe to use; otherwise does nothing. Of packed
+      clips the structure is checked, not each bit: they have no checksum of their own. */
   load(name: string): Promise<void>;
   isLoaded(name: string): boolean;
   /** A clip of a streamed bank must be loaded before. */

@@ -101,9 +101,7 @@ export class Mocapress {
   }
 
   #allocate(bytes) {
-    const memory = this.#exports.web_allocate(bytes);
-    if (memory === 0) throw new MocapressError('there is not enough memory for the file');
-    return memory;
+    return allocate(this.#exports, bytes, 'file');
   }
 
   #decoder(name) {
@@ -221,9 +219,8 @@ export class Clip {
       throw new MocapressError(`the clip has ${this.frames} frames, not ${first} to ${first + count - 1}`);
     const values = 7 * this.joints.length * count;
     if (!this.#exports.web_is_decoded?.(clip)) return this.#sampledFrames(first, count);
-    const memory = this.#exports.web_allocate(4 * values);
+    const memory = allocate(this.#exports, 4 * values, 'frames');
     try {
-      if (memory === 0) throw new MocapressError('there is not enough memory for the frames');
       if (this.#exports.web_decode(clip, first, count, memory) === 0) throw lastError(this.#exports);
       return new Float32Array(this.#exports.memory.buffer, memory, values).slice();
     } finally {
@@ -232,7 +229,8 @@ export class Clip {
   }
 
   sampleTracks(seconds) {
-    const frame = Math.min(Math.max(seconds * this.sampleRate, 0), this.frames - 1);
+    const frame = Math.min(Math.max(nearFrame(seconds * this.sampleRate), 0), this.frames - 1);
+    if (this.tracks.length === 0) return new Float32Array(0);
     const values = this.#exports.web_sample_tracks(this.#open(), frame);
     if (values === 0) throw lastError(this.#exports);
     return new Float32Array(this.#exports.memory.buffer, values, this.tracks.length);
@@ -368,6 +366,19 @@ function placeIn(exports, bank, number) {
 }
 
 /** Copies bytes into the module's memory. */
+/** Bytes for what is named, which is told where there are none: the module takes sizes below 2 GiB. */
+function allocate(exports, bytes, what) {
+  const memory = bytes < 2 ** 31 ? exports.web_allocate(bytes) : 0;
+  if (memory === 0) throw new MocapressError(`there is not enough memory for the ${what}`);
+  return memory;
+}
+
+/** A frame that rounding missed is meant, as the runtime has it for poses. */
+function nearFrame(frame) {
+  const near = Math.round(frame);
+  return Math.abs(frame - near) < 2 ** -16 ? near : frame;
+}
+
 function write(exports, address, bytes) {
   const view = ArrayBuffer.isView(bytes)
     ? new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength)

@@ -102,7 +102,7 @@ export class MocapressMotion {
       return bone;
     });
     this.clip(name).joints.forEach((joint, j) => bones[joint.parent]?.add(bones[j]));
-    bones[0].updateMatrixWorld(true);
+    for (const bone of bones) if (!bone.parent) bone.updateMatrixWorld(true);
     return new Skeleton(bones);
   }
 
@@ -138,8 +138,8 @@ export class MocapressMixer {
     this.time = seconds;
     const { clip } = this;
     const goesOn = this.loop && clip.loopFrames > 0;
-    const wraps = this.loop && !goesOn && clip.duration > 0;
-    const instant = wraps ? seconds - Math.floor(seconds / clip.duration) * clip.duration : seconds;
+    const cycle = goesOn ? clip.loopFrames / clip.sampleRate : clip.duration;
+    const instant = this.loop && cycle > 0 ? seconds - Math.floor(seconds / cycle) * cycle : seconds;
     const pose = this.#player.sample(instant, { loop: goesOn, bandsLeftOut: this.bandsLeftOut });
     for (const { number, bone, before, place } of this.#joints) {
       const at = 8 * number;

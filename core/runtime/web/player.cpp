@@ -58,7 +58,7 @@ class Memory {
   /// Once.
   bool reserve(std::size_t bytes) {
     size_ = (bytes / MCPR_ALIGNMENT + 1) * MCPR_ALIGNMENT;
-    data_ = std::aligned_alloc(MCPR_ALIGNMENT, size_);
+    if (bytes <= SIZE_MAX / 2) data_ = std::aligned_alloc(MCPR_ALIGNMENT, size_);
     if (data_ == nullptr) set_error(kNoMemory);
     return data_ != nullptr;
   }
@@ -245,6 +245,7 @@ MOCAPRESS_EXPORT const char* web_error() {
 }
 
 MOCAPRESS_EXPORT void* web_allocate(std::size_t bytes) {
+  if (bytes > SIZE_MAX / 2) return nullptr;
   return std::aligned_alloc(MCPR_ALIGNMENT, (bytes / MCPR_ALIGNMENT + 1) * MCPR_ALIGNMENT);
 }
 

@@ -67,6 +67,14 @@ TEST(ProjectBatch, PutsCharactersOnTheClipsOfTheirRigs) {
   EXPECT_EQ(batch.items[3].reading->character, "work/all.glb");
 }
 
+TEST(ProjectBatch, PutsTheOnlyCharacterOnClipsWhoseRigIsNotKnownYet) {
+  const Batch batch = batch_of(
+      R"({"format": "mocapress-project", "version": 1, "characters": {"aa": "xbot.glb"},
+          "clips": [{"path": "a.bvh"}, {"path": "b.bvh", "rig": "bb"}]})");
+  EXPECT_EQ(batch.items[0].reading->character, "work/xbot.glb");
+  EXPECT_EQ(batch.items[1].reading, std::nullopt);
+}
+
 TEST(ProjectBatch, SaysWhatIsWrongWithAProject) {
   EXPECT_THAT(failure("{}"), HasSubstr("hero.mocapress: is not a project"));
   EXPECT_THAT(failure(project(R"({"path": 3})")), HasSubstr("is not a project: "));

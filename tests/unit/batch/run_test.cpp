@@ -7,7 +7,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <regex>
+#include <set>
 #include <sstream>
+#include <string>
 #include <thread>
 
 #include "core/bank/bank_file.h"
@@ -252,6 +255,13 @@ TEST(BatchReport, OfThousandsOfClipsWithTheLargestViewerIsBelowThreeMegabytes) {
   EXPECT_LT(with_viewer.size(), 3'000'000u);
   EXPECT_THAT(with_viewer, HasSubstr("id=\"review\""));
   EXPECT_THAT(page({}), Not(HasSubstr("review\"")));
+  // A name that two parts of the script declare would end it before it began.
+  static const std::regex kDeclared("\n(?:const|let|function) (\\w+)");
+  const std::string script = with_viewer.substr(with_viewer.rfind("<script>"));
+  std::set<std::string> names;
+  for (std::sregex_iterator i(script.begin(), script.end(), kDeclared), end; i != end; ++i)
+    EXPECT_TRUE(names.insert((*i)[1]).second) << (*i)[1];
+  EXPECT_THAT(names, testing::IsSupersetOf({"heads", "told"}));
 }
 
 TEST_F(BatchRun, AVerdictIsStaleInEveryReportWhenTheClipOrTheSettingsChanged) {

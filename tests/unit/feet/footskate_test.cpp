@@ -42,6 +42,17 @@ TEST(Footskate, FindsAPlantedSlideWithItsPlaceSizeAndSpeed) {
   EXPECT_LE(footskate.findings[0].worst_frame, 80);
 }
 
+TEST(Footskate, FindsADriftWhosePathIsNoLonger) {
+  Eigen::MatrixXd trembling = still();
+  for (int t = 0; t < 100; ++t) trembling(t, 0) += t % 2 == 0 ? 0.5 : 0.0;
+  const Footskate footskate =
+      measure_footskate(kContacts, trembling, slid(still(), 60, 89, 3), kRate);
+  EXPECT_EQ(footskate.total_cm, 0);
+  ASSERT_EQ(footskate.findings.size(), 2u);
+  EXPECT_EQ(footskate.findings[0].slid_cm, 0);
+  EXPECT_GT(footskate.drift_worst_cm, 2);
+}
+
 /// Feet once counted as sliding 12.8 cm in nine seconds, though they only trembled by 2.5 mm.
 TEST(Footskate, DriftDoesNotSumTrembling) {
   Eigen::MatrixXd trembling = still();

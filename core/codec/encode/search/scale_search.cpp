@@ -26,12 +26,16 @@ class ScaleSearch {
       : goal_(goal), target_(target), attempt_(attempt), finest_(finest) {}
 
   /// Returns the excess.
-  double try_scale(double scale, ClosedLoopWork work) { return tried(attempt_(scale, work, {})); }
-  double tried(Trial trial) {
+  double try_scale(double scale, ClosedLoopWork work) {
+    constexpr double kChance = 0.1;  // neighbouring scales differ by so much
+    return tried(attempt_(scale, work, {}), kChance);
+  }
+  /// A trial of a scale tried before, at another price of bits, which can still gain so much.
+  double tried(Trial trial, double gain = 0.5) {
     ++tried_;
     const double excess = trial.excess;
     const bool complete = trial.complete;
-    is_out_of_reach_ = is_out_of_reach_ || falls_short_at_finest(trial);
+    is_out_of_reach_ = is_out_of_reach_ || falls_short_at_finest(trial, gain);
     if (!best_ || is_better(trial)) best_ = std::move(trial);
     best_->complete = complete;  // false if the search was stopped, whichever trial was the best
     return excess;
@@ -54,12 +58,11 @@ class ScaleSearch {
     return !goal_.better(best_->excess, trial.excess);
   }
 
-  /// Tells whether the finest scale is still too coarse by more than neighbouring scales differ by
-  /// chance: then no other trial will reach the target.
-  bool falls_short_at_finest(const Trial& trial) const {
-    constexpr double kChance = 0.1;
+  /// Tells whether the finest scale is still too coarse by more than other trials can gain: then
+  /// none will reach the target.
+  bool falls_short_at_finest(const Trial& trial, double gain) const {
     constexpr double kAlike = 1.01;
-    return trial.excess < -kChance && trial.scale <= kAlike * finest_();
+    return trial.excess < -gain && trial.scale <= kAlike * finest_();
   }
 
   /// The price of a trial: the quantity that the target leaves free.

@@ -62,8 +62,12 @@ void bind_encoder(py::module_& module) {
       .def_readonly("error_cm", &EncodeProgress::eps_cm,
                     "The error by the encoder's model, in the chosen weighting.");
   py::class_<ClipEncoder>(module, "Encoder")
-      .def(py::init([](const MotionFile& motion) { return std::make_unique<ClipEncoder>(motion); }),
-           py::call_guard<py::gil_scoped_release>(), "motion"_a)
+      .def(py::init([](const MotionFile& motion) {
+             // A guard of the call would also hold where pybind11 registers the new object.
+             const py::gil_scoped_release without_lock;
+             return std::make_unique<ClipEncoder>(motion);
+           }),
+           "motion"_a)
       .def("encode", &encoded, "settings_json"_a, "progress"_a = py::none());
   module.def(
       "preset_json",

@@ -129,10 +129,12 @@ def read_amass(path: str | os.PathLike[str], *, offsets: ArrayLike | None = None
         raise refuse(f"has {count} joints; SMPL's body has 22, SMPL 24, SMPL-H 52, and others need "
                      "joint_names, parents and offsets")
     warnings = []
-    if offsets is not None:
-        at_rest = np.asarray(offsets, dtype=float)
-    elif "offsets" in held:
-        at_rest = 100 * np.asarray(held["offsets"], dtype=float)
+    if offsets is not None or "offsets" in held:
+        try:
+            at_rest = (np.asarray(offsets, dtype=float) if offsets is not None
+                       else 100 * np.asarray(held["offsets"], dtype=float))
+        except (TypeError, ValueError):
+            raise refuse("offsets are not numbers") from None
     elif known:
         at_rest = np.array([joint[2] for joint in known], dtype=float)
         at_rest[0] = 0  # trans says where the pelvis is, but for a shift
