@@ -91,9 +91,9 @@ int run(int argc, char** argv) {
   MainWindow window;
   window.trace().setWriting(options.trace);
   if (!options.screenshot.isEmpty()) screenshotAndQuit(window, options.screenshot);
-  EncodeOptions encode = window.session().document().options();
+  EncodeSettings encode = window.session().document().options();
   if (options.ratio) encode.target = {Target::Kind::Ratio, *options.ratio};
-  if (options.ik) encode.correction = CorrectionOptions{.ratio = options.ik};
+  if (options.ik) encode.correction = EncodeCorrection{.ratio = options.ik};
   if (options.ratio || options.ik) window.session().document().setOptions(encode);
   window.show();
   const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);

@@ -133,11 +133,12 @@ Played bench_decoder(const Encoding& encoding) {
 /// Solving an IK correction of the feet alone, microseconds a frame; unset where there are no feet.
 std::optional<double> bench_correction(const Encoder& encoder, IkSolver solver) {
   if (find_feet(encoder.motion().skeleton).empty()) return std::nullopt;
-  const Encoding encoding = encoder.encode(
-      {.method = Method::Standard,
-       .coding = Coding::Adaptive,
-       .target = {Target::Kind::CoefficientRatio, kRatioWithCorrection},
-       .correction = CorrectionOptions{.ratio = kCorrectionRatio, .solver = solver}});
+  const Encoding encoding =
+      encoder.encode({.method = Method::Standard,
+                      .coding = Coding::Adaptive,
+                      .weighting = Weighting::BoneEnds,
+                      .target = {Target::Kind::CoefficientRatio, kRatioWithCorrection},
+                      .correction = EncodeCorrection{.ratio = kCorrectionRatio, .solver = solver}});
   OpenClip clip(write_container(encoding.compressed));
   const auto seconds = [&](int corrected) {
     return best_seconds_of([&] { clip.decode({.apply_ik = corrected}, 0, clip.frames()); });
@@ -197,6 +198,7 @@ double worst_draft_seconds(const Encoder& encoder, bool size_will_do) {
     worst = std::max(worst, seconds_of([&] {
                        encoder.encode({.method = Method::ClosedLoop,
                                        .coding = Coding::Adaptive,
+                                       .weighting = Weighting::BoneEnds,
                                        .target = {Target::Kind::Error, eps_cm},
                                        .effort = Effort::Draft,
                                        .size_will_do = size_will_do});
@@ -213,6 +215,7 @@ Json bench(const Motion& motion) {
   const double closed_loop_seconds = seconds_of([&] {
     encoding = encoder.encode({.method = Method::ClosedLoop,
                                .coding = Coding::Adaptive,
+                               .weighting = Weighting::BoneEnds,
                                .target = {Target::Kind::Error, kErrorCm}});
   });
   const double draft_seconds = worst_draft_seconds(encoder, true);

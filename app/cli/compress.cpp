@@ -21,7 +21,7 @@
 #include "core/codec/methods/compression_method.h"
 #include "core/formats/text_cursor.h"
 #include "core/metrics/rate.h"
-#include "core/mocapress/encode_options.h"
+#include "core/mocapress/encode_settings.h"
 #include "core/report/review_page.h"
 
 namespace mocapress::cli {
@@ -100,12 +100,12 @@ struct Compress {
     const MethodEncoder encoder(std::move(file.motion));
     const Skeleton& skeleton = encoder.wavelets().motion().skeleton;
     importance.require_names_of(skeleton);
-    EncodeOptions options;
-    or_usage_error([&] { options = encode_options(asked, skeleton); });
+    EncodeSettings options;
+    or_usage_error([&] { options = encode_settings(asked, skeleton); });
     options.effort = effort;
     options.contacts = contacts.spans(encoder.wavelets().motion());
     options.figures_only = true;
-    Compression made = encoder.compress(*find_compression_method(asked.method), options);
+    Encoding made = encoder.compress(*find_compression_method(asked.method), options);
     made.file = with_tracks(with_source(made.file, file.source), file.tracks, asked.track_error);
     Verification found = write(made.file, encoder.wavelets(), *options.contacts);
     made.decoded = std::move(found.decoded);
@@ -116,7 +116,7 @@ struct Compress {
         .method = asked.method,
         .weighting = options.weighting,
         .coding = of_wavelets ? std::optional(options.coding) : std::nullopt,
-        .motion_bytes = made.motion_bytes,
+        .motion_bytes = made.compressed.motion_bytes(),
         .file_bytes = made.file.size(),
         .verified_by = std::string(found.by),
         .distortion = std::move(found.distortion),
@@ -134,7 +134,7 @@ struct Compress {
   }
 
   void write_review(const Report& report, const MethodEncoder& encoder,
-                    const Compression& made) const {
+                    const Encoding& made) const {
     const Clip& original = encoder.wavelets().motion().clip;
     const std::vector<std::string> facts =
         review_facts(report.method, compression_ratio(original, report.motion_bytes),

@@ -102,7 +102,7 @@ bool comparable(const Motion& original, const CompressedClip& compressed) {
          sameChannels(original.skeleton, compressed.skeleton);
 }
 
-DecodedPtr decodedClip(Encoding encoding, const Encoder& encoder, const EncodeOptions& options) {
+DecodedPtr decodedClip(Encoding encoding, const Encoder& encoder, const EncodeSettings& options) {
   DecodedClip decoded;
   decoded.method = wavelet_method_name(encoding.compressed);
   decoded.compressed = std::move(encoding.compressed);

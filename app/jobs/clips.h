@@ -79,7 +79,7 @@ struct DecodedClip {
   std::optional<Footskate> uncorrected_footskate;
   std::optional<CorrectionResult> correction;  // known for what was encoded here
   std::optional<double> coefficient_ratio;     // known for what was encoded here
-  int iterations = 0;                          // of the annealing
+  std::optional<int> iterations;               // of the annealing
   double encode_seconds = 0;
   bool complete = true;             // false: the encoder was stopped early
   Effort effort = Effort::Default;  // Draft: the target was not promised
@@ -104,7 +104,7 @@ Poses posesOf(std::shared_ptr<const Motion> motion);
 bool comparable(const Motion& original, const CompressedClip& compressed);
 
 /// Decoded positions, file size and measures of an encoding by these options.
-DecodedPtr decodedClip(Encoding encoding, const Encoder& encoder, const EncodeOptions& options);
+DecodedPtr decodedClip(Encoding encoding, const Encoder& encoder, const EncodeSettings& options);
 
 /// The same for a clip read from a file; measured where there is an original.
 DecodedPtr decodedClip(OpenedMcpr opened, const OriginalClip* original,

@@ -15,7 +15,7 @@ constexpr double kSizeTolerance = 1.02;
 constexpr double kDraftIkRatio = 16;  // of the paper's video
 
 /// Those of the answer that comes at once.
-EncodeOptions quickOptions(EncodeOptions wanted) {
+EncodeSettings quickOptions(EncodeSettings wanted) {
   if (wanted.method == Method::Annealed) wanted.method = Method::Standard;
   if (wanted.method == Method::ClosedLoop) {
     wanted.effort = Effort::Draft;
@@ -28,7 +28,7 @@ EncodeOptions quickOptions(EncodeOptions wanted) {
 
 /// encode(), and says of a missed target before it is thrown that it is one.
 template <typename Missed>
-Encoding encodeOrTell(const Encoder& encoder, const EncodeOptions& options,
+Encoding encodeOrTell(const Encoder& encoder, const EncodeSettings& options,
                       const Observer<EncodeProgress>& observer, const Missed& missed) {
   try {
     return encoder.encode(options, observer);
@@ -61,7 +61,7 @@ void Compressor::setEncoder(std::shared_ptr<const Encoder> encoder) {
   encoder_ = std::move(encoder);
 }
 
-void Compressor::request(const EncodeOptions& options) {
+void Compressor::request(const EncodeSettings& options) {
   if (!encoder_) return;
   refine_later_.stop();
   refine_.abandon();
@@ -100,7 +100,7 @@ bool Compressor::busy() const {
 
 void Compressor::startQuick() {
   newer_wanted_ = false;
-  const EncodeOptions options = quickOptions(wanted_);
+  const EncodeSettings options = quickOptions(wanted_);
   out_of_reach_ = false;
   const auto work = [this, encoder = encoder_, options](const Job& job) {
     return decodedClip(

@@ -26,7 +26,7 @@ class Compressor : public QObject {
   /// Whose clip to compress. Abandons everything; null: nothing to compress.
   void setEncoder(std::shared_ptr<const Encoder> encoder);
 
-  void request(const EncodeOptions& options);
+  void request(const EncodeSettings& options);
 
   /// Ends the refinement: the best so far is kept where it beats the quick answer.
   void stopEarly();
@@ -66,7 +66,7 @@ class Compressor : public QObject {
   JobRunner refine_;
   QTimer refine_later_;  // so that a drag does not start them only to abandon them
   std::shared_ptr<const Encoder> encoder_;
-  EncodeOptions wanted_;
+  EncodeSettings wanted_;
   bool newer_wanted_ = false;   // than what the quick job answers
   bool out_of_reach_ = false;   // what the newest job found
   bool coded_will_do_ = false;  // no refinement is wanted any more

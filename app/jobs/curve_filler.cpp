@@ -13,7 +13,7 @@ void CurveFiller::start(const CurveTask& task) {
   const auto work = [this, task](const Job& job) {
     for (const double ratio : task.ratios) {
       if (job.stopRequested()) break;
-      EncodeOptions options = task.options;
+      EncodeSettings options = task.options;
       options.target = {Target::Kind::Ratio, ratio};
       on_one_thread([&] {
         try {

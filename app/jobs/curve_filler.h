@@ -14,7 +14,7 @@ namespace mocapress {
 /// Points of a rate-distortion curve to measure.
 struct CurveTask {
   std::shared_ptr<const Encoder> encoder;
-  EncodeOptions options;       // but for the target
+  EncodeSettings options;      // but for the target
   std::vector<double> ratios;  // in the order in which they are wanted
 };
 

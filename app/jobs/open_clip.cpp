@@ -86,9 +86,9 @@ OpenedClip openCompared(OpenRequest& request, const Job& job) {
   const OriginalPtr original = readOriginal(request);
   const CompressionMethod* compression_method = find_compression_method(request.comparison);
   if (!compression_method) throw Error("there is no method \"" + request.comparison + "\"");
-  const Compression made =
+  const Encoding made =
       MethodEncoder(original->motion())
-          .compress(*compression_method, request.options.value_or(EncodeOptions()),
+          .compress(*compression_method, request.options.value_or(EncodeSettings()),
                     [&](const EncodeProgress&) { return !job.stopRequested(); });
   return {original, decodedClip(read_mcpr(made.file), original.get())};
 }
@@ -109,10 +109,10 @@ bool isCompressedFile(const QString& path) {
 OpenRequest requestOf(const StudyRow& row) {
   OpenRequest request;
   request.path = QFileInfo(QString::fromStdString(row.clip)).absoluteFilePath();
-  EncodeOptions options{
+  EncodeSettings options{
       .weighting = row.settings.weighting, .target = targetOf(row), .seed = row.settings.seed};
   if (const auto coding = coding_of(row.settings)) options.coding = *coding;
-  if (row.ik_ratio()) options.correction = CorrectionOptions{.ratio = row.ik_ratio()};
+  if (row.ik_ratio()) options.correction = EncodeCorrection{.ratio = row.ik_ratio()};
   const CompressionMethod* compression_method = find_compression_method(row.settings.method);
   if (!compression_method || !choose_wavelets(*compression_method, options))
     request.comparison = row.settings.method;

@@ -22,7 +22,7 @@ struct OpenRequest {
   bool compare = false;  // refuse what does not belong to `decoded`
 
   /// By what to compress it; unset: as the last clip was.
-  std::optional<EncodeOptions> options;
+  std::optional<EncodeSettings> options;
   Characters characters;               // one of them is put on it, and read where it was not
   std::optional<ReadOptions> reading;  // of a motion; unset: as the clip was read last
   std::string comparison;  // of a motion: the comparison method to show, by `options`; else empty

@@ -10,7 +10,7 @@
 
 namespace mocapress {
 
-std::string settingsKey(const EncodeOptions& options) {
+std::string settingsKey(const EncodeSettings& options) {
   std::ostringstream key;
   key.imbue(std::locale::classic());
   key.precision(std::numeric_limits<double>::max_digits10);

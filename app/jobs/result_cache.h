@@ -9,10 +9,10 @@
 
 namespace mocapress {
 
-struct EncodeOptions;
+struct EncodeSettings;
 
 /// Equal for settings that give the same bytes and measures of the same clip.
-std::string settingsKey(const EncodeOptions& options);
+std::string settingsKey(const EncodeSettings& options);
 
 /// Finished answers by their settings, so that going back and forth between settings waits for
 /// nothing. Those not asked for longest go first when it holds too much.

@@ -24,7 +24,7 @@
 #include "core/formats/fbx/fbx_writer.h"
 #include "core/formats/gltf_reader.h"
 #include "core/formats/gltf_writer.h"
-#include "core/mocapress/encode_options.h"
+#include "core/mocapress/encode_settings.h"
 #include "core/report/loaded_clip.h"
 #include "core/report/review_page.h"
 
@@ -167,8 +167,8 @@ class Export {
     for (const Warning& warning : clip.warnings()) row_.warnings.push_back(warning.text());
     row_.joints = clip.motion().skeleton.joint_count();
     report(ClipProgress::Stage::Encoding, 0.1);
-    const EncodeOptions options = options_for(clip.motion());
-    Compression made = clip.encoder().compress(
+    const EncodeSettings options = options_for(clip.motion());
+    Encoding made = clip.encoder().compress(
         *find_compression_method(preset_.method), options, [&](const EncodeProgress& progress) {
           return should_continue(
               observer_, ClipProgress{ClipProgress::Stage::Encoding, encoding_fraction(progress)});
@@ -196,7 +196,7 @@ class Export {
     put_in_place(files);
   }
 
-  std::string review_of(const LoadedClip& clip, const Compression& made) const {
+  std::string review_of(const LoadedClip& clip, const Encoding& made) const {
     const Clip* const unplayed = row_.verified_by == "runtime" ? nullptr : &made.decoded;
     return review_clip(item_.output, clip.encoder().wavelets(), made.file, unplayed,
                        [&](const EncodeProgress&) {
@@ -205,8 +205,8 @@ class Export {
                        });
   }
 
-  EncodeOptions options_for(const Motion& motion) const {
-    EncodeOptions options = encode_options(preset_, motion.skeleton);
+  EncodeSettings options_for(const Motion& motion) const {
+    EncodeSettings options = encode_settings(preset_, motion.skeleton);
     options.figures_only = true;  // no measurement here: the written file is measured
     for (const ContactSpan& span : options.contacts.value_or(std::vector<ContactSpan>()))
       if (span.last_frame >= motion.clip.frames())
@@ -218,7 +218,7 @@ class Export {
   /// Measures the file as read back from the disk, and keeps the decoded motion if a format needs
   /// it.
   void verify(const LoadedClip& clip, const Bytes& bytes, const std::vector<ContactSpan>& contacts,
-              Compression& made) {
+              Encoding& made) {
     const bool asks_for_motion =
         std::any_of(batch_.formats.begin(), batch_.formats.end(),
                     [](OutputFormat format) { return format != OutputFormat::Mcpr; });

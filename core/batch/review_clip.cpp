@@ -11,8 +11,8 @@ namespace {
 
 std::vector<std::byte> nearly_lossless(const Encoder& encoder,
                                        const Observer<EncodeProgress>& observer) {
-  EncodeOptions options;
-  options.method = Method::ClosedLoop;
+  EncodeSettings options;
+  options.weighting = Weighting::BoneEnds;
   options.target = {Target::Kind::Error, 0.008};  // a draft may be a little further off
   options.effort = Effort::Draft;
   options.figures_only = true;

@@ -43,7 +43,7 @@ struct ContactSetting {
   bool operator==(const ContactSetting&) const = default;
 };
 
-/// Settings to compress any clip.
+/// Settings to compress any clip. EncodeSettings are the same for one clip, joints by index.
 struct Settings {
   std::string name;  // of a preset; empty: none
   // "closed-loop", the best there is; "annealed", "standard", "per-channel", "haar", "linear"; or a

@@ -32,37 +32,36 @@ LoadedClip::LoadedClip(MotionFile file)
       fingerprint_(mocapress::fingerprint(file.motion)),
       encoder_(std::move(file.motion)) {}
 
-Measurement LoadedClip::measure(const Compression& compression,
-                                std::optional<std::size_t> edited) const {
+Measurement LoadedClip::measure(const Encoding& encoding, std::optional<std::size_t> edited) const {
   const Clip& clip = motion().clip;
-  const Distortion& distortion = compression.distortion;
+  const Distortion& distortion = encoding.distortion;
   Measurement m;
   m.frames = clip.frames();
   m.channels = static_cast<int>(clip.channels.cols());
   m.sample_rate_hz = clip.sample_rate_hz;
   m.raw_bytes = raw_bytes(clip);
-  m.motion_bytes = compression.motion_bytes;
-  m.file_bytes = compression.file.size();
-  m.ratio = compression_ratio(clip, compression.motion_bytes);
-  m.coefficient_ratio = compression.coefficient_ratio;
+  m.motion_bytes = encoding.compressed.motion_bytes();
+  m.file_bytes = encoding.file.size();
+  m.ratio = compression_ratio(clip, encoding.compressed.motion_bytes());
+  m.coefficient_ratio = encoding.coefficient_ratio;
   m.eps_bone_ends_cm = distortion.eps_bone_ends;
   m.eps_joint_origins_cm = distortion.eps_joint_origins;
   m.max_error_cm = distortion.max.cm;
   m.p95_error_cm = distortion.p95;
   m.p99_error_cm = distortion.p99;
   m.body = body_figures(motion().skeleton, distortion);
-  m.seen = seen_in(compression.visibility, motion().skeleton);
+  m.seen = seen_in(encoding.visibility, motion().skeleton);
   m.worst_frame = distortion.max.frame;
-  m.iterations = compression.iterations;
-  m.encode_seconds = compression.seconds;
+  m.iterations = encoding.iterations;
+  m.encode_seconds = encoding.seconds;
   m.contacts = static_cast<int>(edited.value_or(contacts().size()));
-  m.slide = slide_per_contact(compression.footskate, static_cast<std::size_t>(m.contacts));
-  if (m.slide) m.footskate_cm = compression.footskate.total_cm;
-  if (compression.correction) {
-    m.ik_ratio_used = compression.correction->ratio;
-    m.ik_bytes = compression.correction->bytes;
+  m.slide = slide_per_contact(encoding.footskate, static_cast<std::size_t>(m.contacts));
+  if (m.slide) m.footskate_cm = encoding.footskate.total_cm;
+  if (encoding.correction) {
+    m.ik_ratio_used = encoding.correction->ratio;
+    m.ik_bytes = encoding.correction->bytes;
     m.knee_speed_ratio =
-        compression.correction->fastest_knee / compression.correction->fastest_knee_of_original;
+        encoding.correction->fastest_knee / encoding.correction->fastest_knee_of_original;
   }
   return m;
 }

@@ -33,9 +33,8 @@ class LoadedClip {
   /// Spans in which a foot is planted, in the original.
   const std::vector<ContactSpan>& contacts() const { return encoder_.wavelets().contacts(); }
 
-  /// `contacts`: of edited ones, over which the footskate of the compression was measured.
-  Measurement measure(const Compression& compression,
-                      std::optional<std::size_t> contacts = {}) const;
+  /// `contacts`: of edited ones, over which the footskate of the encoding was measured.
+  Measurement measure(const Encoding& encoding, std::optional<std::size_t> contacts = {}) const;
 
  private:
   Warnings warnings_;

@@ -13,7 +13,7 @@
 
 #include "core/base/parallel.h"
 #include "core/codec/methods/compression_method.h"
-#include "core/mocapress/encode_options.h"
+#include "core/mocapress/encode_settings.h"
 #include "core/report/loaded_clip.h"
 
 namespace mocapress {
@@ -134,12 +134,12 @@ class Run {
     bool told_to_stop = false;
     try {
       check(row.settings);
-      const Compression compression =
+      const Encoding encoding =
           clip.encoder().compress(*find_compression_method(row.settings.method),
-                                  encode_options(row.settings, clip.motion().skeleton),
+                                  encode_settings(row.settings, clip.motion().skeleton),
                                   [&](const EncodeProgress&) { return !(told_to_stop = !ask()); });
-      if (!compression.complete) return false;
-      row.measured = clip.measure(compression);
+      if (!encoding.complete) return false;
+      row.measured = clip.measure(encoding);
     } catch (const std::bad_alloc&) {
       throw;  // no fault of the clip: as a row it would be kept for later runs
     } catch (const std::exception& error) {

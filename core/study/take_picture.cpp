@@ -5,7 +5,7 @@
 
 #include "core/feet/footskate.h"
 #include "core/metrics/rate.h"
-#include "core/mocapress/encode_options.h"
+#include "core/mocapress/encode_settings.h"
 #include "core/report/loaded_clip.h"
 
 namespace mocapress {
@@ -95,13 +95,14 @@ std::optional<Picture> take_picture(const StudyPlan& plan, const std::filesystem
     Settings settings = plan.settings;
     settings.method = name;
     settings.target = {Target::Kind::Ratio, ratio};
-    const Compression made =
-        clip.encoder().compress(*method, encode_options(settings, skeleton), observer);
+    const Encoding made =
+        clip.encoder().compress(*method, encode_settings(settings, skeleton), observer);
     if (!made.complete) return std::nullopt;
     if (tracks.decoded.empty()) worst = worst_frame(made.distortion);
-    picture.methods.push_back({name, compression_ratio(clip.motion().clip, made.motion_bytes),
-                               made.distortion.eps(plan.settings.weighting), made.distortion.max.cm,
-                               sight_chart(made.visibility.table, skeleton)});
+    picture.methods.push_back(
+        {name, compression_ratio(clip.motion().clip, made.compressed.motion_bytes()),
+         made.distortion.eps(plan.settings.weighting), made.distortion.max.cm,
+         sight_chart(made.visibility.table, skeleton)});
     tracks.decoded.push_back(landmark_tracks(skeleton, made.decoded));
   }
   picture.ground_cm = floor_cm(tracks.original);

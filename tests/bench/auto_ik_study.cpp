@@ -43,8 +43,9 @@ const std::array kSettings = {
     Setting{"r = 30", Method::Annealed, {Target::Kind::CoefficientRatio, 30}}};
 
 Encoding encode(const Encoder& encoder, const Setting& setting,
-                std::optional<CorrectionOptions> correction) {
+                std::optional<EncodeCorrection> correction) {
   return encoder.encode({.method = setting.method,
+                         .weighting = Weighting::BoneEnds,
                          .target = setting.target,
                          .importance = {},
                          .correction = std::move(correction),
@@ -70,7 +71,7 @@ void study(const std::string& clip, const Encoder& encoder, const Setting& setti
   const Encoding without = encode(encoder, setting, {});
   Encoding found;
   const double seconds =
-      seconds_of([&] { found = encode(encoder, setting, CorrectionOptions{.joints = {}}); });
+      seconds_of([&] { found = encode(encoder, setting, EncodeCorrection{.joints = {}}); });
   const double left = found.footskate.total_cm;
   const double before = without.footskate.total_cm;
   const double taken = before > 0 ? 1 - left / before : 1;
@@ -80,7 +81,7 @@ void study(const std::string& clip, const Encoder& encoder, const Setting& setti
   for (const double ratio : kFixed) {
     Encoding fixed;
     seconds_of_fixed += seconds_of(
-        [&] { fixed = encode(encoder, setting, CorrectionOptions{.joints = {}, .ratio = ratio}); });
+        [&] { fixed = encode(encoder, setting, EncodeCorrection{.joints = {}, .ratio = ratio}); });
     if (fixed.compressed.motion_bytes() >= bytes || fixed.footskate.total_cm >= left) continue;
     beaten_by += (beaten_by.empty() ? "" : ", ") + std::to_string(std::lround(ratio));
   }

@@ -15,12 +15,13 @@ namespace {
 
 void study(const std::filesystem::path& clip, Weighting weighting) {
   const Encoder encoder(read_motion(clip).motion);
-  const Encoding with = encoder.encode({.weighting = weighting,
+  const Encoding with = encoder.encode({.method = Method::Annealed,
+                                        .weighting = weighting,
                                         .target = {Target::Kind::CoefficientRatio, 30},
-                                        .correction = CorrectionOptions{.ratio = 16.0}});
+                                        .correction = EncodeCorrection{.ratio = 16.0}});
   const auto bytes = static_cast<double>(with.compressed.motion_bytes());
-  const Encoding without =
-      encoder.encode({.weighting = weighting, .target = {Target::Kind::Size, bytes}});
+  const Encoding without = encoder.encode(
+      {.method = Method::Annealed, .weighting = weighting, .target = {Target::Kind::Size, bytes}});
   const double eps = with.distortion.eps(weighting);
   const double eps_without = without.distortion.eps(weighting);
   const double less = 1 - with.footskate.total_cm / std::max(without.footskate.total_cm, 1e-9);

@@ -30,7 +30,7 @@ constexpr std::array kErrors = {0.1, 0.2, 0.3, 0.4, 0.5, 0.7, 1.0};  // cm, as `
 constexpr std::array kWeightings = {Weighting::BoneEnds, Weighting::Surface};
 constexpr std::array kEvery = {1, 4};  // frames
 
-EncodeOptions draft_at(double eps_cm, Weighting weighting, bool size_will_do) {
+EncodeSettings draft_at(double eps_cm, Weighting weighting, bool size_will_do) {
   return {.method = Method::ClosedLoop,
           .coding = Coding::Adaptive,
           .weighting = weighting,
@@ -39,7 +39,7 @@ EncodeOptions draft_at(double eps_cm, Weighting weighting, bool size_will_do) {
           .size_will_do = size_will_do};
 }
 
-double least_ms(const Encoder& encoder, const EncodeOptions& options) {
+double least_ms(const Encoder& encoder, const EncodeSettings& options) {
   using Clock = std::chrono::steady_clock;
   double least = INFINITY;
   for (int i = 0; i < 5; ++i) {

@@ -19,10 +19,10 @@ Motion first_frames(int frames) {
 void Encode(benchmark::State& state, Effort effort) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   const Encoder encoder(first_frames(static_cast<int>(state.range(0))));
-  const EncodeOptions options{.method = Method::ClosedLoop,
-                              .weighting = Weighting::Surface,
-                              .target = {Target::Kind::Error, 0.3},
-                              .effort = effort};
+  const EncodeSettings options{.method = Method::ClosedLoop,
+                               .weighting = Weighting::Surface,
+                               .target = {Target::Kind::Error, 0.3},
+                               .effort = effort};
   encoder.encode(options);
   for (auto _ : state) benchmark::DoNotOptimize(encoder.encode(options));
   state.SetItemsProcessed(state.iterations() * state.range(0));

@@ -61,10 +61,11 @@ Motion repeated(const Motion& motion, int frames) {
   return longer;
 }
 
-EncodeOptions options_at(double eps_cm, int longest) {
-  EncodeOptions options{.method = Method::ClosedLoop,
-                        .coding = Coding::Adaptive,
-                        .target = {Target::Kind::Error, eps_cm}};
+EncodeSettings options_at(double eps_cm, int longest) {
+  EncodeSettings options{.method = Method::ClosedLoop,
+                         .coding = Coding::Adaptive,
+                         .weighting = Weighting::BoneEnds,
+                         .target = {Target::Kind::Error, eps_cm}};
   options.segments.longest = longest;
   return options;
 }
@@ -84,7 +85,7 @@ double scratch_memory(const std::vector<std::byte>& file) {
 void memory(const Motion& motion, int frames, int longest) {
   Motion longer = repeated(motion, frames);
   const double values = static_cast<double>(longer.clip.channels.size());
-  EncodeOptions options = options_at(0.5, longest);
+  EncodeSettings options = options_at(0.5, longest);
   options.figures_only = true;
   const double before = present_memory();
   const std::clock_t start = std::clock();

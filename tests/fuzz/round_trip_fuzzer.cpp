@@ -49,15 +49,16 @@ Motion motion_of(Bytes& bytes) {
   return motion;
 }
 
-EncodeOptions options_of(Bytes& bytes) {
+EncodeSettings options_of(Bytes& bytes) {
   constexpr Method kMethods[] = {Method::Standard, Method::PerChannel, Method::Annealed,
                                  Method::ClosedLoop};
   constexpr Coding kCodings[] = {Coding::Rle16, Coding::Deflate, Coding::Adaptive};
   constexpr Basis kBases[] = {Basis::Haar, Basis::Linear, Basis::Cubic};
-  EncodeOptions options{.method = kMethods[bytes() % 4],
-                        .coding = kCodings[bytes() % 3],
-                        .basis = kBases[bytes() % 3],
-                        .target = {Target::Kind::CoefficientRatio, 1.0 + bytes() % 32}};
+  EncodeSettings options{.method = kMethods[bytes() % 4],
+                         .coding = kCodings[bytes() % 3],
+                         .basis = kBases[bytes() % 3],
+                         .weighting = Weighting::BoneEnds,
+                         .target = {Target::Kind::CoefficientRatio, 1.0 + bytes() % 32}};
   options.effort = bytes() % 2 == 0 ? Effort::Draft : Effort::Default;
   return options;
 }
@@ -66,7 +67,7 @@ EncodeOptions options_of(Bytes& bytes) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Bytes bytes(data, size);
-  const EncodeOptions options = options_of(bytes);
+  const EncodeSettings options = options_of(bytes);
   const Encoder encoder(motion_of(bytes));
   Encoding encoding;
   try {

@@ -196,7 +196,7 @@ TEST_F(CharacterSession, IsMeasuredOnWhereItWasPutOn) {
   EXPECT_EQ(document_.decoded()->file, file);
 
   // It can be: by the mesh.
-  EncodeOptions by_skin = document_.options();
+  EncodeSettings by_skin = document_.options();
   by_skin.weighting = Weighting::Skin;
   by_skin.target = {Target::Kind::Error, 0.4};
   settle([&] { session_.setOptions(by_skin); });
@@ -239,7 +239,7 @@ TEST_F(CharacterSession, ComesBackWithItsProject) {
     ASSERT_TRUE(settled.wait(kPatience));
     session.putCharacter(sample("character.glb"));
     ASSERT_TRUE(settled.wait(kPatience));
-    EncodeOptions by_skin = session.document().options();
+    EncodeSettings by_skin = session.document().options();
     by_skin.weighting = Weighting::Skin;
     session.setOptions(by_skin);
     library.setShowsSkin(false);

@@ -42,9 +42,7 @@ class ClipFilesTest : public testing::Test {
     session_.save(compressed_);
     ASSERT_TRUE(saved.count() > 0 || saved.wait(kPatience));
     QSignalSpy settled(&session_, &Session::settled);
-    EncodeOptions options;
-    options.target.value = 12;
-    session_.setOptions(options);
+    session_.setOptions({.target = {Target::Kind::Ratio, 12}});
     ASSERT_TRUE(settled.wait(kPatience));
     ASSERT_TRUE(session_.document().modified());
   }

@@ -16,7 +16,7 @@ class ClipSaving : public testing::Test {
  protected:
   ClipSaving() {
     original_.encoder = std::make_shared<const Encoder>(test::smooth_motion(300));
-    const EncodeOptions options{.method = Method::ClosedLoop, .target = {Target::Kind::Ratio, 20}};
+    const EncodeSettings options{.method = Method::ClosedLoop, .target = {Target::Kind::Ratio, 20}};
     decoded_ = *decodedClip(original_.encoder->encode(options), *original_.encoder, options);
   }
 

@@ -36,8 +36,8 @@ class CompressorTest : public testing::Test {
                      });
   }
 
-  static EncodeOptions ratio(double value, Method method = Method::Annealed) {
-    EncodeOptions options;
+  static EncodeSettings ratio(double value, Method method = Method::Annealed) {
+    EncodeSettings options;
     options.method = method;
     options.target = {Target::Kind::Ratio, value};
     return options;
@@ -113,7 +113,7 @@ TEST_F(Compressing, ADraftSearchesForNoIkRatio) {
   compressor_.setEncoder(makeEncoder(120));
   compressor_.request({.method = Method::ClosedLoop,
                        .target = {Target::Kind::Ratio, 12},
-                       .correction = CorrectionOptions{.joints = {4}}});
+                       .correction = EncodeCorrection{.joints = {4}}});
   ASSERT_TRUE(QTest::qWaitFor([&] { return !answers_.empty(); }, kPatience));
   ASSERT_TRUE(answers_[0].decoded->correction) << failures_.join(u' ').toStdString();
   EXPECT_EQ(answers_[0].decoded->correction->ratio, 16);
@@ -123,9 +123,9 @@ TEST_F(Compressing, ADraftSearchesForNoIkRatio) {
 TEST_F(Compressing, AMovementGivesADraftAndAbandonsTheRunningRefinement) {
   compressor_.setEncoder(makeEncoder(3000));
   const auto asked = [](double cm) {
-    return EncodeOptions{.method = Method::ClosedLoop,
-                         .target = {Target::Kind::MaxError, cm},
-                         .effort = Effort::Best};
+    return EncodeSettings{.method = Method::ClosedLoop,
+                          .target = {Target::Kind::MaxError, cm},
+                          .effort = Effort::Best};
   };
   compressor_.request(asked(1));
   ASSERT_TRUE(QTest::qWaitFor([&] { return compressor_.refining(); }, kPatience));
@@ -205,8 +205,8 @@ TEST_F(Compressing, AMissedTargetIsAMessageAndTheNextRequestWorks) {
   compressor_.request(ratio(8));
   ASSERT_TRUE(waitForFinal());
   failures_.clear();
-  EncodeOptions impossible = ratio(8, Method::Standard);
-  impossible.correction = CorrectionOptions{.joints = {0}};  // nothing is above the root
+  EncodeSettings impossible = ratio(8, Method::Standard);
+  impossible.correction = EncodeCorrection{.joints = {0}};  // nothing is above the root
   compressor_.request(impossible);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !failures_.empty(); }, kPatience));
   EXPECT_FALSE(out_of_reach_);

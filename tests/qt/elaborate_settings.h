@@ -20,10 +20,10 @@ inline ClipSettings elaborate() {
                      .ends = Ends::Exact,
                      .loop = Loop::Follows};
   settings.preset = QStringLiteral("Mine");
-  settings.encode.correction = CorrectionOptions{.joints = {4, 7},
-                                                 .ratio = 12.5,
-                                                 .solver = IkSolver::CyclicDescent,
-                                                 .at = CorrectAt::Contacts};
+  settings.encode.correction = EncodeCorrection{.joints = {4, 7},
+                                                .ratio = 12.5,
+                                                .solver = IkSolver::CyclicDescent,
+                                                .at = CorrectAt::Contacts};
   settings.encode.contacts = std::vector<ContactSpan>{{4, 10, 20}, {7, 0, 3}};
   settings.contacts.begin_speed = 12;
   settings.track_error = 0.0125;

@@ -29,7 +29,7 @@ TEST(EncodeEstimate, MovesWithEveryEncodeAndNeverBackNorToTheEnd) {
   for (const Method method : {Method::Annealed, Method::ClosedLoop})
     for (const Target& target :
          {Target{Target::Kind::Ratio, 15}, Target{Target::Kind::MaxError, 1.5}}) {
-      const EncodeOptions options{.method = method, .target = target};
+      const EncodeSettings options{.method = method, .target = target};
       EncodeEstimate estimate(options);
       std::vector<double> shares;
       encoder.encode(options, [&](const EncodeProgress& state) {

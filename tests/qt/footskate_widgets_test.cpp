@@ -26,7 +26,7 @@
 namespace mocapress {
 namespace {
 
-using Chosen = std::vector<std::optional<CorrectionOptions>>;
+using Chosen = std::vector<std::optional<EncodeCorrection>>;
 
 Chosen& record(CorrectionControl& control, Chosen& chosen) {
   QObject::connect(&control, &CorrectionControl::correctionChanged,
@@ -53,7 +53,7 @@ TEST(CorrectionControl, TellsOfTheRatioOnlyWhileFeetAreHeld) {
 TEST(CorrectionControl, AutoLeavesTheSplitToTheEncoderAndTheNumberComesBack) {
   CorrectionControl control;
   Chosen told;
-  control.setCorrection(CorrectionOptions{.ratio = 8.0});
+  control.setCorrection(EncodeCorrection{.ratio = 8.0});
   record(control, told);
   auto* found = control.findChildren<QCheckBox*>().at(1);
   found->click();
@@ -65,7 +65,7 @@ TEST(CorrectionControl, AutoLeavesTheSplitToTheEncoderAndTheNumberComesBack) {
 
 TEST(CorrectionControl, ShowsWhatAutoFound) {
   CorrectionControl control;
-  control.setCorrection(CorrectionOptions{});
+  control.setCorrection(EncodeCorrection{});
   Chosen told;
   record(control, told);
   EXPECT_EQ(control.number()->text(), QStringLiteral("–")) << "not known yet";
@@ -82,7 +82,7 @@ TEST(CorrectionControl, OffersEveryJoint) {
   const Skeleton skeleton = test::small_skeleton();
   control.setSkeleton(skeleton);
   Chosen told;
-  control.setCorrection(CorrectionOptions{});
+  control.setCorrection(EncodeCorrection{});
   record(control, told);
   const auto actions = control.findChild<QMenu*>()->actions();
   ASSERT_EQ(actions.size(), skeleton.joint_count());

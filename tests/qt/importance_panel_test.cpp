@@ -112,14 +112,14 @@ TEST(CompressionPanelMethods, WhatDoesNotApplyIsDisabledAndSaysWhy) {
   for (const Case& each :
        {Case{Method::ClosedLoop, true, false, true}, Case{Method::Annealed, false, true, true},
         Case{Method::Standard, false, true, false}, Case{Method::PerChannel, false, true, false}}) {
-    EncodeOptions options;
+    EncodeSettings options;
     options.method = each.method;
     panel.setOptions(options);
     EXPECT_EQ(panel.effort()->isEnabled(), each.effort) << name(each.method);
     EXPECT_EQ(panel.coding()->isEnabled(), each.coding) << name(each.method);
     EXPECT_EQ(panel.importance()->isEnabled(), each.importance) << name(each.method);
   }
-  EncodeOptions options;
+  EncodeSettings options;
   options.method = Method::ClosedLoop;
   panel.setOptions(options);
   const QString why = panel.coding()->toolTip();
@@ -130,9 +130,9 @@ TEST(CompressionPanelMethods, WhatDoesNotApplyIsDisabledAndSaysWhy) {
 
 TEST(CompressionPanelMethods, TheCodingOfAClassicMethodOutlivesTheClosedLoop) {
   CompressionPanel panel;
-  EncodeOptions told;
+  EncodeSettings told;
   QObject::connect(&panel, &CompressionPanel::optionsChanged,
-                   [&](const EncodeOptions& options) { told = options; });
+                   [&](const EncodeSettings& options) { told = options; });
   panel.setOptions({.method = Method::Annealed, .coding = Coding::Rle16});
   for (const Method method : {Method::ClosedLoop, Method::Annealed}) {
     const int index = panel.method()->findData(static_cast<int>(method));

@@ -70,7 +70,7 @@ TEST(KeptCoefficients, OfAnEncodedClipAddUpToItsCoefficientRatio) {
     for (const KeptBand& band : keptByScale(encoding.decoded.channels.col(c), Basis::Cubic))
       kept += band.kept;
   const auto all = static_cast<double>(encoding.decoded.channels.size());
-  EXPECT_NEAR(all / kept, encoding.coefficient_ratio, 0.02 * encoding.coefficient_ratio);
+  EXPECT_NEAR(all / kept, *encoding.coefficient_ratio, 0.02 * *encoding.coefficient_ratio);
 }
 
 const std::vector<ContactSpan> kStands = {{2, 10, 19}, {2, 40, 59}, {5, 12, 30}};

@@ -22,7 +22,7 @@
 namespace mocapress {
 namespace {
 
-EncodeOptions standard(double ratio) {
+EncodeSettings standard(double ratio) {
   return {.method = Method::Standard, .target = {Target::Kind::Ratio, ratio}};
 }
 
@@ -447,7 +447,7 @@ TEST_F(InALibrary, APresetOfASelectionIsOneStepAndReachesTheOpenClip) {
   Run run;
   run.library.add({clip("a.bvh", 1), clip("b.bvh", 2), clip("c.bvh", 3)});
   settleAfter(run, [&] { run.library.openClip(0); });
-  const EncodeOptions before = run.session.document().options();
+  const EncodeSettings before = run.session.document().options();
   const Settings& crowd = built_in_presets()[3];
   settleAfter(run, [&] { run.library.setPreset({0, 1}, crowd); });
   EXPECT_EQ(run.session.document().options().target, crowd.target);
@@ -497,7 +497,7 @@ TEST_F(InALibrary, StepsOfAClipAreThereAgainWhenItIsOpenedAgain) {
   settleAfter(run, [&] { session.open(walk); });
   const Skeleton& skeleton = *session.document().skeleton();
   settleAfter(run, [&] { session.choosePreset(built_in_presets()[2]); });
-  EncodeOptions options = session.document().options();
+  EncodeSettings options = session.document().options();
   options.target = {Target::Kind::Ratio, 36.885};
   settleAfter(run, [&] { session.setOptions(options); });
   NamedImportance care;

@@ -150,7 +150,7 @@ TEST_F(StudioWithoutAScreen, UndoActsOnWhatIsWorkedIn) {
   window_.activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   const double before = document_.options().target.value;
-  EncodeOptions options = document_.options();
+  EncodeSettings options = document_.options();
   options.target.value = before / 2;
   settleAfter([&] { window_.session().setOptions(options); });
   const auto clips = [this] { return window_.library().project().clips.size(); };
@@ -192,7 +192,7 @@ TEST_F(StudioWithoutAScreen, UndoOfAClipThatOneComesBackToStopsBeforeTheLibrary)
   window_.activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   const double before = document_.options().target.value;
-  EncodeOptions options = document_.options();
+  EncodeSettings options = document_.options();
   options.target.value = before / 2;
   settleAfter([&] { window_.session().setOptions(options); });
   window_.libraryPanel().view()->setFocus();
@@ -450,7 +450,7 @@ TEST_F(StudioWithoutAScreen, AClickOnWhatIsSeenGoesThereAndSelectsTheJoint) {
 
 TEST_F(StudioWithoutAScreen, ATargetOutOfReachIsSaidBesideItAndStays) {
   settleAfter([&] { window_.files().open(clip("walk.bvh")); });
-  EncodeOptions options = document_.options();
+  EncodeSettings options = document_.options();
   options.target = {Target::Kind::Ratio, 20};
   settleAfter([&] { window_.session().setOptions(options); });
   TargetControl* target = window_.views().compression->target();
@@ -467,7 +467,7 @@ TEST_F(StudioWithoutAScreen, ATargetOutOfReachIsSaidBesideItAndStays) {
 
 TEST_F(StudioWithoutAScreen, TheRatioOfAResultIsTakenOverWhenARatioIsAskedFor) {
   settleAfter([&] { window_.files().open(clip("walk.bvh", 300)); });
-  EncodeOptions options = document_.options();
+  EncodeSettings options = document_.options();
   options.target = {Target::Kind::Error, 0.4};
   settleAfter([&] { window_.session().setOptions(options); });
   const double ratio = document_.decoded()->ratio;
@@ -482,9 +482,9 @@ TEST_F(StudioWithoutAScreen, TheRatioOfAResultIsTakenOverWhenARatioIsAskedFor) {
 
 TEST_F(StudioWithoutAScreen, WhatAutoFoundForTheFeetIsInTheField) {
   settleAfter([&] { window_.files().open(clip("walk.bvh", 200)); });
-  EncodeOptions options = document_.options();
+  EncodeSettings options = document_.options();
   options.target = {Target::Kind::Ratio, 12};
-  options.correction = CorrectionOptions{.joints = {4}};
+  options.correction = EncodeCorrection{.joints = {4}};
   settleAfter([&] { window_.session().setOptions(options); });
   ASSERT_TRUE(document_.decoded()->correction);
   const NumberBox* number = window_.views().compression->correction()->number();

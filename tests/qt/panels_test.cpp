@@ -213,14 +213,14 @@ TEST(TargetControl, WithoutAResultEveryKindBeginsWithSomethingUsual) {
 
 TEST(CompressionPanel, ShowsOptionsSilentlyAndTellsOfChoices) {
   CompressionPanel panel;
-  std::vector<EncodeOptions> chosen;
+  std::vector<EncodeSettings> chosen;
   QObject::connect(&panel, &CompressionPanel::optionsChanged,
-                   [&](const EncodeOptions& options) { chosen.push_back(options); });
-  EncodeOptions options;
+                   [&](const EncodeSettings& options) { chosen.push_back(options); });
+  EncodeSettings options;
   options.method = Method::Standard;
   options.coding = Coding::Rle16;
   options.seed = 9;
-  options.target.value = 50;
+  options.target = {Target::Kind::Ratio, 50};
   panel.setOptions(options);
   EXPECT_TRUE(chosen.empty());
   panel.target()->slider()->setValue(0);

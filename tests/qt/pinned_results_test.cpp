@@ -22,7 +22,7 @@
 namespace mocapress {
 namespace {
 
-EncodeOptions standardAt(double ratio) {
+EncodeSettings standardAt(double ratio) {
   return {.method = Method::Standard, .target = {Target::Kind::Ratio, ratio}};
 }
 
@@ -95,7 +95,7 @@ TEST_F(Pinning, FourHaveColoursOfTheirOwnAndAFifthHasNoRoom) {
 TEST_F(Pinning, OneIsMadeCurrentAndThatIsUndone) {
   results_.pinCurrent();
   // By two steps of two kinds: quick ones of one kind are undone together.
-  EncodeOptions other = standardAt(10);
+  EncodeSettings other = standardAt(10);
   other.weighting = Weighting::JointOrigins;
   settleAfter([&] { session_.setOptions(other); });
   other.target.value = 40;
@@ -116,7 +116,7 @@ TEST_F(Pinning, NamesAreEdited) {
 }
 
 TEST_F(Pinning, NoTwoHaveOneName) {
-  EncodeOptions other = standardAt(10);
+  EncodeSettings other = standardAt(10);
   results_.pinCurrent();
   other.weighting = Weighting::JointOrigins;
   settleAfter([&] { session_.setOptions(other); });
@@ -189,7 +189,7 @@ TEST_F(Pinning, AreThereAgainWithTheirClipMadeAnew) {
 }
 
 TEST_F(Pinning, OneThatCannotBeMadeAnewIsLeftOut) {
-  const auto pinOf = [](const char* name, const EncodeOptions& options) {
+  const auto pinOf = [](const char* name, const EncodeSettings& options) {
     return Pin{QString::fromLatin1(name), {}, namedSettings({options, {}, {}}, {})};
   };
   Pin impossible = pinOf("no", standardAt(10));

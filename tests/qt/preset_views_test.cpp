@@ -12,7 +12,7 @@
 #include "app/studio/document/named_settings.h"
 #include "app/studio/document/preset_shelf.h"
 #include "app/studio/document/session.h"
-#include "core/mocapress/encode_options.h"
+#include "core/mocapress/encode_settings.h"
 #include "core/motion/landmarks.h"
 #include "resources/samples/generator/samples.h"
 #include "tests/qt/patience.h"
@@ -49,7 +49,7 @@ TEST(ClipPreset, EditedContactsStayWithTheirClip) {
   EXPECT_EQ(withPreset(settings, built_in_presets()[0], skeleton).encode.contacts,
             settings.encode.contacts);
   const Settings own = ownPresetOf(settings, skeleton);
-  EXPECT_EQ(settingsKey(encode_options(own, skeleton)), settingsKey(settings.encode));
+  EXPECT_EQ(settingsKey(encode_settings(own, skeleton)), settingsKey(settings.encode));
 }
 
 class PresetsOfAClip : public testing::Test {
@@ -75,7 +75,7 @@ class PresetsOfAClip : public testing::Test {
     emit box->activated(index);
   }
 
-  const EncodeOptions& options() { return session_.document().options(); }
+  const EncodeSettings& options() { return session_.document().options(); }
   std::string shown() { return chooser_.box()->currentText().toStdString(); }
 
   QTemporaryDir directory_;
@@ -91,7 +91,7 @@ TEST_F(PresetsOfAClip, BeginWithTheClosedLoopAsGameplay) {
   EXPECT_EQ(options().target.kind, Target::Kind::Error);
   EXPECT_EQ(shown(), "Gameplay");
   const Skeleton& skeleton = *session_.document().skeleton();
-  EXPECT_EQ(settingsKey(options()), settingsKey(encode_options(built_in_presets()[1], skeleton)));
+  EXPECT_EQ(settingsKey(options()), settingsKey(encode_settings(built_in_presets()[1], skeleton)));
   EXPECT_FALSE(options().importance.joints.empty()) << "what it says of hands is of these hands";
 }
 
@@ -115,7 +115,7 @@ TEST_F(PresetsOfAClip, ChoosingOneSetsAllOfItInOneStep) {
 }
 
 TEST_F(PresetsOfAClip, ShowThatASettingWasChangedUntilItIsUndone) {
-  EncodeOptions changed = options();
+  EncodeSettings changed = options();
   changed.target.value = 0.66;
   session_.setOptions(changed);
   EXPECT_EQ(shown(), "Gameplay, modified");
@@ -124,7 +124,7 @@ TEST_F(PresetsOfAClip, ShowThatASettingWasChangedUntilItIsUndone) {
 }
 
 TEST_F(PresetsOfAClip, SavedUnderANameTheyHaveItAndUndoneTheyHaveItNot) {
-  EncodeOptions changed = options();
+  EncodeSettings changed = options();
   changed.target.value = 0.66;
   session_.setOptions(changed);
   shelf_.setHistory([this] { return session_.history(); });
@@ -158,7 +158,7 @@ TEST_F(PresetsOfAClip, ThatNameAJointTheClipLacksAreAMessage) {
 
 TEST_F(PresetsOfAClip, ANameThatIsTakenLeavesTheHistoryAsItIs) {
   shelf_.setHistory([this] { return session_.history(); });
-  EncodeOptions changed = options();
+  EncodeSettings changed = options();
   changed.target.value = 0.66;
   session_.setOptions(changed);
   session_.history()->undo();

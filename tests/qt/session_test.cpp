@@ -29,10 +29,8 @@ class SessionTest : public testing::Test {
  protected:
   SessionTest() { session_.setOptions(ratio(10)); }
 
-  static EncodeOptions ratio(double value) {
-    EncodeOptions options;
-    options.target = {Target::Kind::Ratio, value};
-    return options;
+  static EncodeSettings ratio(double value) {
+    return {.method = Method::Annealed, .target = {Target::Kind::Ratio, value}};
   }
 
   QString path(const char* name) const { return directory_.filePath(QString::fromLatin1(name)); }
@@ -306,8 +304,8 @@ TEST_F(Studio, ShowsACompressedClipWithItsOriginalAlreadyOpen) {
 TEST_F(Studio, ShowsAndSavesAClipOfAComparisonMethod) {
   const QString original = writeClip("motion.bvh", 300);
   const Motion motion = read_motion(original.toStdU16String(), {}).motion;
-  const Compression made = MethodEncoder(motion).compress(*find_compression_method("pca"),
-                                                          {.target = {Target::Kind::Ratio, 5}});
+  const Encoding made = MethodEncoder(motion).compress(*find_compression_method("pca"),
+                                                       {.target = {Target::Kind::Ratio, 5}});
   write_bytes(path("pca.mcpr").toStdU16String(), made.file);
   openAndSettle(path("pca.mcpr"));
   ASSERT_TRUE(document_.decoded());
@@ -374,10 +372,10 @@ TEST_F(Studio, CurvesAndCurrentJointOutliveTheClip) {
 
 class StudioFeet : public SessionTest {
  protected:
-  static EncodeOptions heldFeet() {
-    EncodeOptions options = ratio(40);
+  static EncodeSettings heldFeet() {
+    EncodeSettings options = ratio(40);
     options.method = Method::Standard;
-    options.correction = CorrectionOptions{.ratio = 16.0};
+    options.correction = EncodeCorrection{.ratio = 16.0};
     return options;
   }
 
@@ -412,7 +410,7 @@ TEST_F(StudioFeet, StayHeldInAFileThatIsOpenedAgain) {
 
 TEST_F(StudioFeet, HeldJointsDoNotOutliveTheirSkeleton) {
   openAndSettle(writeClip("motion.bvh", 100));
-  EncodeOptions options = heldFeet();
+  EncodeSettings options = heldFeet();
   options.correction->joints = {document_.skeleton()->find("lhand")};
   QSignalSpy settled(&session_, &Session::settled);
   session_.setOptions(options);
@@ -445,7 +443,7 @@ TEST_F(Studio, TheNewestOfManyOpensWins) {
 
 TEST_F(Studio, CanBeClosedInTheMiddleOfAnything) {
   const QString clip = writeClip("motion.bvh", 2000);
-  EncodeOptions annealed = ratio(10);
+  EncodeSettings annealed = ratio(10);
   annealed.method = Method::Annealed;
   // While it is read, once it is open and encoded, and while it is refined.
   enum class Moment { Reading, Encoding, Refining };

@@ -16,21 +16,21 @@
 namespace mocapress {
 namespace {
 
-EncodeOptions standard(double ratio) {
+EncodeSettings standard(double ratio) {
   return {.method = Method::Standard, .target = {Target::Kind::Ratio, ratio}};
 }
 
 TEST(SettingsKey, DiffersInEverythingThatChangesTheAnswer) {
-  const EncodeOptions plain;
-  std::vector<EncodeOptions> others(12, plain);
+  const EncodeSettings plain{.method = Method::Annealed};
+  std::vector<EncodeSettings> others(12, plain);
   others[0].method = Method::Standard;
   others[1].coding = Coding::Rle16;
   others[2].weighting = Weighting::JointOrigins;
   others[3].target.value = 26;
   others[4].target.kind = Target::Kind::Size;
   others[5].seed = 2;
-  others[6].correction = CorrectionOptions{};
-  others[7].correction = CorrectionOptions{.ratio = 16};
+  others[6].correction = EncodeCorrection{};
+  others[7].correction = EncodeCorrection{.ratio = 16};
   others[8].contacts = std::vector<ContactSpan>{{1, 2, 3}};
   others[9].effort = Effort::Best;
   others[10].importance.contacts = 20;
@@ -39,7 +39,7 @@ TEST(SettingsKey, DiffersInEverythingThatChangesTheAnswer) {
     EXPECT_NE(settingsKey(others[i]), settingsKey(plain)) << i;
     for (std::size_t j = 0; j < i; ++j) EXPECT_NE(settingsKey(others[i]), settingsKey(others[j]));
   }
-  EXPECT_EQ(settingsKey(plain), settingsKey(EncodeOptions()));
+  EXPECT_EQ(settingsKey(plain), settingsKey({.method = Method::Annealed}));
 }
 
 TEST(ResultCache, ForgetsWhatWasNotAskedForLongestWhenItIsFull) {
@@ -72,8 +72,7 @@ TEST(SettingsField, NamesWhatChanged) {
   EXPECT_EQ(fieldOf([](ClipSettings& s) { s.encode.target.value = 3; }), Target);
   EXPECT_EQ(fieldOf([](ClipSettings& s) { s.encode.method = mocapress::Method::ClosedLoop; }),
             Method);
-  EXPECT_EQ(fieldOf([](ClipSettings& s) { s.encode.correction = CorrectionOptions{}; }),
-            Correction);
+  EXPECT_EQ(fieldOf([](ClipSettings& s) { s.encode.correction = EncodeCorrection{}; }), Correction);
   EXPECT_EQ(fieldOf([](ClipSettings& s) { s.contacts.begin_height = 9; }), Contacts);
   EXPECT_EQ(fieldOf([](ClipSettings& s) { s.encode.effort = mocapress::Effort::Best; }), Effort);
   EXPECT_EQ(fieldOf([](ClipSettings& s) { s.encode.ends = mocapress::Ends::Exact; }), Ends);
@@ -105,7 +104,7 @@ class History : public testing::Test {
 
 TEST_F(History, UndoAndRedoBringSettingsAndTheirAnswersBackAtOnce) {
   settleAfter([&] { session_.setOptions(standard(20)); });
-  EncodeOptions per_channel = standard(20);
+  EncodeSettings per_channel = standard(20);
   per_channel.method = Method::PerChannel;
   settleAfter([&] { session_.setOptions(per_channel); });
   const DecodedPtr last = session_.document().decoded();
@@ -229,7 +228,7 @@ TEST_F(History, TheCurveOfTheClipFillsAndOutlivesAnotherTarget) {
   ASSERT_TRUE(opened.wait(kPatience));
   EXPECT_EQ(curve.ratios(), measured) << "they are there again with their clip";
   settleAfter([&] { session_.setOptions(standard(34)); });
-  EncodeOptions joints = standard(33);
+  EncodeSettings joints = standard(33);
   joints.weighting = Weighting::JointOrigins;
   settleAfter([&] { session_.setOptions(joints); });
   EXPECT_LE(curve.ratios().size(), 2u);  // others were of another weighting

@@ -77,7 +77,7 @@ TEST_F(StudioTour, AFolderIsReviewedClipByClip) {
   ASSERT_EQ(tree.rowCount(), 2) << "jumps, locomotion";
   const auto tune = [&](int row, double ratio) {
     studio.settleAfter([&] { panel.view()->setCurrentIndex(tree.indexOf(row)); });
-    EncodeOptions options = studio->session().document().options();
+    EncodeSettings options = studio->session().document().options();
     // A clip begins with the settings of the one before it.
     if (options.target.kind == Target::Kind::Ratio && options.target.value == ratio) return;
     options.method = Method::ClosedLoop;

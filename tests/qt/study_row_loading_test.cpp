@@ -89,7 +89,7 @@ TEST_F(StudyRowLoading, ShowsAComparisonMethodAsIfReadFromAFile) {
     EXPECT_TRUE(document_.decoded()->distortion);
   }
   EXPECT_TRUE(stateOf(document_).startsWith(QStringLiteral("Frame subsampling")));
-  EncodeOptions options = document_.options();
+  EncodeSettings options = document_.options();
   options.method = Method::Standard;
   settleAfter([&] { session_.setOptions(options); });
   EXPECT_TRUE(document_.decoded()->of_wavelets) << "the settings are wavelets' again";
@@ -104,7 +104,7 @@ TEST_F(StudyRowLoading, AsksForTheRatioOfATargetTheStudioDoesNotKnow) {
 
 TEST_F(StudyRowLoading, AClipThatIsGoneIsAMessageAndLeavesWhatIsOpen) {
   settleAfter([&] { session_.open(path("one.bvh")); });
-  const EncodeOptions before = document_.options();
+  const EncodeSettings before = document_.options();
   StudyRow row = rowOf("two.bvh", "haar");
   row.clip = path("gone.bvh").toStdString();
   QSignalSpy failed(&session_, &Session::openFailed);

@@ -84,7 +84,7 @@ TEST_F(Tuning, APresetThatPlantsFeetIsChosenAndItsImportanceSeen) {
 }
 
 TEST_F(Tuning, TheLibraryIsExportedEachClipByItsOwnSettings) {
-  EncodeOptions options = document_.options();
+  EncodeSettings options = document_.options();
   options.target = {Target::Kind::MaxError, 1};
   settleAfter([&] { window_.session().setOptions(options); });
   window_.actions().export_library->trigger();

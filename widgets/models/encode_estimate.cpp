@@ -8,14 +8,14 @@ namespace mocapress {
 namespace {
 
 /// Passes that most clips take.
-double usualPasses(const EncodeOptions& options) {
+double usualPasses(const EncodeSettings& options) {
   const bool by_bound = is_by_worst(options.target);
   if (options.method == Method::Annealed) return by_bound ? 20 : 8;
   const double default_effort = by_bound ? 20 : 3;
   return options.effort == Effort::Best ? default_effort + 4 : default_effort;
 }
 
-double usualSweeps(const EncodeOptions& options) {
+double usualSweeps(const EncodeSettings& options) {
   return options.effort == Effort::Best ? 6 : 5;
 }
 
@@ -33,7 +33,7 @@ double passProgress(const EncodeProgress& state) {
   return 1 - std::log2(state.step + 1) / std::log2(state.first_step + 1);
 }
 
-EncodeEstimate::EncodeEstimate(const EncodeOptions& options)
+EncodeEstimate::EncodeEstimate(const EncodeSettings& options)
     : usual_passes_(usualPasses(options)), pass_length_(usualSweeps(options)) {}
 
 void EncodeEstimate::add(const EncodeProgress& state, double seconds) {

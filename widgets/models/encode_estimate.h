@@ -11,7 +11,7 @@ namespace mocapress {
 /// not known beforehand: beyond what is usual the share grows ever slower, and never runs back.
 class EncodeEstimate {
  public:
-  explicit EncodeEstimate(const EncodeOptions& options);
+  explicit EncodeEstimate(const EncodeSettings& options);
 
   /// A state, so many seconds after the encode began.
   void add(const EncodeProgress& state, double seconds);

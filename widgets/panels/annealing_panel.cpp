@@ -89,7 +89,7 @@ void AnnealingPanel::await() {
   setState(State::Waiting);
 }
 
-void AnnealingPanel::begin(const EncodeOptions& options) {
+void AnnealingPanel::begin(const EncodeSettings& options) {
   plot_->clear();
   estimate_ = EncodeEstimate(options);
   clock_.start();

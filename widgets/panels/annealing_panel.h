@@ -28,7 +28,7 @@ class AnnealingPanel : public QWidget {
   void await();
 
   /// A refinement by these options begins.
-  void begin(const EncodeOptions& options);
+  void begin(const EncodeSettings& options);
 
   void append(const std::vector<EncodeProgress>& states);
 

@@ -74,11 +74,11 @@ CompressionPanel::CompressionPanel(QWidget* parent)
     emit optionsChanged(options_);
   });
   connect(correction_, &CorrectionControl::correctionChanged, this,
-          [this](const std::optional<CorrectionOptions>& correction) {
+          [this](const std::optional<EncodeCorrection>& correction) {
             options_.correction = correction;
             emit optionsChanged(options_);
           });
-  const auto chosen_in = [this](QComboBox* box, auto EncodeOptions::*member) {
+  const auto chosen_in = [this](QComboBox* box, auto EncodeSettings::*member) {
     connect(box, &QComboBox::activated, this, [this, box, member] {
       using Value = std::remove_reference_t<decltype(options_.*member)>;
       options_.*member = chosen<Value>(box);
@@ -87,11 +87,11 @@ CompressionPanel::CompressionPanel(QWidget* parent)
       emit optionsChanged(options_);
     });
   };
-  chosen_in(method_, &EncodeOptions::method);
-  chosen_in(effort_, &EncodeOptions::effort);
-  chosen_in(ends_, &EncodeOptions::ends);
-  chosen_in(weighting_, &EncodeOptions::weighting);
-  chosen_in(coding_, &EncodeOptions::coding);
+  chosen_in(method_, &EncodeSettings::method);
+  chosen_in(effort_, &EncodeSettings::effort);
+  chosen_in(ends_, &EncodeSettings::ends);
+  chosen_in(weighting_, &EncodeSettings::weighting);
+  chosen_in(coding_, &EncodeSettings::coding);
   connect(track_error_, &QDoubleSpinBox::valueChanged, this, &CompressionPanel::trackErrorChanged);
   connect(importance_, &QToolButton::clicked, this, &CompressionPanel::importanceRequested);
   setOptions({});
@@ -227,7 +227,7 @@ void CompressionPanel::showWhatApplies() {
   importance_->setEnabled(heeded);
 }
 
-void CompressionPanel::setOptions(const EncodeOptions& options) {
+void CompressionPanel::setOptions(const EncodeSettings& options) {
   options_ = options;
   target_->setTarget(options.target);
   correction_->setCorrection(options.correction);

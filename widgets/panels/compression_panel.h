@@ -23,7 +23,7 @@ class CompressionPanel : public QWidget {
   explicit CompressionPanel(QWidget* parent = nullptr);
 
   /// Emits nothing.
-  void setOptions(const EncodeOptions& options);
+  void setOptions(const EncodeSettings& options);
 
   /// The joints that can be held.
   void setSkeleton(const Skeleton& skeleton);
@@ -45,7 +45,7 @@ class CompressionPanel : public QWidget {
   QDoubleSpinBox* trackError() const { return track_error_; }
 
  signals:
-  void optionsChanged(const EncodeOptions& options);
+  void optionsChanged(const EncodeSettings& options);
   void trackErrorChanged(double track_error);
 
   /// The user wants to see what is taken more care of.
@@ -57,7 +57,7 @@ class CompressionPanel : public QWidget {
   QWidget* makeDrawer();
   void showWhatApplies();
 
-  EncodeOptions options_;
+  EncodeSettings options_;
   Skeleton skeleton_;
   PresetChooser* presets_;
   TargetControl* target_;

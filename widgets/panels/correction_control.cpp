@@ -84,12 +84,12 @@ CorrectionControl::CorrectionControl(QWidget* parent)
     tell();
   });
   connect(found_, &QCheckBox::toggled, this, [this](bool found) {
-    CorrectionOptions chosen = correction_;
+    EncodeCorrection chosen = correction_;
     chosen.ratio = found ? std::nullopt : std::optional(ratio_);
     choose(chosen);
   });
   const auto choose_ratio = [this](double ratio) {
-    CorrectionOptions chosen = correction_;
+    EncodeCorrection chosen = correction_;
     chosen.ratio = ratio_ = ratio;
     choose(chosen);
   };
@@ -98,7 +98,7 @@ CorrectionControl::CorrectionControl(QWidget* parent)
   connect(slider_, &QSlider::valueChanged, this,
           [=](int position) { choose_ratio(kScale.chosen(position)); });
   connect(at_, &QComboBox::activated, this, [this] {
-    CorrectionOptions chosen = correction_;
+    EncodeCorrection chosen = correction_;
     chosen.at = static_cast<CorrectAt>(at_->currentData().toInt());
     choose(chosen);
   });
@@ -117,7 +117,7 @@ void CorrectionControl::setSkeleton(const Skeleton& skeleton) {
   show();
 }
 
-void CorrectionControl::setCorrection(const std::optional<CorrectionOptions>& correction) {
+void CorrectionControl::setCorrection(const std::optional<EncodeCorrection>& correction) {
   const QSignalBlocker blocker(hold_);
   hold_->setChecked(correction.has_value());
   if (correction) correction_ = *correction;
@@ -131,14 +131,14 @@ void CorrectionControl::setFound(const std::optional<double>& ratio) {
 }
 
 void CorrectionControl::chooseJoints() {
-  CorrectionOptions chosen = correction_;
+  EncodeCorrection chosen = correction_;
   chosen.joints.clear();
   for (const QAction* action : joint_menu_->actions())
     if (action->isChecked()) chosen.joints.push_back(action->data().toInt());
   choose(chosen);
 }
 
-void CorrectionControl::choose(const CorrectionOptions& correction) {
+void CorrectionControl::choose(const EncodeCorrection& correction) {
   correction_ = correction;
   show();
   tell();

@@ -28,7 +28,7 @@ class CorrectionControl : public QWidget {
   void setSkeleton(const Skeleton& skeleton);
 
   /// Emits nothing.
-  void setCorrection(const std::optional<CorrectionOptions>& correction);
+  void setCorrection(const std::optional<EncodeCorrection>& correction);
 
   /// The ratio that the encoder chose where that is left to it; unset: not known yet.
   void setFound(const std::optional<double>& ratio);
@@ -39,15 +39,15 @@ class CorrectionControl : public QWidget {
   QSlider* slider() const { return slider_; }
 
  signals:
-  void correctionChanged(const std::optional<CorrectionOptions>& correction);
+  void correctionChanged(const std::optional<EncodeCorrection>& correction);
 
  private:
-  void choose(const CorrectionOptions& correction);
+  void choose(const EncodeCorrection& correction);
   void chooseJoints();
   void show();
   void tell();
 
-  CorrectionOptions correction_;
+  EncodeCorrection correction_;
   double ratio_;  // for when it is no longer found by the encoder
   std::optional<double> found_ratio_;
   QCheckBox* hold_;

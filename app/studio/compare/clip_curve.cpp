@@ -18,7 +18,7 @@ constexpr std::array kStandardRatios = {25.0, 10.0, 60.0, 5.0, 40.0, 15.0, 90.0,
 constexpr std::array kRatios = {25.0, 60.0, 10.0, 40.0, 90.0};
 
 /// The settings but for target and method.
-std::string sharedKey(EncodeOptions options) {
+std::string sharedKey(EncodeSettings options) {
   options.target = {};
   options.method = Method::Standard;
   return settingsKey(options);

@@ -87,7 +87,7 @@ QString stateOf(const Document& document) {
   if (method != document.options().method || decoded.effort == Effort::Draft)
     return Figures::tr("Refinement cancelled; the draft is kept");
   if (method == Method::Annealed)
-    return Figures::tr("%1, %Ln iteration(s), %L2 s", nullptr, decoded.iterations)
+    return Figures::tr("%1, %Ln iteration(s), %L2 s", nullptr, decoded.iterations.value_or(0))
         .arg(displayMethod(decoded))
         .arg(decoded.encode_seconds, 0, 'f', 1);
   return Figures::tr("%1, %L2 s")

@@ -244,7 +244,7 @@ void Inspector::chooseCell(int frame, int landmark) {
 void Inspector::chooseRatio(int point) {
   const std::vector<double> ratios = curve_->ratios();
   if (point < 0 || point >= static_cast<int>(ratios.size())) return;
-  EncodeOptions options = session_->document().options();
+  EncodeSettings options = session_->document().options();
   options.target = {Target::Kind::Ratio, ratios[static_cast<std::size_t>(point)]};
   session_->setOptions(options);
 }

@@ -57,7 +57,7 @@ bool PinnedResults::canPin() const {
 void PinnedResults::pinCurrent() {
   if (!canPin()) return;
   const DecodedPtr& decoded = session_->document().decoded();
-  const EncodeOptions& options = session_->document().options();
+  const EncodeSettings& options = session_->document().options();
   const QString name = freeName(tr("%1, %2").arg(
       targetText(options.target), displayName(decoded->compressed.provenance.method)));
   const NamedSettings settings = namedSettings({options, {}, {}}, *session_->document().skeleton());

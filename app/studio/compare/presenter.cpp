@@ -159,7 +159,7 @@ void Presenter::showTakes() {
 }
 
 void Presenter::showOptions() {
-  const EncodeOptions& options = session_->document().options();
+  const EncodeSettings& options = session_->document().options();
   views_.compression->setOptions(options);
   views_.compression->setTrackError(session_->document().settings().track_error);
   views_.importance->setMethod(options.method);

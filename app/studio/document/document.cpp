@@ -13,9 +13,9 @@ namespace mocapress {
 namespace {
 
 /// What would make that clip again.
-EncodeOptions optionsOf(const DecodedClip& decoded) {
+EncodeSettings optionsOf(const DecodedClip& decoded) {
   const CompressedClip& clip = decoded.compressed;
-  EncodeOptions options;
+  EncodeSettings options;
   options.method = clip.provenance.method;
   options.coding = clip.coding;
   options.basis = clip.basis;
@@ -23,7 +23,7 @@ EncodeOptions optionsOf(const DecodedClip& decoded) {
   options.target = {Target::Kind::Ratio, decoded.ratio};
   options.seed = clip.provenance.seed;
   if (clip.correction) {
-    options.correction = CorrectionOptions{.solver = clip.correction->solver};
+    options.correction = EncodeCorrection{.solver = clip.correction->solver};
     for (const Effector& effector : clip.correction->effectors)
       options.correction->joints.push_back(effector.joint);
   }
@@ -172,7 +172,7 @@ void Document::setUnanswered() {
   emit titleChanged();
 }
 
-void Document::setOptions(const EncodeOptions& options) {
+void Document::setOptions(const EncodeSettings& options) {
   tuning_.now().encode = options;
   touched_ = true;
   emit optionsChanged();
@@ -186,7 +186,7 @@ void Document::setTuning(const Tuning& tuning) {
   emit optionsChanged();
 }
 
-void Document::loadOptions(EncodeOptions options) {
+void Document::loadOptions(EncodeSettings options) {
   ClipSettings& now = tuning_.now();
   options.contacts = now.encode.contacts;
   now.encode = std::move(options);

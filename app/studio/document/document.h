@@ -10,9 +10,10 @@
 
 namespace mocapress {
 
-/// By what a clip is compressed, and by what its contacts are found.
+/// By what a clip is compressed, and by what its contacts are found. NamedSettings are the same by
+/// the names of joints, as a project keeps them.
 struct ClipSettings {
-  EncodeOptions encode;
+  EncodeSettings encode;
   ContactSettings contacts;
   QString preset;                         // they come of, with changes or without; empty: of none
   double track_error = kUsualTrackError;  // no value of a scalar track is further off
@@ -78,14 +79,14 @@ class Document : public QObject {
   /// Two settings to compare, A and B; what follows is of the active one. Kept nowhere else.
   const Tuning& tuning() const { return tuning_; }
   const ClipSettings& settings() const { return tuning_.now(); }
-  const EncodeOptions& options() const { return settings().encode; }
+  const EncodeSettings& options() const { return settings().encode; }
   /// By which contacts are found on the original.
   const ContactSettings& contactSettings() const { return settings().contacts; }
 
   /// On the original; none without it.
   std::vector<ContactSpan> contacts() const;
 
-  /// Those found by other settings, as EncodeOptions takes them.
+  /// Those found by other settings, as EncodeSettings takes them.
   std::optional<std::vector<ContactSpan>> contactsBy(const ContactSettings& settings) const;
 
   /// The user looks at the motion without its IK correction, to compare.
@@ -116,11 +117,11 @@ class Document : public QObject {
   void setUnanswered();
 
   /// By the user.
-  void setOptions(const EncodeOptions& options);
+  void setOptions(const EncodeSettings& options);
   void setTuning(const Tuning& tuning);
 
   /// From elsewhere: nothing of the user's that would be lost.
-  void loadOptions(EncodeOptions options);
+  void loadOptions(EncodeSettings options);
   void loadSettings(const ClipSettings& settings);
   void loadTuning(const Tuning& tuning);
 

@@ -7,7 +7,7 @@
 #include "app/jobs/result_cache.h"
 #include "core/base/error.h"
 #include "core/codec/methods/compression_method.h"
-#include "core/mocapress/encode_options.h"
+#include "core/mocapress/encode_settings.h"
 #include "core/mocapress/settings_json.h"
 #include "core/motion/landmarks.h"
 #include "core/report/json_value.h"
@@ -17,9 +17,9 @@ namespace mocapress {
 namespace {
 
 /// The method of compression_methods() that is that one in that basis.
-std::string methodOf(const EncodeOptions& options) {
+std::string methodOf(const EncodeSettings& options) {
   for (const CompressionMethod& compression_method : compression_methods()) {
-    EncodeOptions chosen;
+    EncodeSettings chosen;
     if (choose_wavelets(compression_method, chosen) && chosen.method == options.method &&
         chosen.basis == options.basis)
       return std::string(compression_method.name);
@@ -27,7 +27,7 @@ std::string methodOf(const EncodeOptions& options) {
   return std::string(name(options.method));
 }
 
-CorrectionSettings presetOf(const CorrectionOptions& correction, const Skeleton& skeleton) {
+CorrectionSettings presetOf(const EncodeCorrection& correction, const Skeleton& skeleton) {
   CorrectionSettings preset{
       .ratio = correction.ratio, .effectors = {}, .solver = correction.solver, .at = correction.at};
   for (const int joint : correction.joints) preset.effectors.push_back(skeleton.joint(joint).name);
@@ -43,11 +43,11 @@ const Settings& usualPreset() {
 ClipSettings usualSettings(const Skeleton& skeleton) {
   const Settings& usual = usualPreset();
   return {
-      encode_options(usual, skeleton), {}, QString::fromStdString(usual.name), usual.track_error};
+      encode_settings(usual, skeleton), {}, QString::fromStdString(usual.name), usual.track_error};
 }
 
 Settings presetOf(const ClipSettings& settings, const Skeleton& skeleton) {
-  const EncodeOptions& options = settings.encode;
+  const EncodeSettings& options = settings.encode;
   Settings preset{.name = settings.preset.toStdString(),
                   .method = methodOf(options),
                   .coding = {},
@@ -81,7 +81,7 @@ Settings ownPresetOf(const ClipSettings& settings, const Skeleton& skeleton) {
 ClipSettings withPreset(const ClipSettings& settings, const Settings& preset,
                         const Skeleton& skeleton) {
   ClipSettings with = settings;
-  with.encode = encode_options(preset, skeleton);
+  with.encode = encode_settings(preset, skeleton);
   if (!with.encode.contacts) with.encode.contacts = settings.encode.contacts;
   with.preset = QString::fromStdString(preset.name);
   with.track_error = preset.track_error;
@@ -99,7 +99,7 @@ bool isAsPreset(const ClipSettings& settings, const Settings& preset, const Skel
 }
 
 bool isTunable(const Settings& preset) {
-  EncodeOptions options;
+  EncodeSettings options;
   const CompressionMethod* compression_method = find_compression_method(preset.method);
   return compression_method && choose_wavelets(*compression_method, options) &&
          preset.target.kind != Target::Kind::CoefficientRatio;
@@ -167,7 +167,7 @@ NamedSettings fitting(NamedSettings settings, const Motion& motion) {
 
 ClipSettings settingsFor(const NamedSettings& settings, const Motion& motion) {
   const NamedSettings fit = fitting(settings, motion);
-  return {encode_options(fit.preset, motion.skeleton), fit.contacts,
+  return {encode_settings(fit.preset, motion.skeleton), fit.contacts,
           QString::fromStdString(fit.preset.name), fit.preset.track_error};
 }
 

@@ -91,7 +91,7 @@ void Session::openRow(const StudyRow& row, const QString& skeleton) {
   if (!isOpen(request.path) || !request.comparison.empty()) return start(request);
   opening_.abandon();
   const Tuning before = document_.tuning();
-  EncodeOptions wanted = *request.options;
+  EncodeSettings wanted = *request.options;
   wanted.contacts = before.now().encode.contacts;
   if (settingsKey(wanted) == settingsKey(before.now().encode)) return apply(before);  // no step
   document_.loadOptions(wanted);
@@ -220,7 +220,7 @@ std::optional<NamedSettings> Session::rememberedOf(const OpenedClip& opened,
   return memory_(opened.original->path);
 }
 
-void Session::setOptions(const EncodeOptions& options) {
+void Session::setOptions(const EncodeSettings& options) {
   ClipSettings settings = document_.settings();
   settings.encode = options;
   change(settings);

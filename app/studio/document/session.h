@@ -63,7 +63,7 @@ class Session : public QObject {
   void openRow(const StudyRow& row, const QString& skeleton = {});
 
   /// Each of these can be undone.
-  void setOptions(const EncodeOptions& options);
+  void setOptions(const EncodeSettings& options);
   void setContactSettings(const ContactSettings& settings);
   void setContacts(const std::vector<ContactSpan>& contacts);
   void setTrackError(double track_error);

@@ -14,7 +14,7 @@ struct FieldTexts {
 
 /// Whether one is the other but for what `copy` takes over.
 template <typename Copy>
-bool differIn(const EncodeOptions& a, EncodeOptions b, const Copy& copy) {
+bool differIn(const EncodeSettings& a, EncodeSettings b, const Copy& copy) {
   if (settingsKey(a) == settingsKey(b)) return false;
   copy(b);
   return settingsKey(a) == settingsKey(b);
@@ -56,23 +56,23 @@ QString nameOf(SettingsField field) {
 }
 
 SettingsField firstDifference(const ClipSettings& a, const ClipSettings& b) {
-  const EncodeOptions& one = a.encode;
-  const EncodeOptions& other = b.encode;
+  const EncodeSettings& one = a.encode;
+  const EncodeSettings& other = b.encode;
   if (a.preset != b.preset) return SettingsField::Preset;
   if (!(a.contacts == b.contacts) || one.contacts != other.contacts) return SettingsField::Contacts;
   if (settingsKey(one) == settingsKey(other))
     return a.track_error != b.track_error ? SettingsField::TrackError : SettingsField::None;
   const auto only = [&](auto member) {
-    return differIn(one, other, [&](EncodeOptions& copy) { copy.*member = one.*member; });
+    return differIn(one, other, [&](EncodeSettings& copy) { copy.*member = one.*member; });
   };
-  if (only(&EncodeOptions::target)) return SettingsField::Target;
+  if (only(&EncodeSettings::target)) return SettingsField::Target;
   if (one.method != other.method) return SettingsField::Method;
-  if (only(&EncodeOptions::effort)) return SettingsField::Effort;
-  if (only(&EncodeOptions::importance)) return SettingsField::Importance;
-  if (only(&EncodeOptions::weighting)) return SettingsField::Weighting;
-  if (only(&EncodeOptions::ends)) return SettingsField::Ends;
-  if (only(&EncodeOptions::coding)) return SettingsField::Coding;
-  if (only(&EncodeOptions::correction)) return SettingsField::Correction;
+  if (only(&EncodeSettings::effort)) return SettingsField::Effort;
+  if (only(&EncodeSettings::importance)) return SettingsField::Importance;
+  if (only(&EncodeSettings::weighting)) return SettingsField::Weighting;
+  if (only(&EncodeSettings::ends)) return SettingsField::Ends;
+  if (only(&EncodeSettings::coding)) return SettingsField::Coding;
+  if (only(&EncodeSettings::correction)) return SettingsField::Correction;
   return SettingsField::Other;
 }
 

@@ -69,7 +69,7 @@ LibraryEntry entryOf(const ProjectClip& clip, const LibraryEntry& read) {
 }
 
 /// What a compression came to, of the kind its target is of.
-double quantityOf(const DecodedClip& decoded, const EncodeOptions& options) {
+double quantityOf(const DecodedClip& decoded, const EncodeSettings& options) {
   switch (options.target.kind) {
     case Target::Kind::Ratio:
       return decoded.ratio;
@@ -89,7 +89,7 @@ double quantityOf(const DecodedClip& decoded, const EncodeOptions& options) {
 
 /// And whether it met its target. Requires a distortion.
 Outcome outcomeOf(const DecodedClip& decoded, const OriginalClip& original,
-                  const EncodeOptions& options) {
+                  const EncodeSettings& options) {
   Outcome outcome{decoded.ratio, decoded.distortion->eps(options.weighting),
                   decoded.distortion->max.cm, decoded.compressed.motion_bytes(),
                   reached(options.target, quantityOf(decoded, options))};

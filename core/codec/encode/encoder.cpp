@@ -25,25 +25,25 @@ namespace {
 class Outcome {
  public:
   /// `source`: the rotation forms of the decoded clip, where they differ from the coded ones.
-  Outcome(const ClipAnalysis& analysis, const EncodeOptions& options,
+  Outcome(const ClipAnalysis& analysis, const EncodeSettings& settings,
           const CompressedClip& compressed, const std::optional<RotationForms>& source)
       : original_(compressed.segments ? Original(analysis.motion()) : original_of(analysis)),
-        keeps_all_(!options.figures_only),
+        keeps_all_(!settings.figures_only),
         compressed_(compressed),
         source_(source),
         landmark_columns_(3 * std::ssize(landmarks(compressed.skeleton))),
         finish_(compressed),
         distortion_(compressed.skeleton, compressed.frames,
                     keeps_all_ || !compressed.segments ? Detail::Distances : Detail::Figures),
-        footskate_(contacts_for(analysis, options), compressed.sample_rate_hz),
+        footskate_(contacts_for(analysis, settings), compressed.sample_rate_hz),
         visibility_(compressed.skeleton, compressed.frames, compressed.sample_rate_hz,
-                    contacts_for(analysis, options),
+                    contacts_for(analysis, settings),
                     compressed.segments ? nullptr : &analysis.original_jitter()) {
     if (compressed.correction)
       knees_.emplace(compressed.skeleton, compressed.correction->effectors);
   }
 
-  void run(const TargetedEncoding& found, Encoding& encoding) {
+  void run(const Trial& found, Encoding& encoding) {
     if (keeps_all_) decoded_.sample_rate_hz = compressed_.sample_rate_hz;
     visit_decoded(compressed_, [&](int first, Uncorrected& block) { add(first, block); });
     encoding.decoded = std::move(decoded_);
@@ -122,16 +122,16 @@ class Outcome {
   Eigen::MatrixXd tracks_;
 };
 
-/// The clip's shape (frames, channels, segments) under these options.
-ClipShape shape_for(const Motion& motion, const EncodeOptions& options) {
+/// The clip's shape (frames, channels, segments) under these settings.
+ClipShape shape_for(const Motion& motion, const EncodeSettings& settings) {
   const int frames = motion.clip.frames();
   ClipShape shape{motion.skeleton, motion.clip.sample_rate_hz,
-                  options.method == Method::ClosedLoop ? even_segments(frames, options.segments)
-                                                       : SegmentLayout::whole(frames)};
-  if (options.correction)
+                  settings.method == Method::ClosedLoop ? even_segments(frames, settings.segments)
+                                                        : SegmentLayout::whole(frames)};
+  if (settings.correction)
     shape.effectors =
-        static_cast<int>(options.correction->joints.empty() ? find_feet(motion.skeleton).size()
-                                                            : options.correction->joints.size());
+        static_cast<int>(settings.correction->joints.empty() ? find_feet(motion.skeleton).size()
+                                                             : settings.correction->joints.size());
   return shape;
 }
 
@@ -167,16 +167,16 @@ const std::vector<ContactSpan>& Encoder::contacts() const {
   return analysis_->contacts();
 }
 
-Encoding Encoder::encode(const EncodeOptions& options,
+Encoding Encoder::encode(const EncodeSettings& settings,
                          const Observer<EncodeProgress>& observer) const {
   constexpr int kRoundsOfWeights = 6;
   constexpr int kMostRounds = 16;
-  Encoding encoding = encode_once(options, observer);
-  const bool promises = options.effort != Effort::Draft && is_error(options.target);
-  EncodeOptions stricter = options;
+  Encoding encoding = encode_once(settings, observer);
+  const bool promises = settings.effort != Effort::Draft && is_error(settings.target);
+  EncodeSettings stricter = settings;
   for (int round = 1; promises && encoding.complete; ++round) {
     const std::vector<BrokenPromise> broken =
-        broken_promises(options.promises, motion(), encoding.distortion);
+        broken_promises(settings.promises, motion(), encoding.distortion);
     if (broken.empty()) break;
     if (round > kMostRounds)
       throw TargetMissed("a promise beside the target is out of reach: " + broken.front().text);
@@ -190,11 +190,11 @@ Encoding Encoder::encode(const EncodeOptions& options,
   return encoding;
 }
 
-Encoding Encoder::encode_once(const EncodeOptions& options,
+Encoding Encoder::encode_once(const EncodeSettings& settings,
                               const Observer<EncodeProgress>& observer) const {
   const auto start = std::chrono::steady_clock::now();
-  EncodeOptions effective = options;
-  effective.coding = effective_coding(options);
+  EncodeSettings effective = settings;
+  effective.coding = effective_coding(settings);
   check_room(shape_for(motion(), effective));
   if (!effective.loop) effective.loop = analysis_->loop();
   // Segments are converted to other forms one by one; the whole motion would be in memory twice.
@@ -202,9 +202,9 @@ Encoding Encoder::encode_once(const EncodeOptions& options,
   const ClipAnalysis& analysis = effective.method == Method::ClosedLoop && is_whole
                                      ? analysis_->in_chosen_forms()
                                      : *analysis_;
-  TargetedEncoding found = encode_to_target(analysis, effective, observer);
+  Trial found = encode_to_target(analysis, effective, observer);
 
-  const bool is_draft = options.method == Method::ClosedLoop && options.effort == Effort::Draft;
+  const bool is_draft = settings.method == Method::ClosedLoop && settings.effort == Effort::Draft;
   Encoding encoding;
   const bool in_other_forms = &analysis != analysis_.get();
   std::optional<RotationForms> source;
@@ -231,15 +231,15 @@ Encoding Encoder::encode_once(const EncodeOptions& options,
       analysis_->chosen_forms() != rotation_forms(motion().skeleton)) {
     encoding.compressed.forms = analysis_->chosen_forms();
     encoding.compressed.skeleton = motion().skeleton;
-    if (!options.figures_only && !in_other_forms)
+    if (!settings.figures_only && !in_other_forms)
       encoding.decoded = in_source_channels(encoding.compressed, std::move(encoding.decoded));
   }
-  encoding.compressed.provenance = {options.method, options.weighting, options.seed,
-                                    static_cast<float>(encoding.distortion.eps(options.weighting)),
+  encoding.compressed.provenance = {settings.method, settings.weighting, settings.seed,
+                                    static_cast<float>(encoding.distortion.eps(settings.weighting)),
                                     static_cast<float>(encoding.distortion.max.cm)};
   encoding.coefficient_ratio =
       static_cast<double>(motion().clip.channels.size()) / std::max(found.count, 1);
-  encoding.iterations = found.iterations;
+  if (settings.method == Method::Annealed) encoding.iterations = found.iterations;
   encoding.complete = found.complete;
   encoding.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

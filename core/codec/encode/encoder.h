@@ -2,16 +2,15 @@
 // Based on: "Adapting Wavelet Compression to Human Motion Capture Clips", sections 4 and 5.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "core/base/progress.h"
 #include "core/codec/encode/mend/correction_encoder.h"
-#include "core/codec/encode/options/encode_options.h"
-#include "core/feet/footskate.h"
-#include "core/metrics/distortion.h"
-#include "core/metrics/visibility.h"
+#include "core/codec/encode/options/encode_settings.h"
+#include "core/metrics/comparison.h"
 
 namespace mocapress {
 
@@ -36,22 +35,20 @@ struct CorrectionResult {
 /// `size_will_do` a draft has no bytes: compressed.likely_bytes estimates them to a few per cent
 /// and code_motion() makes them. All figures are of the clip in `decoded`, which those bytes
 /// reproduce up to the rounding of 32-bit floats.
-struct Encoding {
+struct Encoding : Comparison {
   CompressedClip compressed;
+  std::vector<std::byte> file;  // the .mcpr, where a MethodEncoder made it
   Clip decoded;
   Eigen::MatrixXd tracks;  // landmark_tracks() of it
-  Distortion distortion;
-  Footskate footskate;
-  Visibility visibility;
   std::optional<CorrectionResult> correction;
-  double coefficient_ratio = 0;  // the paper's r
-  int iterations = 0;            // of the last annealing, or sweeps of the closed loop
+  std::optional<double> coefficient_ratio;  // the paper's r, of wavelets
+  std::optional<int> iterations;            // of the last annealing
   double seconds = 0;
   bool complete = true;  // false: the observer ended it early
 };
 
-/// Compresses one motion any number of times with any options. Data that does not depend on the
-/// options (transform, coefficient order, original poses) is computed once, when first needed.
+/// Compresses one motion any number of times with any settings. Data that does not depend on the
+/// settings (transform, coefficient order, original poses) is computed once, when first needed.
 /// Const and safe to use from several threads at a time.
 class Encoder {
  public:
@@ -69,12 +66,12 @@ class Encoder {
 
   /// Throws TargetMissed when no number of coefficients meets the target or no weights keep the
   /// promises, and Error when a correction is asked for that the skeleton does not allow.
-  Encoding encode(const EncodeOptions& options,
+  Encoding encode(const EncodeSettings& settings,
                   const Observer<EncodeProgress>& observer = {}) const;
 
  private:
   /// Encodes to the target, without checking the promises.
-  Encoding encode_once(const EncodeOptions& options,
+  Encoding encode_once(const EncodeSettings& settings,
                        const Observer<EncodeProgress>& observer) const;
 
   std::unique_ptr<const ClipAnalysis> analysis_;

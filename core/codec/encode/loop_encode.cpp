@@ -10,7 +10,7 @@
 namespace mocapress {
 
 Trial LoopEncode::run(Effort effort) {
-  const EncodeOptions& options = coder_.options();
+  const EncodeSettings& settings = coder_.settings();
   const Clip& original = coder_.analysis().motion().clip;
   const bool is_draft = effort == Effort::Draft;
   const ScaleTrials trials{
@@ -27,14 +27,15 @@ Trial LoopEncode::run(Effort effort) {
             coder_.measure(coarser);
             return coarser;
           },
-      .settle = !is_draft && !is_by_worst(options.target)
+      .settle = !is_draft && !is_by_worst(settings.target)
                     ? SettleTrial([this](double eps_cm, double scale, const Trial* trial) {
                         return settle(eps_cm, scale, trial);
                       })
                     : SettleTrial()};
-  double likely = likely_scale(options.target, raw_bytes(original));
-  if (options.target.kind == Target::Kind::Visibility && !is_draft) likely = balance_joints(likely);
-  const bool is_slow = coder_.has_correction() && !is_by_worst(options.target);
+  double likely = likely_scale(settings.target, raw_bytes(original));
+  if (settings.target.kind == Target::Kind::Visibility && !is_draft)
+    likely = balance_joints(likely);
+  const bool is_slow = coder_.has_correction() && !is_by_worst(settings.target);
   const ScaleGuess guess{.likely = likely,
                          .finest = [&] { return coder_.loop().finest_scale(); },
                          .dear = is_slow,
@@ -42,13 +43,13 @@ Trial LoopEncode::run(Effort effort) {
   // Trials measured by their error alone need no bytes until one is chosen. A draft's size is
   // estimated while it is measured.
   const bool is_plain_draft = is_draft && !coder_.has_correction();
-  const bool by_error = options.target.kind == Target::Kind::Error;
-  if (is_plain_draft && options.size_will_do)
+  const bool by_error = settings.target.kind == Target::Kind::Error;
+  if (is_plain_draft && settings.size_will_do)
     bytes_ = TrialBytes::Estimated;
   else if (by_error && (effort == Effort::Default || is_plain_draft))
     bytes_ = TrialBytes::Values;
   Trial trial =
-      search_scale(guess, options.target, coder_.goal(), effort, original.frames(), trials);
+      search_scale(guess, settings.target, coder_.goal(), effort, original.frames(), trials);
   if (bytes_ == TrialBytes::Values && !is_plain_draft) coder_.pack(trial);
   bytes_ = TrialBytes::Coded;
   return trial;
@@ -61,7 +62,7 @@ Trial LoopEncode::run_at(double scale, ClosedLoopWork work, const Eigen::VectorX
 }
 
 Trial LoopEncode::coarsen(ClosedLoop::Result quantised, const Eigen::VectorXd& bound_cm) {
-  ErrorBound bound(coder_.analysis().motion(), coder_.options().weighting, bound_cm);
+  ErrorBound bound(coder_.analysis().motion(), coder_.settings().weighting, bound_cm);
   const double scale = quantised.coded.scale;
   coder_.drop_correction(quantised.coded);
   Trial coarser =
@@ -77,7 +78,7 @@ double LoopEncode::balance_joints(double scale) {
   constexpr double kMostStep = 4;
   constexpr double kMost = 1000;
   constexpr double kLeastNoticed = 1e-6;
-  Importance importance = coder_.options().importance;
+  Importance importance = coder_.settings().importance;
   importance.joints.resize(
       static_cast<std::size_t>(coder_.analysis().motion().skeleton.joint_count()), 1.0);
   for (int round = 0; round < kRounds; ++round) {
@@ -93,7 +94,7 @@ double LoopEncode::balance_joints(double scale) {
     }
     coder_.weigh_joints(importance);
     quantised_.clear();  // computed with other weights
-    scale *= std::clamp(std::pow(coder_.options().target.value / noticed.maxCoeff(), 1.2),
+    scale *= std::clamp(std::pow(coder_.settings().target.value / noticed.maxCoeff(), 1.2),
                         1 / kMostStep, kMostStep);
   }
   return scale;
@@ -101,11 +102,11 @@ double LoopEncode::balance_joints(double scale) {
 
 Trial LoopEncode::attempt(double scale, ClosedLoopWork work, const Eigen::VectorXd& frame_weights,
                           Effort effort) {
-  const EncodeOptions& options = coder_.options();
+  const EncodeSettings& settings = coder_.settings();
   const bool is_rough = work == ClosedLoopWork::Rounding;  // its bytes are not needed
   const bool model_will_do = (effort == Effort::Draft || is_rough) &&
-                             options.target.kind == Target::Kind::Error &&
-                             options.importance.is_even() && !coder_.has_correction();
+                             settings.target.kind == Target::Kind::Error &&
+                             settings.importance.is_even() && !coder_.has_correction();
   ClosedLoop::Result result = quantise(scale, work, frame_weights);
   Trial trial = model_will_do && is_rough ? coder_.without_bytes(result)
                                           : coder_.code(std::move(result), bytes_);

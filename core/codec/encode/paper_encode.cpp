@@ -14,7 +14,8 @@ Trial PaperEncode::run(Method method) {
   constexpr int kCheapTrials = 24;
   constexpr int kAnnealings = 10;
   const int guess = count_for(coder_.goal().likely_coefficient_ratio());
-  if (coder_.options().target.kind == Target::Kind::CoefficientRatio) return attempt(method, guess);
+  if (coder_.settings().target.kind == Target::Kind::CoefficientRatio)
+    return attempt(method, guess);
   if (method != Method::Annealed) return search(method, guess, kCheapTrials);
   // Standard selection is almost free and needs about as many coefficients.
   return search(Method::Annealed, search(Method::Standard, guess, kCheapTrials).count, kAnnealings);
@@ -78,7 +79,7 @@ AnnealingReport PaperEncode::best_annealing(const Kept& standard) {
     };
     AnnealingReport report =
         anneal(basis().ranked, coder_.model(), standard,
-               {.seed = coder_.options().seed + static_cast<std::uint64_t>(i)}, observe);
+               {.seed = coder_.settings().seed + static_cast<std::uint64_t>(i)}, observe);
     if (i > 0 && report.eps_cm >= best.eps_cm)
       best.complete = report.complete;
     else

@@ -24,7 +24,7 @@ class PaperEncode {
   Kept choose(Method method, Trial& trial);
   AnnealingReport best_annealing(const Kept& standard);
   int count_for(double coefficient_ratio) const;
-  const BasisAnalysis& basis() const { return coder_.analysis().in(coder_.options().basis); }
+  const BasisAnalysis& basis() const { return coder_.analysis().in(coder_.settings().basis); }
 
   TrialCoder& coder_;
   Passes& passes_;

@@ -28,23 +28,23 @@ namespace {
 
 class SegmentedEncode {
  public:
-  SegmentedEncode(const ClipAnalysis& analysis, const EncodeOptions& options,
+  SegmentedEncode(const ClipAnalysis& analysis, const EncodeSettings& settings,
                   const SegmentLayout& layout, const Observer<EncodeProgress>& observer)
       : motion_(analysis.motion()),
         forms_(analysis.chosen_forms()),
         first_angles_(angles_at(motion_, forms_, first_frames(layout))),
-        contacts_(contacts_for(analysis, options)),
-        options_(options),
+        contacts_(contacts_for(analysis, settings)),
+        settings_(settings),
         layout_(layout),
         observer_(observer),
-        goal_(Original(motion_), options.target, options.weighting, contacts_) {
-    if (options_.target.kind == Target::Kind::Size)
+        goal_(Original(motion_), settings.target, settings.weighting, contacts_) {
+    if (settings_.target.kind == Target::Kind::Size)
       share_of_size_ = static_cast<double>(layout.length) / std::max(layout.frames, 1);
-    if (options_.correction && !options_.correction->ratio)
-      options_.correction->ratio = find_split();
+    if (settings_.correction && !settings_.correction->ratio)
+      settings_.correction->ratio = find_split();
   }
 
-  TargetedEncoding run() {
+  Trial run() {
     const ScaleTrials trials{
         .attempt =
             [this](double scale, ClosedLoopWork work, const Eigen::VectorXd& weights) {
@@ -52,21 +52,17 @@ class SegmentedEncode {
             },
         .coarsen = [this](const Trial& trial,
                           const Eigen::VectorXd& bound_cm) { return coarsen(trial, bound_cm); }};
-    const ScaleGuess guess{.likely = likely_scale(options_.target, raw_bytes(motion_.clip)),
+    const ScaleGuess guess{.likely = likely_scale(settings_.target, raw_bytes(motion_.clip)),
                            .finest = [this] { return finest_scale_; },
                            .dear = true,
-                           .corrected = options_.correction.has_value()};
+                           .corrected = settings_.correction.has_value()};
     Trial best =
-        search_scale(guess, options_.target, goal_, options_.effort, layout_.frames, trials);
-    if (best.complete && options_.effort != Effort::Draft)
+        search_scale(guess, settings_.target, goal_, settings_.effort, layout_.frames, trials);
+    if (best.complete && settings_.effort != Effort::Draft)
       goal_.require_met(best.excess, best.achieved,
                         best.count == layout_.coded_frames() * motion_.clip.channels.cols());
-    return {std::move(best.compressed),
-            best.count,
-            options_.correction ? *options_.correction->ratio : 0,
-            {},
-            best.iterations,
-            best.complete};
+    if (settings_.correction) best.correction_ratio = *settings_.correction->ratio;
+    return best;
   }
 
  private:
@@ -80,7 +76,7 @@ class SegmentedEncode {
   double find_split() const {
     const int segment = most_contacts();
     const ClipAnalysis analysis(motion_of(segment));
-    return find_correction_split(analysis, options_for(segment));
+    return find_correction_split(analysis, settings_for(segment));
   }
 
   int most_contacts() const {
@@ -107,20 +103,20 @@ class SegmentedEncode {
                       forms_, first_angles_[static_cast<std::size_t>(segment)]);
   }
 
-  EncodeOptions options_for(int segment) const {
-    EncodeOptions options = options_;
-    options.target.value *= share_of_size_;
-    options.contacts = contacts_of(segment);
-    return options;
+  EncodeSettings settings_for(int segment) const {
+    EncodeSettings settings = settings_;
+    settings.target.value *= share_of_size_;
+    settings.contacts = contacts_of(segment);
+    return settings;
   }
 
   Trial attempt_scale(double scale, ClosedLoopWork work, const Eigen::VectorXd& frame_weights) {
-    Trial trial = encode_all(scale, [&](const Part& part, const EncodeOptions& options,
+    Trial trial = encode_all(scale, [&](const Part& part, const EncodeSettings& settings,
                                         const Observer<EncodeProgress>& observer) {
       const Eigen::VectorXd weights = frame_weights.size() > 0
                                           ? frame_weights.segment(part.first, part.frames).eval()
                                           : frame_weights;
-      ScaleTrial coded = encode_at_scale(part.analysis, options, scale,
+      ScaleTrial coded = encode_at_scale(part.analysis, settings, scale,
                                          part.should_continue ? work : ClosedLoopWork::Rounding,
                                          weights, observer);
       finest_scale_ = std::max(finest_scale_, coded.finest_scale);
@@ -135,11 +131,11 @@ class SegmentedEncode {
   }
 
   void finish_ends(Trial& trial) const {
-    if (!codes_ends(options_)) return;
+    if (!codes_ends(settings_)) return;
     const int rows = frames_at_ends(layout_.frames);
     const Motion first = motion_of(0);
     const Motion last = motion_of(layout_.count() - 1);
-    fit_ends(options_, trial, first.skeleton, still_channels(motion_.clip), goal_,
+    fit_ends(settings_, trial, first.skeleton, still_channels(motion_.clip), goal_,
              first.clip.channels.topRows(rows), last.clip.channels.bottomRows(rows));
   }
 
@@ -147,10 +143,10 @@ class SegmentedEncode {
   /// theirs, apart from non-linear effects.
   Trial coarsen(const Trial& trial, const Eigen::VectorXd& bound_cm) {
     AdaptiveSegments coded(trial.compressed);
-    Trial coarser = encode_all(trial.scale, [&](const Part& part, const EncodeOptions& options,
+    Trial coarser = encode_all(trial.scale, [&](const Part& part, const EncodeSettings& settings,
                                                 const Observer<EncodeProgress>& observer) {
       if (!part.should_continue) return Trial{.complete = false};
-      return coarsen_to_bound(part.analysis, options, coded.next(),
+      return coarsen_to_bound(part.analysis, settings, coded.next(),
                               bound_cm.segment(part.first, part.frames), observer);
     });
     if (!coarser.complete) return coarser;
@@ -174,15 +170,15 @@ class SegmentedEncode {
     Trial trial{.compressed = {.skeleton = with_forms(motion_.skeleton, forms_),
                                .sample_rate_hz = motion_.clip.sample_rate_hz,
                                .frames = layout_.frames,
-                               .basis = options_.basis,
-                               .coding = options_.coding,
+                               .basis = settings_.basis,
+                               .coding = settings_.coding,
                                .segments = CodedSegments{layout_.length, layout_.overlap, {}}},
                 .scale = scale};
     double squares = 0;
     for (int k = 0; k < layout_.count(); ++k) {
       const ClipAnalysis analysis(motion_of(k));  // freed before the next segment
       const Part part{k, analysis, layout_.first(k), layout_.frames_of(k), trial.complete};
-      const Trial coded = encode(part, options_for(k), [&](const EncodeProgress& of_segment) {
+      const Trial coded = encode(part, settings_for(k), [&](const EncodeProgress& of_segment) {
         EncodeProgress progress = of_segment;
         progress.pass = pass_;
         progress.iteration += trial.iterations;
@@ -208,12 +204,12 @@ class SegmentedEncode {
   }
 
   void weigh(ClosedLoopWork work, Trial& trial) const {
-    const bool is_guess = options_.effort == Effort::Draft || work == ClosedLoopWork::Rounding;
-    const bool by_model = is_guess && options_.target.kind == Target::Kind::Error &&
-                          !options_.correction && options_.importance.is_even();
+    const bool is_guess = settings_.effort == Effort::Draft || work == ClosedLoopWork::Rounding;
+    const bool by_model = is_guess && settings_.target.kind == Target::Kind::Error &&
+                          !settings_.correction && settings_.importance.is_even();
     if (by_model)
       trial.achieved = trial.eps_cm;  // the model's estimate is close enough
-    else if (options_.target.kind == Target::Kind::CoefficientRatio)
+    else if (settings_.target.kind == Target::Kind::CoefficientRatio)
       trial.achieved = static_cast<double>(motion_.clip.channels.size()) / std::max(trial.count, 1);
     else
       trial.achieved = goal_.achieved(trial.compressed);
@@ -224,7 +220,7 @@ class SegmentedEncode {
   const RotationForms& forms_;
   const std::vector<Eigen::Matrix3Xd> first_angles_;  // of each segment
   const std::vector<ContactSpan> contacts_;
-  EncodeOptions options_;
+  EncodeSettings settings_;
   const SegmentLayout layout_;
   const Observer<EncodeProgress>& observer_;
   const Goal goal_;
@@ -235,10 +231,9 @@ class SegmentedEncode {
 
 }  // namespace
 
-TargetedEncoding encode_in_segments(const ClipAnalysis& analysis, const EncodeOptions& options,
-                                    const SegmentLayout& layout,
-                                    const Observer<EncodeProgress>& observer) {
-  return SegmentedEncode(analysis, options, layout, observer).run();
+Trial encode_in_segments(const ClipAnalysis& analysis, const EncodeSettings& settings,
+                         const SegmentLayout& layout, const Observer<EncodeProgress>& observer) {
+  return SegmentedEncode(analysis, settings, layout, observer).run();
 }
 
 }  // namespace mocapress

@@ -4,13 +4,13 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/codec/encode/options/encode_options.h"
+#include "core/codec/encode/options/encode_settings.h"
 #include "core/runtime/format/segment_layout.h"
 
 namespace mocapress {
 
 class ClipAnalysis;
-struct TargetedEncoding;
+struct Trial;
 
 using runtime::SegmentLayout;
 
@@ -21,8 +21,7 @@ SegmentLayout even_segments(int frames, const SegmentPlan& plan);
 /// Encodes a long clip by a closed loop to a target, one segment after the other, in memory that
 /// does not grow with the clip. All segments share the scale that the whole clip would have, and
 /// the target is the whole clip's. When cancelled, it codes the remaining segments roughly.
-TargetedEncoding encode_in_segments(const ClipAnalysis& analysis, const EncodeOptions& options,
-                                    const SegmentLayout& layout,
-                                    const Observer<EncodeProgress>& observer);
+Trial encode_in_segments(const ClipAnalysis& analysis, const EncodeSettings& settings,
+                         const SegmentLayout& layout, const Observer<EncodeProgress>& observer);
 
 }  // namespace mocapress

@@ -10,28 +10,28 @@
 namespace mocapress {
 namespace {
 
-bool leaves_split_open(const EncodeOptions& options) {
-  return options.correction && !options.correction->ratio;
+bool leaves_split_open(const EncodeSettings& settings) {
+  return settings.correction && !settings.correction->ratio;
 }
 
 }  // namespace
 
-SplitEncode::SplitEncode(const ClipAnalysis& analysis, const EncodeOptions& options,
+SplitEncode::SplitEncode(const ClipAnalysis& analysis, const EncodeSettings& settings,
                          const Observer<EncodeProgress>& observer)
     : analysis_(analysis),
-      options_(options),
-      coder_(analysis, options),
+      settings_(settings),
+      coder_(analysis, settings),
       passes_(observer),
       paper_(coder_, passes_),
-      loop_(coder_, passes_, leaves_split_open(options)) {}
+      loop_(coder_, passes_, leaves_split_open(settings)) {}
 
 Trial SplitEncode::run() {
-  if (!leaves_split_open(options_)) return run_with(options_.method, options_.effort);
+  if (!leaves_split_open(settings_)) return run_with(settings_.method, settings_.effort);
   Trial trial = find_split();
-  if (!trial.complete || (split_method() == options_.method && split_effort() == options_.effort))
+  if (!trial.complete || (split_method() == settings_.method && split_effort() == settings_.effort))
     return trial;
   slide_without_cm_.reset();  // belongs to another encode
-  return run_with(options_.method, options_.effort);
+  return run_with(settings_.method, settings_.effort);
 }
 
 double SplitEncode::split() {
@@ -40,9 +40,9 @@ double SplitEncode::split() {
 }
 
 void SplitEncode::check(const Trial& trial) const {
-  if (options_.method == Method::ClosedLoop && options_.effort == Effort::Draft) return;
-  const bool by_count = options_.target.kind == Target::Kind::CoefficientRatio &&
-                        options_.method != Method::ClosedLoop;  // met by construction
+  if (settings_.method == Method::ClosedLoop && settings_.effort == Effort::Draft) return;
+  const bool by_count = settings_.target.kind == Target::Kind::CoefficientRatio &&
+                        settings_.method != Method::ClosedLoop;  // met by construction
   if (!by_count)
     coder_.goal().require_met(trial.excess, trial.achieved,
                               trial.count == coder_.coefficients().total());
@@ -58,7 +58,7 @@ Trial SplitEncode::find_split() {
   const bool is_draft = split_effort() == Effort::Draft;
   Trial best = run_with(split_method(), split_effort());
   if (!best.complete) return best;
-  EncodeOptions plain = options_;
+  EncodeSettings plain = settings_;
   plain.correction.reset();
   const Trial uncorrected =
       SplitEncode(analysis_, plain, passes_.observer()).run_with(split_method(), split_effort());
@@ -81,27 +81,27 @@ Trial SplitEncode::find_split() {
 /// The method for trials of the split. Annealing is too slow to be repeated, unless it is the same
 /// each time.
 Method SplitEncode::split_method() const {
-  const bool once = options_.target.kind == Target::Kind::CoefficientRatio;
-  return options_.method == Method::Annealed && !once ? Method::Standard : options_.method;
+  const bool once = settings_.target.kind == Target::Kind::CoefficientRatio;
+  return settings_.method == Method::Annealed && !once ? Method::Standard : settings_.method;
 }
 
 /// The effort for trials of the split. A hard maximum and the extras of the best effort are too
 /// slow.
 Effort SplitEncode::split_effort() const {
-  if (is_by_worst(options_.target)) return Effort::Draft;
-  return std::min(options_.effort, Effort::Default);
+  if (is_by_worst(settings_.target)) return Effort::Draft;
+  return std::min(settings_.effort, Effort::Default);
 }
 
 Split SplitEncode::split_of(const Trial& trial) const {
-  const Target::Kind kind = options_.target.kind;
-  const bool is_draft = split_effort() == Effort::Draft && options_.method == Method::ClosedLoop;
+  const Target::Kind kind = settings_.target.kind;
+  const bool is_draft = split_effort() == Effort::Draft && settings_.method == Method::ClosedLoop;
   const bool met =
       is_draft || coder_.goal().met(trial.excess) || kind == Target::Kind::CoefficientRatio;
   const bool size_is_asked = kind == Target::Kind::Ratio || kind == Target::Kind::Size;
   const Clip decoded = decode(trial.compressed);
   const double price = size_is_asked
                            ? exact_eps(analysis_.motion().skeleton, analysis_.original_body(),
-                                       decoded, options_.weighting)
+                                       decoded, settings_.weighting)
                            : static_cast<double>(trial.compressed.motion_bytes());
   const Footskate slide = coder_.footskate_of(decoded);
   return {coder_.correction_ratio(), met ? price : std::numeric_limits<double>::infinity(),

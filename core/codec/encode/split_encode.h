@@ -13,7 +13,7 @@ namespace mocapress {
 /// motion and correction.
 class SplitEncode {
  public:
-  SplitEncode(const ClipAnalysis& analysis, const EncodeOptions& options,
+  SplitEncode(const ClipAnalysis& analysis, const EncodeSettings& settings,
               const Observer<EncodeProgress>& observer);
   SplitEncode(const SplitEncode&) = delete;  // its parts refer to one another
 
@@ -37,7 +37,7 @@ class SplitEncode {
   Split split_of(const Trial& trial) const;
 
   const ClipAnalysis& analysis_;
-  const EncodeOptions& options_;
+  const EncodeSettings& settings_;
   TrialCoder coder_;
   Passes passes_;
   PaperEncode paper_;

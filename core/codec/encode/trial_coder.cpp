@@ -10,20 +10,20 @@
 
 namespace mocapress {
 
-TrialCoder::TrialCoder(const ClipAnalysis& analysis, const EncodeOptions& options)
+TrialCoder::TrialCoder(const ClipAnalysis& analysis, const EncodeSettings& settings)
     : analysis_(analysis),
-      options_(options),
-      coefficients_(analysis.coefficients(options.basis)),
-      contacts_(contacts_for(analysis, options)),
-      goal_(original_of(analysis), options.target, options.weighting, contacts_) {
+      settings_(settings),
+      coefficients_(analysis.coefficients(settings.basis)),
+      contacts_(contacts_for(analysis, settings)),
+      goal_(original_of(analysis), settings.target, settings.weighting, contacts_) {
   const Motion& motion = analysis.motion();
-  if (options.correction) {
-    correction_.emplace(motion.skeleton, analysis.original_tracks(), *options.correction, contacts_,
-                        motion.clip.sample_rate_hz);
-    correction_ratio_ = options.correction->ratio.value_or(SplitSearch::kFirst);
+  if (settings.correction) {
+    correction_.emplace(motion.skeleton, analysis.original_tracks(), *settings.correction,
+                        contacts_, motion.clip.sample_rate_hz);
+    correction_ratio_ = settings.correction->ratio.value_or(SplitSearch::kFirst);
   }
-  if (options.method == Method::Annealed || options.method == Method::ClosedLoop)
-    weigh_joints(options.importance);
+  if (settings.method == Method::Annealed || settings.method == Method::ClosedLoop)
+    weigh_joints(settings.importance);
 }
 
 void TrialCoder::weigh_joints(const Importance& importance) {
@@ -32,24 +32,24 @@ void TrialCoder::weigh_joints(const Importance& importance) {
   const Motion& motion = analysis_.motion();
   if (!importance.is_even()) {
     own_model_.emplace(motion.skeleton, motion.clip,
-                       important_points(motion.skeleton, options_.weighting, importance));
+                       important_points(motion.skeleton, settings_.weighting, importance));
     if (importance.contacts > 0)
       for (const auto& point : standing_points(motion.skeleton, analysis_.original_tracks(),
                                                contacts_, importance.contacts))
         own_model_->add(point);
   }
   if (!correction_) return;
-  if (!own_model_) own_model_ = analysis_.model(options_.weighting);
+  if (!own_model_) own_model_ = analysis_.model(settings_.weighting);
   for (const auto& response : correction_->responses(motion.clip, analysis_.original_tracks()))
     own_model_->add(response);
 }
 
 const ErrorModel& TrialCoder::model() const {
-  return own_model_ ? *own_model_ : analysis_.model(options_.weighting);
+  return own_model_ ? *own_model_ : analysis_.model(settings_.weighting);
 }
 
 const ClosedLoop& TrialCoder::loop() {
-  if (!own_model_) return analysis_.closed_loop(options_.basis, options_.weighting);
+  if (!own_model_) return analysis_.closed_loop(settings_.basis, settings_.weighting);
   if (!own_loop_) own_loop_.emplace(coefficients_, analysis_.motion().clip, *own_model_);
   return *own_loop_;
 }
@@ -59,8 +59,8 @@ CompressedClip TrialCoder::empty_clip() const {
   return {.skeleton = motion.skeleton,
           .sample_rate_hz = motion.clip.sample_rate_hz,
           .frames = motion.clip.frames(),
-          .basis = options_.basis,
-          .coding = options_.coding};
+          .basis = settings_.basis,
+          .coding = settings_.coding};
 }
 
 Trial TrialCoder::code(const Kept& kept) {
@@ -106,7 +106,7 @@ void TrialCoder::finish(QuantisedSignals coded, TrialBytes bytes,
   if (correction_) {
     const Clip reconstructed{compressed.sample_rate_hz, reconstruct(coded, coefficients_.lifting)};
     DifferenceFit lacking = correction_->select(
-        reconstructed, correction_ratio_, options_.basis,
+        reconstructed, correction_ratio_, settings_.basis,
         [&](double step) { return step_of(step_exponent_for(step, coded.scale), coded.scale); });
     QuantisedSignals differences{coded.scale, {}, std::move(lacking.values)};
     for (const double step : lacking.steps)
@@ -127,9 +127,9 @@ void TrialCoder::append_correction(std::vector<std::byte>& words,
   ByteReader reader(words);
   const Clip reconstructed{
       motion.clip.sample_rate_hz,
-      read_signals(reader, options_.basis, motion.clip.frames(), motion.skeleton.channel_count())};
+      read_signals(reader, settings_.basis, motion.clip.frames(), motion.skeleton.channel_count())};
   const DifferenceFit lacking =
-      correction_->select(reconstructed, correction_ratio_, options_.basis, word_step);
+      correction_->select(reconstructed, correction_ratio_, settings_.basis, word_step);
   const auto differences = code_steps(lacking.values, lacking.steps);
   words.insert(words.end(), differences.begin(), differences.end());
   compressed.correction = correction_->correction();
@@ -142,13 +142,13 @@ void TrialCoder::pack(Trial& trial) const {
 void TrialCoder::mend_ends(Trial& trial) const {
   const Motion& motion = analysis_.motion();
   const int rows = frames_at_ends(motion.clip.frames());
-  if (!codes_ends(options_) || rows == 0) return;
-  fit_ends(options_, trial, motion.skeleton, still_channels(motion.clip), goal_,
+  if (!codes_ends(settings_) || rows == 0) return;
+  fit_ends(settings_, trial, motion.skeleton, still_channels(motion.clip), goal_,
            motion.clip.channels.topRows(rows), motion.clip.channels.bottomRows(rows));
 }
 
 void TrialCoder::measure(Trial& trial) const {
-  trial.achieved = options_.target.kind == Target::Kind::CoefficientRatio
+  trial.achieved = settings_.target.kind == Target::Kind::CoefficientRatio
                        ? static_cast<double>(coefficients_.total()) / std::max(trial.count, 1)
                        : goal_.achieved(trial.compressed);
   trial.excess = goal_.excess(trial.achieved);
@@ -174,8 +174,8 @@ Observer<ClosedLoopProgress> Passes::next() {
 }
 
 const std::vector<ContactSpan>& contacts_for(const ClipAnalysis& analysis,
-                                             const EncodeOptions& options) {
-  return options.contacts ? *options.contacts : analysis.contacts();
+                                             const EncodeSettings& settings) {
+  return settings.contacts ? *settings.contacts : analysis.contacts();
 }
 
 Original original_of(const ClipAnalysis& analysis) {

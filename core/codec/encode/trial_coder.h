@@ -7,7 +7,7 @@
 #include "core/codec/encode/analysis/clip_analysis.h"
 #include "core/codec/encode/closed_loop/closed_loop.h"
 #include "core/codec/encode/mend/correction_encoder.h"
-#include "core/codec/encode/options/encode_options.h"
+#include "core/codec/encode/options/encode_settings.h"
 #include "core/codec/encode/search/goal.h"
 
 namespace mocapress {
@@ -21,10 +21,10 @@ enum class TrialBytes { Coded, Values, Estimated };
 class TrialCoder {
  public:
   /// The references must outlive this. Throws Error for an impossible correction.
-  TrialCoder(const ClipAnalysis& analysis, const EncodeOptions& options);
+  TrialCoder(const ClipAnalysis& analysis, const EncodeSettings& settings);
 
   const ClipAnalysis& analysis() const { return analysis_; }
-  const EncodeOptions& options() const { return options_; }
+  const EncodeSettings& settings() const { return settings_; }
   const Coefficients& coefficients() const { return coefficients_; }
   const Goal& goal() const { return goal_; }
   bool has_correction() const { return correction_.has_value(); }
@@ -63,13 +63,13 @@ class TrialCoder {
   Footskate footskate_of(const Clip& decoded) const;
 
  private:
-  const BasisAnalysis& basis() const { return analysis_.in(options_.basis); }
+  const BasisAnalysis& basis() const { return analysis_.in(settings_.basis); }
   CompressedClip empty_clip() const;
   void finish(QuantisedSignals coded, TrialBytes bytes, CompressedClip& compressed) const;
   void append_correction(std::vector<std::byte>& words, CompressedClip& compressed) const;
 
   const ClipAnalysis& analysis_;
-  const EncodeOptions& options_;
+  const EncodeSettings& settings_;
   const Coefficients& coefficients_;
   const std::vector<ContactSpan> contacts_;
   const Goal goal_;
@@ -97,7 +97,7 @@ class Passes {
 
 /// The contacts to use: edited ones, or those found on the original.
 const std::vector<ContactSpan>& contacts_for(const ClipAnalysis& analysis,
-                                             const EncodeOptions& options);
+                                             const EncodeSettings& settings);
 
 /// The original, with tracks that the analysis keeps.
 Original original_of(const ClipAnalysis& analysis);

@@ -73,34 +73,23 @@ std::vector<CompressionMethod> all_methods() {
   return all;
 }
 
-Compression compress_wavelets(const Encoder& encoder, const EncodeOptions& options,
-                              const Observer<EncodeProgress>& observer) {
-  Encoding encoding = encoder.encode(options, observer);
-  Compression compression;
-  compression.file = write_container(encoding.compressed);
-  compression.motion_bytes = encoding.compressed.motion_bytes();
-  compression.decoded = std::move(encoding.decoded);
-  compression.distortion = std::move(encoding.distortion);
-  compression.footskate = std::move(encoding.footskate);
-  compression.visibility = std::move(encoding.visibility);
-  compression.correction = std::move(encoding.correction);
-  compression.coefficient_ratio = encoding.coefficient_ratio;
-  if (options.method == Method::Annealed) compression.iterations = encoding.iterations;
-  compression.seconds = encoding.seconds;
-  compression.complete = encoding.complete;
-  return compression;
+Encoding compress_wavelets(const Encoder& encoder, const EncodeSettings& settings,
+                           const Observer<EncodeProgress>& observer) {
+  Encoding encoding = encoder.encode(settings, observer);
+  encoding.file = write_container(encoding.compressed);
+  return encoding;
 }
 
 /// Searches the detail of a comparison method that meets the target of one compress() call.
 class DetailSearch {
  public:
   DetailSearch(Original original, const ComparisonMethod& method, const DetailCoder& coder,
-               const EncodeOptions& options, std::vector<ContactSpan> contacts)
+               const EncodeSettings& settings, std::vector<ContactSpan> contacts)
       : motion_(original.motion()),
         method_(method),
         coder_(coder),
-        target_(options.target),
-        goal_(std::move(original), options.target, options.weighting, std::move(contacts)) {}
+        target_(settings.target),
+        goal_(std::move(original), settings.target, settings.weighting, std::move(contacts)) {}
 
   struct Trial {
     std::vector<std::byte> motion;
@@ -179,11 +168,11 @@ std::string_view method_title(std::string_view name) {
   return compression_method ? compression_method->title : name;
 }
 
-bool choose_wavelets(const CompressionMethod& compression_method, EncodeOptions& options) {
+bool choose_wavelets(const CompressionMethod& compression_method, EncodeSettings& settings) {
   const WaveletMethod* wavelets = find_wavelets(compression_method.name);
   if (!wavelets) return false;
-  options.method = wavelets->method;
-  options.basis = wavelets->basis;
+  settings.method = wavelets->method;
+  settings.basis = wavelets->basis;
   return true;
 }
 
@@ -211,16 +200,16 @@ const Encoder& MethodEncoder::wavelets() const {
   return parts_->wavelets;
 }
 
-Compression MethodEncoder::compress(const CompressionMethod& compression_method,
-                                    const EncodeOptions& options,
-                                    const Observer<EncodeProgress>& observer) const {
-  if (EncodeOptions chosen = options; choose_wavelets(compression_method, chosen))
+Encoding MethodEncoder::compress(const CompressionMethod& compression_method,
+                                 const EncodeSettings& settings,
+                                 const Observer<EncodeProgress>& observer) const {
+  if (EncodeSettings chosen = settings; choose_wavelets(compression_method, chosen))
     return compress_wavelets(parts_->wavelets, chosen, observer);
   const ComparisonMethod* method = find_comparison_method(compression_method.name);
   if (method == nullptr) throw Error("unknown method: " + std::string(compression_method.name));
-  if (options.target.kind == Target::Kind::CoefficientRatio)
+  if (settings.target.kind == Target::Kind::CoefficientRatio)
     throw Error("the coefficient ratio is a target of wavelet methods only");
-  if (options.correction) throw Error("inverse kinematics can correct wavelet methods only");
+  if (settings.correction) throw Error("inverse kinematics can correct wavelet methods only");
 
   const auto start = std::chrono::steady_clock::now();
   const Motion& motion = parts_->wavelets.motion();
@@ -228,29 +217,29 @@ Compression MethodEncoder::compress(const CompressionMethod& compression_method,
       {motion.skeleton, motion.clip.sample_rate_hz, SegmentLayout::whole(motion.clip.frames())});
   const Eigen::MatrixXd& body = parts_->wavelets.original_body();
   const std::vector<ContactSpan>& contacts =
-      options.contacts ? *options.contacts : parts_->wavelets.contacts();
+      settings.contacts ? *settings.contacts : parts_->wavelets.contacts();
   const DetailSearch search(Original(motion, [&]() -> const Eigen::MatrixXd& { return body; }),
-                            *method, parts_->coder(*method, options.weighting), options, contacts);
+                            *method, parts_->coder(*method, settings.weighting), settings,
+                            contacts);
   auto [best, complete] = search.run(observer);
   if (complete) search.check(best);
 
-  Compression compression;
-  compression.decoded = search.decode(best.motion);
-  static_cast<Comparison&>(compression) = compare(motion, body, compression.decoded, contacts);
-  compression.motion_bytes = best.motion.size();
-  compression.complete = complete;
-  CompressedClip clip;
+  Encoding encoding;
+  encoding.decoded = search.decode(best.motion);
+  static_cast<Comparison&>(encoding) = compare(motion, body, encoding.decoded, contacts);
+  encoding.complete = complete;
+  CompressedClip& clip = encoding.compressed;
   clip.skeleton = motion.skeleton;
   clip.sample_rate_hz = motion.clip.sample_rate_hz;
   clip.frames = motion.clip.frames();
   clip.motion = std::move(best.motion);
-  clip.provenance.weighting = options.weighting;
-  clip.provenance.eps_cm = static_cast<float>(compression.distortion.eps(options.weighting));
-  clip.provenance.max_error_cm = static_cast<float>(compression.distortion.max.cm);
-  compression.file = write_compared(*method, clip);
-  compression.seconds =
+  clip.provenance.weighting = settings.weighting;
+  clip.provenance.eps_cm = static_cast<float>(encoding.distortion.eps(settings.weighting));
+  clip.provenance.max_error_cm = static_cast<float>(encoding.distortion.max.cm);
+  encoding.file = write_compared(*method, clip);
+  encoding.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return compression;
+  return encoding;
 }
 
 }  // namespace mocapress

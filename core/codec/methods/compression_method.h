@@ -8,14 +8,13 @@
 #include <string_view>
 
 #include "core/codec/encode/encoder.h"
-#include "core/metrics/comparison.h"
 
 namespace mocapress {
 
 /// A method as the user names it: a selection of wavelet coefficients in some basis, or a
 /// comparison method.
 struct CompressionMethod {
-  std::string_view name;   // "annealed", "haar", "pca" ...: in options and files
+  std::string_view name;   // "annealed", "haar", "pca" ...: in settings and files
   std::string_view title;  // shown to people, the same everywhere
   std::string_view note;   // description, author, and what is simplified
 };
@@ -30,23 +29,10 @@ const CompressionMethod* find_compression_method(std::string_view name);
 std::string_view method_title(std::string_view name);
 
 /// Sets method and basis if this is a wavelet method. Returns false for a comparison method and
-/// leaves `options` unchanged.
-bool choose_wavelets(const CompressionMethod& compression_method, EncodeOptions& options);
+/// leaves `settings` unchanged.
+bool choose_wavelets(const CompressionMethod& compression_method, EncodeSettings& settings);
 
-/// A motion compressed by a method, decoded again and measured. Only wavelet methods heed
-/// EncodeOptions::figures_only. Contacts are Encoder::contacts(), or edited ones.
-struct Compression : Comparison {
-  std::vector<std::byte> file;   // the .mcpr
-  std::size_t motion_bytes = 0;  // the bytes that the ratio counts
-  Clip decoded;
-  std::optional<CorrectionResult> correction;  // of wavelets
-  std::optional<double> coefficient_ratio;     // of wavelets
-  std::optional<int> iterations;               // of annealing
-  double seconds = 0;
-  bool complete = true;  // false: the observer stopped it
-};
-
-/// Compresses one motion by any method, with any options. Data that does not depend on them is
+/// Compresses one motion by any method, with any settings. Data that does not depend on them is
 /// computed once, when first asked for. Const and safe to use from several threads at a time.
 class MethodEncoder {
  public:
@@ -55,12 +41,13 @@ class MethodEncoder {
 
   const Encoder& wavelets() const;
 
-  /// Compresses by the given method; `options.method` and `.basis` are ignored. Throws Error when a
-  /// correction or a coefficient ratio is asked of a comparison method, and TargetMissed when no
+  /// Compresses by the given method; `settings.method` and `.basis` are ignored. Throws Error when
+  /// a correction or a coefficient ratio is asked of a comparison method, and TargetMissed when no
   /// amount of detail meets the target. The detail of comparison methods comes in coarse steps; for
-  /// a ratio they take the nearest step.
-  Compression compress(const CompressionMethod& compression_method, const EncodeOptions& options,
-                       const Observer<EncodeProgress>& observer = {}) const;
+  /// a ratio they take the nearest step. Only wavelet methods heed EncodeSettings::figures_only and
+  /// know tracks.
+  Encoding compress(const CompressionMethod& compression_method, const EncodeSettings& settings,
+                    const Observer<EncodeProgress>& observer = {}) const;
 
  private:
   struct Parts;

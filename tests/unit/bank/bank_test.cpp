@@ -34,7 +34,7 @@ namespace fs = std::filesystem;
 using test::CookedClip;
 using test::OpenedClip;
 
-std::vector<std::byte> encoded(const Motion& motion, EncodeOptions options = {}) {
+std::vector<std::byte> encoded(const Motion& motion, EncodeSettings options = {}) {
   options.method = Method::ClosedLoop;
   return write_container(Encoder(motion).encode(options).compressed);
 }

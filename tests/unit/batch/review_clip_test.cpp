@@ -47,16 +47,17 @@ std::array<std::vector<std::byte>, 2> files_in(const std::string& script) {
 
 class ReviewClip : public testing::Test {
  protected:
-  Compression compressed_by(std::string_view method) const {
-    return original_.compress(*find_compression_method(method),
-                              {.target = {Target::Kind::Error, 1}});
+  Encoding compressed_by(std::string_view method) const {
+    return original_.compress(
+        *find_compression_method(method),
+        {.weighting = Weighting::BoneEnds, .target = {Target::Kind::Error, 1}});
   }
 
   const MethodEncoder original_{smooth_motion(150)};
 };
 
 TEST_F(ReviewClip, HoldsTheOriginalToAHundredthOfACentimetreAndTheFileItself) {
-  const Compression made = compressed_by("closed-loop");
+  const Encoding made = compressed_by("closed-loop");
   const auto [original, compressed] =
       files_in(review_clip("walk", original_.wavelets(), made.file, nullptr));
   const Verification found = verify(original, original_.wavelets());
@@ -66,7 +67,7 @@ TEST_F(ReviewClip, HoldsTheOriginalToAHundredthOfACentimetreAndTheFileItself) {
 }
 
 TEST_F(ReviewClip, SaysWhatCameOfIt) {
-  const Compression made = compressed_by("closed-loop");
+  const Encoding made = compressed_by("closed-loop");
   EXPECT_THAT(review_facts("closed-loop", 20, made.distortion, made.visibility),
               testing::ElementsAre(method_title("closed-loop"), ratio_text(20),
                                    testing::MatchesRegex("at most [0-9.]+ cm off"),
@@ -74,7 +75,7 @@ TEST_F(ReviewClip, SaysWhatCameOfIt) {
 }
 
 TEST_F(ReviewClip, CodesAnewWhatNoEnginePlays) {
-  const Compression made = compressed_by("pca");
+  const Encoding made = compressed_by("pca");
   ASSERT_EQ(verify(made.file, original_.wavelets()).by, "library");
   const auto [original, compressed] =
       files_in(review_clip("walk", original_.wavelets(), made.file, &made.decoded));

@@ -17,7 +17,9 @@ const Encoder& original() {
 }
 
 CompressedClip in_segments() {
-  EncodeOptions options{.method = Method::ClosedLoop, .target = {Target::Kind::Ratio, 30}};
+  EncodeSettings options{.method = Method::ClosedLoop,
+                         .weighting = Weighting::BoneEnds,
+                         .target = {Target::Kind::Ratio, 30}};
   options.segments = {.longest = 320, .overlap = 24};
   return original().encode(options).compressed;
 }
@@ -54,8 +56,9 @@ TEST(Verification, WhatIsNoFileOrAnothersIsRefused) {
 }
 
 TEST(Verification, AnotherSkeletonIsRefused) {
-  const Encoding encoding =
-      original().encode({.method = Method::ClosedLoop, .target = {Target::Kind::Ratio, 30}});
+  const Encoding encoding = original().encode({.method = Method::ClosedLoop,
+                                               .weighting = Weighting::BoneEnds,
+                                               .target = {Target::Kind::Ratio, 30}});
   EXPECT_NO_THROW(verify(write_container(encoding.compressed), original()));
   const auto changed = [&](const std::function<void(Joint&)>& change) {
     CompressedClip clip = encoding.compressed;
@@ -79,9 +82,11 @@ TEST(Verification, AnotherSkeletonIsRefused) {
 
 TEST(Verification, IsWhatTheRuntimeDecoderGivesWithTheCorrectionToo) {
   const Motion& motion = original().motion();
-  EncodeOptions options{.method = Method::ClosedLoop, .target = {Target::Kind::Ratio, 20}};
+  EncodeSettings options{.method = Method::ClosedLoop,
+                         .weighting = Weighting::BoneEnds,
+                         .target = {Target::Kind::Ratio, 20}};
   options.correction =
-      CorrectionOptions{.joints = {motion.skeleton.joint_count() - 1}, .ratio = 8.0};
+      EncodeCorrection{.joints = {motion.skeleton.joint_count() - 1}, .ratio = 8.0};
   options.contacts = {{motion.skeleton.joint_count() - 1, 100, 300}};
   const Encoding encoding = original().encode(options);
   const std::vector<std::byte> file = write_container(encoding.compressed);
@@ -94,8 +99,9 @@ TEST(Verification, IsWhatTheRuntimeDecoderGivesWithTheCorrectionToo) {
 }
 
 TEST(Verification, OfWhatNoEnginePlaysIsTheLibrarys) {
-  const Encoding encoding =
-      original().encode({.method = Method::Standard, .target = {Target::Kind::Ratio, 10}});
+  const Encoding encoding = original().encode({.method = Method::Standard,
+                                               .weighting = Weighting::BoneEnds,
+                                               .target = {Target::Kind::Ratio, 10}});
   const Verification found = verify(write_container(encoding.compressed), original());
   EXPECT_EQ(found.by, "library");
   EXPECT_EQ(found.distortion.max.cm, encoding.distortion.max.cm);
@@ -110,6 +116,7 @@ TEST(Verification, IsWithinTheDefaultLimitsOfTheRuntimeDecoder) {
   const Encoder encoder(motion);
   const Encoding encoding = encoder.encode({.method = Method::Standard,
                                             .coding = Coding::Adaptive,
+                                            .weighting = Weighting::BoneEnds,
                                             .target = {Target::Kind::CoefficientRatio, 2}});
   EXPECT_EQ(verify(write_container(encoding.compressed), encoder).by, "runtime");
 }

@@ -8,7 +8,7 @@
 #include "core/codec/encode/encoder.h"
 #include "core/codec/methods/compression_method.h"
 #include "core/metrics/distortion.h"
-#include "core/mocapress/encode_options.h"
+#include "core/mocapress/encode_settings.h"
 #include "core/mocapress/settings_json.h"
 #include "resources/samples/generator/samples.h"
 #include "tests/support/test_motion.h"
@@ -58,7 +58,7 @@ TEST(Settings, BuiltInPresetsKeepTheirPromisesOnEveryClip) {
     for (const char* name : {"Hero close-up", "Gameplay", "Crowd"}) {
       const Settings preset = find_preset(name);
       ASSERT_TRUE(preset.promises.any());
-      const Encoding encoding = encoder.encode(encode_options(preset, motion.skeleton));
+      const Encoding encoding = encoder.encode(encode_settings(preset, motion.skeleton));
       EXPECT_THAT(broken_promises(preset.promises, motion, encoding.distortion), testing::IsEmpty())
           << name;
     }
@@ -131,19 +131,37 @@ TEST(Settings, AFileThatIsWrongIsRefusedWithThePlaceOrTheKey) {
   EXPECT_THROW(find_preset("no-such-preset"), InputError);
 }
 
-TEST(Settings, BecomesOptionsForASkeleton) {
+TEST(Settings, HaveOneSetOfDefaultsForAnyClipAndForOne) {
+  const EncodeSettings asked = encode_settings({}, test::small_skeleton());
+  const EncodeSettings plain;
+  EXPECT_EQ(asked.method, plain.method);
+  EXPECT_EQ(asked.coding, effective_coding(plain));
+  EXPECT_EQ(asked.basis, plain.basis);
+  EXPECT_EQ(asked.weighting, plain.weighting);
+  EXPECT_EQ(asked.target, plain.target);
+  EXPECT_EQ(asked.seed, plain.seed);
+  EXPECT_EQ(asked.effort, plain.effort);
+  EXPECT_EQ(asked.importance.is_even(), plain.importance.is_even());
+  EXPECT_EQ(asked.promises, plain.promises);
+  EXPECT_EQ(asked.ends, plain.ends);
+  EXPECT_EQ(asked.loop, plain.loop);
+  EXPECT_EQ(asked.correction.has_value(), plain.correction.has_value());
+  EXPECT_EQ(asked.contacts.has_value(), plain.contacts.has_value());
+}
+
+TEST(Settings, BecomeThoseOfAClip) {
   const Skeleton skeleton = test::small_skeleton();
-  const EncodeOptions options = encode_options(unusual_preset(), skeleton);
+  const EncodeSettings options = encode_settings(unusual_preset(), skeleton);
   EXPECT_EQ(options.method, Method::Annealed);
   EXPECT_EQ(options.coding, Coding::Rle16);
   ASSERT_TRUE(options.correction);
   EXPECT_EQ(options.correction->joints,
             (std::vector{skeleton.find("lhand"), skeleton.find("rhand")}));
   EXPECT_EQ(options.correction->ratio, 12.5);
-  EXPECT_EQ(encode_options({}, skeleton).coding, Coding::Adaptive);
+  EXPECT_EQ(encode_settings({}, skeleton).coding, Coding::Adaptive);
   Settings other = unusual_preset();
   other.correction->effectors = {"tail"};
-  EXPECT_THROW(encode_options(other, skeleton), Error);
+  EXPECT_THROW(encode_settings(other, skeleton), Error);
 }
 
 }  // namespace

@@ -22,12 +22,13 @@ using test::OpenedClip;
 
 std::vector<std::byte> small_file() {
   const Motion motion = test::smooth_motion(24);
-  const CorrectionOptions correction{
+  const EncodeCorrection correction{
       .joints = {motion.skeleton.joint_count() - 1, motion.skeleton.joint_count() - 4},
       .ratio = 4.0};
   CompressedClip clip = Encoder(motion)
                             .encode({.method = Method::Standard,
                                      .coding = Coding::Adaptive,
+                                     .weighting = Weighting::BoneEnds,
                                      .target = {Target::Kind::CoefficientRatio, 8},
                                      .correction = correction})
                             .compressed;

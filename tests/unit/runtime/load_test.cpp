@@ -32,7 +32,9 @@ struct Heap {
 
 std::vector<std::byte> file() {
   return write_container(
-      Encoder(test::smooth_motion(90)).encode({.method = Method::ClosedLoop}).compressed);
+      Encoder(test::smooth_motion(90))
+          .encode({.method = Method::ClosedLoop, .weighting = Weighting::BoneEnds})
+          .compressed);
 }
 
 TEST(Load, GivesTheClipOfTheThreeCalls) {

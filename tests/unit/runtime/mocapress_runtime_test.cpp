@@ -28,13 +28,14 @@ constexpr int kFrames = 150;
 /// A file with an IK correction at the ends of both limbs.
 std::vector<std::byte> file_corrected_by(IkSolver solver) {
   const Motion motion = test::smooth_motion(kFrames);
-  const CorrectionOptions correction{
+  const EncodeCorrection correction{
       .joints = {motion.skeleton.joint_count() - 1, motion.skeleton.joint_count() - 4},
       .ratio = 4.0,
       .solver = solver};
   return write_container(Encoder(motion)
                              .encode({.method = Method::Standard,
                                       .coding = Coding::Adaptive,
+                                      .weighting = Weighting::BoneEnds,
                                       .target = {Target::Kind::CoefficientRatio, 6},
                                       .correction = correction})
                              .compressed);
@@ -113,6 +114,7 @@ TEST(Decoder, RotatesRightHanded) {
   const OpenedClip clip(write_container(Encoder(motion)
                                             .encode({.method = Method::Standard,
                                                      .coding = Coding::Adaptive,
+                                                     .weighting = Weighting::BoneEnds,
                                                      .target = {Target::Kind::Error, 1e-3}})
                                             .compressed));
   ASSERT_NE(clip.clip, nullptr) << clip.result.message;
@@ -400,10 +402,11 @@ TEST(Decoder, RefusesFilesBeyondTheLimits) {
 
 TEST(Decoder, ReportsOtherCodingsAsUnsupported) {
   const Motion motion = test::smooth_motion(40);
-  const auto file = write_container(
-      Encoder(motion)
-          .encode({.method = Method::Standard, .target = {Target::Kind::CoefficientRatio, 4}})
-          .compressed);
+  const auto file = write_container(Encoder(motion)
+                                        .encode({.method = Method::Standard,
+                                                 .weighting = Weighting::BoneEnds,
+                                                 .target = {Target::Kind::CoefficientRatio, 4}})
+                                        .compressed);
   EXPECT_EQ(OpenedClip(file).result.status, MCPR_UNSUPPORTED);
 }
 

@@ -18,10 +18,12 @@ namespace {
 /// The least dot product of consecutive quaternions, over all joints and frames. Negative if a
 /// quaternion flips its sign.
 float least_cosine(const Motion& motion) {
-  const test::OpenedClip clip(write_container(
-      Encoder(motion)
-          .encode({.coding = Coding::Adaptive, .target = {Target::Kind::Error, 0.5}})
-          .compressed));
+  const test::OpenedClip clip(write_container(Encoder(motion)
+                                                  .encode({.method = Method::Annealed,
+                                                           .coding = Coding::Adaptive,
+                                                           .weighting = Weighting::BoneEnds,
+                                                           .target = {Target::Kind::Error, 0.5}})
+                                                  .compressed));
   const auto frames = static_cast<std::uint32_t>(motion.clip.frames());
   const std::vector<float> rows = clip.frames({.output = MCPR_LOCAL}, 0, frames);
   const std::size_t width = rows.size() / frames;

@@ -2,7 +2,7 @@
 #include "core/codec/encode/analysis/clip_analysis.h"
 
 #include "core/codec/encode/analysis/form_choice.h"
-#include "core/codec/encode/options/encode_options.h"
+#include "core/codec/encode/options/encode_settings.h"
 #include "core/metrics/visibility.h"
 #include "core/motion/body_tracks.h"
 

@@ -61,13 +61,13 @@ Eigen::VectorXd steps_in_contact(const Eigen::ArrayXd& contact) {
 
 CorrectionEncoder::CorrectionEncoder(const Skeleton& skeleton,
                                      const Eigen::MatrixXd& original_tracks,
-                                     const CorrectionOptions& options,
+                                     const EncodeCorrection& settings,
                                      const std::vector<ContactSpan>& contacts,
                                      double sample_rate_hz)
     : skeleton_(skeleton),
-      solver_(options.solver),
-      at_(options.at),
-      effectors_(effectors_for(skeleton, options.joints)) {
+      solver_(settings.solver),
+      at_(settings.at),
+      effectors_(effectors_for(skeleton, settings.joints)) {
   if (effectors_.empty())
     throw Error("no feet were found on this skeleton: name the joints to be corrected");
   check_effectors(skeleton, effectors_);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/codec/encode/mend/difference_fit.h"
-#include "core/codec/encode/options/encode_options.h"
+#include "core/codec/encode/options/encode_settings.h"
 #include "core/codec/format/compressed_clip.h"
 #include "core/feet/contact_spans.h"
 #include "core/select/point_term.h"
@@ -19,7 +19,7 @@ class CorrectionEncoder {
   /// CorrectAt::Contacts they are held nowhere else. Throws Error if there is nothing to correct or
   /// a joint cannot be moved.
   CorrectionEncoder(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
-                    const CorrectionOptions& options, const std::vector<ContactSpan>& contacts,
+                    const EncodeCorrection& settings, const std::vector<ContactSpan>& contacts,
                     double sample_rate_hz);
 
   /// For each limb, the weights of the motion's errors when this correction follows.

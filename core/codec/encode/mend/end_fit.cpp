@@ -29,10 +29,10 @@ struct Tolerance {
 constexpr double kEven = 0.9;  // of the target
 constexpr double kExact = 0.1;
 
-Tolerance tolerance_of(const EncodeOptions& options, double share, double eps_cm) {
-  const bool at_most = options.target.kind == Target::Kind::MaxError;
-  const bool is_error = at_most || options.target.kind == Target::Kind::Error;
-  return {options.weighting, share * (is_error ? options.target.value : eps_cm), at_most};
+Tolerance tolerance_of(const EncodeSettings& settings, double share, double eps_cm) {
+  const bool at_most = settings.target.kind == Target::Kind::MaxError;
+  const bool is_error = at_most || settings.target.kind == Target::Kind::Error;
+  return {settings.weighting, share * (is_error ? settings.target.value : eps_cm), at_most};
 }
 
 /// The channels of an end; only those that move in the clip may be mended.
@@ -369,11 +369,11 @@ void mend_velocity(const EndChannels& channels, const Goal& goal,
 
 }  // namespace
 
-bool codes_ends(const EncodeOptions& options) {
-  if (options.method != Method::ClosedLoop || options.ends == Ends::Free) return false;
-  if (options.effort == Effort::Draft) return options.ends == Ends::Exact;
-  const bool loops = options.loop.value_or(Loop::None) != Loop::None;
-  return loops || options.ends == Ends::Exact || options.target.kind != Target::Kind::MaxError;
+bool codes_ends(const EncodeSettings& settings) {
+  if (settings.method != Method::ClosedLoop || settings.ends == Ends::Free) return false;
+  if (settings.effort == Effort::Draft) return settings.ends == Ends::Exact;
+  const bool loops = settings.loop.value_or(Loop::None) != Loop::None;
+  return loops || settings.ends == Ends::Exact || settings.target.kind != Target::Kind::MaxError;
 }
 
 int frames_at_ends(int frames) {
@@ -381,7 +381,7 @@ int frames_at_ends(int frames) {
   return std::min((frames + 1) / 2, kMost);
 }
 
-void fit_ends(const EncodeOptions& options, Trial& trial, const Skeleton& coded_skeleton,
+void fit_ends(const EncodeSettings& settings, Trial& trial, const Skeleton& coded_skeleton,
               const std::vector<bool>& still, const Goal& goal,
               const Eigen::MatrixXd& original_first, const Eigen::MatrixXd& original_last) {
   const EndChannels moving{coded_skeleton, still};
@@ -391,11 +391,11 @@ void fit_ends(const EncodeOptions& options, Trial& trial, const Skeleton& coded_
   const int channels = coded_skeleton.channel_count();
   auto [decoded_first, decoded_last] = decoded_at_ends(compressed, rows);
   const Eigen::MatrixXd backwards = original_last.colwise().reverse();
-  const auto tolerance = [&](double share) { return tolerance_of(options, share, trial.eps_cm); };
+  const auto tolerance = [&](double share) { return tolerance_of(settings, share, trial.eps_cm); };
   const bool is_exact =
-      options.ends == Ends::Exact || compressed.correction;  // otherwise feet slide
+      settings.ends == Ends::Exact || compressed.correction;  // otherwise feet slide
   const double share = is_exact ? kExact : kEven;
-  const bool is_loop = options.loop.value_or(Loop::None) != Loop::None;
+  const bool is_loop = settings.loop.value_or(Loop::None) != Loop::None;
   const auto [first_steps, last_steps] = steps_at_ends(compressed);
 
   Eigen::RowVectorXd error = Eigen::RowVectorXd::Zero(channels);

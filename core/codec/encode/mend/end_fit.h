@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/codec/encode/options/encode_options.h"
+#include "core/codec/encode/options/encode_settings.h"
 #include "core/codec/encode/search/goal.h"
 
 namespace mocapress {
 
 /// Returns whether an encoding gets ENDS. Closed loops do, with two exceptions: a hard maximum
 /// already holds at the ends, and a draft promises nothing and must be quick.
-bool codes_ends(const EncodeOptions& options);
+bool codes_ends(const EncodeSettings& settings);
 
 /// Number of frames at either end from which the fit tells how far an end's error reaches.
 int frames_at_ends(int frames);
@@ -23,7 +23,7 @@ int frames_at_ends(int frames);
 /// ends are exact and no other frame takes part: held feet would slide otherwise. The originals are
 /// the first and last frames in the channels that are coded: frames_at_ends() of them, at least
 /// one. Channels that stand still in the clip are left as they are.
-void fit_ends(const EncodeOptions& options, Trial& trial, const Skeleton& coded_skeleton,
+void fit_ends(const EncodeSettings& settings, Trial& trial, const Skeleton& coded_skeleton,
               const std::vector<bool>& still, const Goal& goal,
               const Eigen::MatrixXd& original_first, const Eigen::MatrixXd& original_last);
 

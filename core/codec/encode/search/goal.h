@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "core/codec/encode/options/target.h"
 #include "core/codec/encode/search/count_search.h"
@@ -43,18 +44,21 @@ class Original {
   Tracks tracks_;
 };
 
-/// A selection of coefficients, coded, and its distance from a goal.
+/// A selection of coefficients, coded, and its distance from a goal. The provenance is not set. A
+/// draft may have quantised values but no coded motion yet.
 struct Trial {
   CompressedClip compressed;
-  int count = 0;
+  int count = 0;         // of the coefficients kept
   double scale = 0;      // of a closed loop
   double eps_cm = 0;     // of a closed loop, by the quadratic model
   double bit_price = 0;  // of a closed loop: see ClosedLoop::Result
   double growth = 0;
-  int iterations = 0;
-  bool complete = true;
-  double achieved = 0;  // the quantity of the target
-  double excess = 0;    // see Goal
+  int iterations = 0;                      // of the last annealing, or sweeps of the closed loop
+  bool complete = true;                    // false: the observer stopped it
+  double achieved = 0;                     // the quantity of the target
+  double excess = 0;                       // see Goal
+  double correction_ratio = 0;             // r_IK, given or found
+  std::optional<double> slide_without_cm;  // footskate without correction, where r_IK was found
 };
 
 /// A target for one clip: measures how near a coded clip comes and whether it keeps the promise. An

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "core/codec/encode/closed_loop/closed_loop.h"
-#include "core/codec/encode/options/encode_options.h"
+#include "core/codec/encode/options/encode_settings.h"
 #include "core/codec/encode/search/goal.h"
 
 namespace mocapress {

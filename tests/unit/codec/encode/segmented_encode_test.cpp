@@ -274,8 +274,9 @@ const Encoder& walk() {
   return shared;
 }
 
-EncodeOptions options(Target target, int longest = 320) {
-  EncodeOptions made{.method = Method::ClosedLoop, .target = target};
+EncodeSettings options(Target target, int longest = 320) {
+  EncodeSettings made{
+      .method = Method::ClosedLoop, .weighting = Weighting::BoneEnds, .target = target};
   made.segments = {.longest = longest, .overlap = 24};
   return made;
 }
@@ -296,7 +297,7 @@ TEST(SegmentedEncode, MeetsEveryKindOfTarget) {
 
 TEST(SegmentedEncode, HoldsAHardMaximum) {
   for (const bool corrected : {false, true}) {
-    EncodeOptions asked = options({Target::Kind::MaxError, 2});
+    EncodeSettings asked = options({Target::Kind::MaxError, 2});
     if (corrected) asked.correction.emplace().ratio = 16;
     const double max_cm = walk().encode(asked).distortion.max.cm;
     EXPECT_LE(max_cm, 2);
@@ -322,13 +323,14 @@ TEST(SegmentedEncode, WhatIsMeasuredIsWhatTheFileDecodesTo) {
 TEST(SegmentedEncode, AShortClipIsNotCut) {
   const Encoding whole = walk().encode(options({Target::Kind::Ratio, 60}, kFrames));
   EXPECT_FALSE(whole.compressed.segments);
-  const Encoding usual =
-      walk().encode({.method = Method::ClosedLoop, .target = {Target::Kind::Ratio, 60}});
+  const Encoding usual = walk().encode({.method = Method::ClosedLoop,
+                                        .weighting = Weighting::BoneEnds,
+                                        .target = {Target::Kind::Ratio, 60}});
   EXPECT_EQ(whole.compressed.motion, usual.compressed.motion);
 }
 
 TEST(SegmentedEncode, GivesTheSameBytesOnAnyNumberOfThreads) {
-  const EncodeOptions ratio = options({Target::Kind::Ratio, 60});
+  const EncodeSettings ratio = options({Target::Kind::Ratio, 60});
   const Encoding many = walk().encode(ratio);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   EXPECT_EQ(write_container(Encoder(long_walk()).encode(ratio).compressed),
@@ -358,7 +360,7 @@ TEST(SegmentedEncode, ProgressGoesForwardThroughPassesAndSegments) {
 }
 
 TEST(SegmentedEncode, CorrectsTheSameFeetInEverySegment) {
-  EncodeOptions corrected = options({Target::Kind::Ratio, 200});
+  EncodeSettings corrected = options({Target::Kind::Ratio, 200});
   corrected.correction.emplace();
   const Encoding with = walk().encode(corrected);
   ASSERT_TRUE(with.correction);
@@ -371,7 +373,7 @@ TEST(SegmentedEncode, CorrectsTheSameFeetInEverySegment) {
 }
 
 TEST(SegmentedEncode, HeedsContactsInEverySegment) {
-  EncodeOptions planted = options({Target::Kind::Ratio, 200});
+  EncodeSettings planted = options({Target::Kind::Ratio, 200});
   planted.importance.contacts = 20;
   EXPECT_LT(walk().encode(planted).footskate.total_cm,
             walk().encode(options({Target::Kind::Ratio, 200})).footskate.total_cm);
@@ -427,7 +429,7 @@ void expect_same_figures(const Encoding& figures, const Encoding& whole) {
 TEST(SegmentedEncode, AskedForFiguresAloneItGivesTheSameBytesAndFigures) {
   for (const int longest : {320, kFrames})
     for (const bool corrected : {false, true}) {
-      EncodeOptions asked = options({Target::Kind::Ratio, 60}, longest);
+      EncodeSettings asked = options({Target::Kind::Ratio, 60}, longest);
       if (corrected) asked.correction.emplace().ratio = 16;
       const Encoding whole = walk().encode(asked);
       asked.figures_only = true;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kRounding = 1e-4;  // of floats, at a metre from the origin, in cm
 
-void expect_still_where_the_original_is(const Motion& motion, const EncodeOptions& options,
+void expect_still_where_the_original_is(const Motion& motion, const EncodeSettings& options,
                                         double within = kRounding) {
   const Clip decoded = Encoder(motion).encode(options).decoded;
   const std::vector<bool> still = still_channels(motion.clip);
@@ -33,7 +33,7 @@ Motion with_still_channels(Motion motion) {
   return motion;
 }
 
-EncodeOptions closed_loop(Target target) {
+EncodeSettings closed_loop(Target target) {
   return {.method = Method::ClosedLoop, .weighting = Weighting::Surface, .target = target};
 }
 
@@ -51,14 +51,14 @@ TEST(StillChannels, StayStillInRigsOfGames) {
 
 /// Segments of another length round their constants otherwise.
 TEST(StillChannels, MoveByLessThanAFifthOfAMillimetreAcrossSegments) {
-  EncodeOptions options = closed_loop({Target::Kind::Error, 0.5});
+  EncodeSettings options = closed_loop({Target::Kind::Error, 0.5});
   options.segments.longest = 256;
   expect_still_where_the_original_is(with_still_channels(test::smooth_motion(700, 5)), options,
                                      0.02);
 }
 
 TEST(StillChannels, StayStillAtExactEndsAndInLoops) {
-  EncodeOptions options = closed_loop({Target::Kind::Error, 0.5});
+  EncodeSettings options = closed_loop({Target::Kind::Error, 0.5});
   options.ends = Ends::Exact;
   const Motion motion = with_still_channels(test::smooth_motion(300));
   expect_still_where_the_original_is(motion, options);

@@ -23,12 +23,13 @@ namespace {
 /// With an IK correction at the ends of both limbs.
 CompressedClip small_clip(Coding coding = Coding::Deflate) {
   const Motion motion = test::smooth_motion(40);
-  const CorrectionOptions correction{
+  const EncodeCorrection correction{
       .joints = {motion.skeleton.joint_count() - 1, motion.skeleton.joint_count() - 4},
       .ratio = 4.0};
   return Encoder(motion)
       .encode({.method = Method::Standard,
                .coding = coding,
+               .weighting = Weighting::BoneEnds,
                .target = {Target::Kind::CoefficientRatio, 4},
                .correction = correction})
       .compressed;
@@ -96,6 +97,7 @@ TEST(Container, ReadsBackAMotionOfNoBytes) {
     const Encoding encoding =
         Encoder(still).encode({.method = Method::Standard,
                                .coding = coding,
+                               .weighting = Weighting::BoneEnds,
                                .target = {Target::Kind::CoefficientRatio, 4}});
     EXPECT_EQ(decode(read_container(write_container(encoding.compressed))).frames(), 10);
   }

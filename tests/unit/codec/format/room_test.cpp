@@ -72,7 +72,8 @@ TEST(Room, IsLookedForBeforeTheWorkBegins) {
   for (const CompressionMethod& compression_method : compression_methods()) {
     int steps = 0;
     try {
-      encoder.compress(compression_method, {.target = {Target::Kind::Ratio, 4}},
+      encoder.compress(compression_method,
+                       {.weighting = Weighting::BoneEnds, .target = {Target::Kind::Ratio, 4}},
                        [&](const EncodeProgress&) { return ++steps > 0; });
       ADD_FAILURE() << compression_method.name;
     } catch (const Error& error) {

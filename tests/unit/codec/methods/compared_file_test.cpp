@@ -83,8 +83,9 @@ TEST(ComparedFile, OpensWaveletsOfEveryMethodByItsName) {
   const MethodEncoder encoder(test::smooth_motion(60));
   for (const char* name :
        {"annealed", "standard", "per-channel", "haar", "linear", "closed-loop"}) {
-    const Compression made = encoder.compress(*find_compression_method(name),
-                                              {.target = {Target::Kind::CoefficientRatio, 5}});
+    const Encoding made = encoder.compress(
+        *find_compression_method(name),
+        {.weighting = Weighting::BoneEnds, .target = {Target::Kind::CoefficientRatio, 5}});
     const OpenedMcpr opened = read_mcpr(made.file);
     EXPECT_EQ(opened.method, name);
     EXPECT_TRUE(opened.of_wavelets);

@@ -22,8 +22,8 @@ class EveryMethod : public testing::Test {
   static void SetUpTestSuite() { encoder = new MethodEncoder(test::smooth_motion(120)); }
   static void TearDownTestSuite() { delete encoder; }
 
-  static Compression compress(const CompressionMethod& compression_method, Target target,
-                              Weighting weighting = Weighting::BoneEnds) {
+  static Encoding compress(const CompressionMethod& compression_method, Target target,
+                           Weighting weighting = Weighting::BoneEnds) {
     return encoder->compress(compression_method, {.weighting = weighting, .target = target});
   }
   static const MethodEncoder* encoder;
@@ -45,7 +45,7 @@ TEST(CompressionMethods, AreNamedInTheOrderOfThePaper) {
 }
 
 TEST(CompressionMethods, OfWaveletsSetMethodAndBasisAndOthersNothing) {
-  EncodeOptions options;
+  EncodeSettings options;
   EXPECT_TRUE(choose_wavelets(*find_compression_method("haar"), options));
   EXPECT_EQ(options.method, Method::Standard);
   EXPECT_EQ(options.basis, Basis::Haar);
@@ -55,8 +55,8 @@ TEST(CompressionMethods, OfWaveletsSetMethodAndBasisAndOthersNothing) {
 
 TEST_F(EveryMethod, ComesNearARatio) {
   for (const CompressionMethod& compression_method : compression_methods()) {
-    const Compression made = compress(compression_method, {Target::Kind::Ratio, 6});
-    const double ratio = kRawBytes / static_cast<double>(made.motion_bytes);
+    const Encoding made = compress(compression_method, {Target::Kind::Ratio, 6});
+    const double ratio = kRawBytes / static_cast<double>(made.compressed.motion_bytes());
     const bool coarse = compression_method.name == "pca" || compression_method.name == "subsample";
     EXPECT_NEAR(ratio / 6, 1, coarse ? 0.25 : 0.05) << compression_method.name;
   }
@@ -69,7 +69,8 @@ TEST_F(EveryMethod, KeepsAnErrorASizeAndALargestError) {
         compress(compression_method, {Target::Kind::Error, 0.6}, weighting).distortion;
     EXPECT_LE(error.eps(weighting), 0.6) << compression_method.name;
     EXPECT_GT(error.eps(weighting), 0.1) << compression_method.name << " wastes";
-    EXPECT_LE(compress(compression_method, {Target::Kind::Size, 2500}).motion_bytes, 2500u)
+    EXPECT_LE(compress(compression_method, {Target::Kind::Size, 2500}).compressed.motion_bytes(),
+              2500u)
         << compression_method.name;
     EXPECT_LE(compress(compression_method, {Target::Kind::MaxError, 2}).distortion.max.cm, 2)
         << compression_method.name;
@@ -86,12 +87,12 @@ TEST_F(EveryMethod, SaysWhenATargetIsOutOfReach) {
 
 TEST_F(EveryMethod, WritesAFileThatReadsAsWhatWasMeasured) {
   for (const CompressionMethod& compression_method : compression_methods()) {
-    const Compression made =
+    const Encoding made =
         compress(compression_method, {Target::Kind::Ratio, 8}, Weighting::JointOrigins);
     const OpenedMcpr opened = read_mcpr(made.file);
     EXPECT_EQ(opened.method, compression_method.name);
     EXPECT_EQ(opened.of_wavelets, find_comparison_method(compression_method.name) == nullptr);
-    EXPECT_EQ(opened.compressed.motion_bytes(), made.motion_bytes);
+    EXPECT_EQ(opened.compressed.motion_bytes(), made.compressed.motion_bytes());
     EXPECT_EQ(opened.compressed.provenance.weighting, Weighting::JointOrigins);
     EXPECT_EQ(opened.compressed.provenance.eps_cm,
               runtime::rounded_error(static_cast<float>(made.distortion.eps_joint_origins)));
@@ -117,7 +118,7 @@ TEST_F(EveryMethod, OfWaveletsAloneKnowsACoefficientRatio) {
 TEST_F(EveryMethod, EndsEarlyWithTheBestSoFarWhenTold) {
   for (const char* name : {"annealed", "subsample"}) {
     int calls = 0;
-    const Compression made =
+    const Encoding made =
         encoder->compress(*find_compression_method(name), {}, [&](const EncodeProgress&) {
           ++calls;
           return false;

@@ -26,7 +26,9 @@ class Conventions : public testing::Test {
  protected:
   Conventions()
       : opened_(write_container(
-            Encoder(test::smooth_motion(90)).encode({.method = Method::ClosedLoop}).compressed)),
+            Encoder(test::smooth_motion(90))
+                .encode({.method = Method::ClosedLoop, .weighting = Weighting::BoneEnds})
+                .compressed)),
         cooked_(opened_.clip) {
     for (std::uint32_t j = 0; j < mcpr_clip_describe(opened_.clip).joints; ++j) {
       mcpr_joint joint{};

@@ -28,7 +28,7 @@ using test::OpenedClip;
 constexpr double kMostTurn = 5e-4;   // radians
 constexpr double kMostShift = 2e-3;  // cm
 
-CompressedClip compressed_of(const Motion& motion, EncodeOptions options = {}) {
+CompressedClip compressed_of(const Motion& motion, EncodeSettings options = {}) {
   options.method = Method::ClosedLoop;
   return Encoder(motion).encode(options).compressed;
 }

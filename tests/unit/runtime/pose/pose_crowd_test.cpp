@@ -61,7 +61,7 @@ class Stage {
   AlignedBytes cursor_memory_;
 };
 
-CompressedClip crowd_clip(int frames, EncodeOptions options = {}) {
+CompressedClip crowd_clip(int frames, EncodeSettings options = {}) {
   options.method = Method::ClosedLoop;
   options.target = {Target::Kind::Error, 0.1};
   return Encoder(test::smooth_motion(frames, static_cast<unsigned>(frames)))

@@ -29,7 +29,7 @@ using test::OpenedClip;
 constexpr double kTurnBetween = 2 * 5e-4;   // radians
 constexpr double kShiftBetween = 2 * 2e-3;  // cm
 
-CompressedClip clip_of_frames(int frames, EncodeOptions options = {}) {
+CompressedClip clip_of_frames(int frames, EncodeSettings options = {}) {
   options.method = Method::ClosedLoop;
   return Encoder(test::smooth_motion(frames, static_cast<unsigned>(frames)))
       .encode(options)

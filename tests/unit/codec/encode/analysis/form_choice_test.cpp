@@ -33,9 +33,10 @@ Motion near_the_pole(int frames = 300) {
   return with_forms(smooth, RotationForms{{RotationOrder::Zyx}});
 }
 
-EncodeOptions closed_loop(double eps_cm = 0.2) {
+EncodeSettings closed_loop(double eps_cm = 0.2) {
   return {.method = Method::ClosedLoop,
           .coding = Coding::Adaptive,
+          .weighting = Weighting::BoneEnds,
           .target = {Target::Kind::Error, eps_cm}};
 }
 
@@ -90,7 +91,7 @@ TEST(FormChoice, TheRuntimeDecoderPlaysWhatIsCoded) {
 }
 
 TEST(FormChoice, IsForClosedLoopsAlone) {
-  EncodeOptions standard = closed_loop();
+  EncodeSettings standard = closed_loop();
   standard.method = Method::Standard;
   EXPECT_TRUE(Encoder(near_the_pole()).encode(standard).compressed.forms.empty());
 }

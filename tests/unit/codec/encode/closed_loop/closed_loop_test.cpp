@@ -85,7 +85,10 @@ TEST(ClosedLoop, FramesThatWeighMoreAreNearer) {
 TEST(ClosedLoop, IsTheSameForAnyNumberOfThreads) {
   const auto encoded = [] {
     const Encoder encoder(test::smooth_motion(200));
-    return encoder.encode({.method = Method::ClosedLoop, .target = {Target::Kind::Ratio, 40}})
+    return encoder
+        .encode({.method = Method::ClosedLoop,
+                 .weighting = Weighting::BoneEnds,
+                 .target = {Target::Kind::Ratio, 40}})
         .compressed.motion;
   };
   const auto many = encoded();
@@ -96,17 +99,20 @@ TEST(ClosedLoop, IsTheSameForAnyNumberOfThreads) {
 TEST(ClosedLoop, TakesAThirdLessThanAnnealingForTheSameError) {
   const Encoder encoder(test::smooth_motion(400));
   const auto bytes = [&](Method method) {
-    return static_cast<double>(
-        encoder.encode({.method = method, .target = {Target::Kind::Error, 0.3}})
-            .compressed.motion_bytes());
+    return static_cast<double>(encoder
+                                   .encode({.method = method,
+                                            .weighting = Weighting::BoneEnds,
+                                            .target = {Target::Kind::Error, 0.3}})
+                                   .compressed.motion_bytes());
   };
   EXPECT_LT(bytes(Method::ClosedLoop), 0.67 * bytes(Method::Annealed));
 }
 
 TEST(ClosedLoop, HoldsAHardBound) {
   const Encoder encoder(test::smooth_motion(300));
-  const Encoding bounded =
-      encoder.encode({.method = Method::ClosedLoop, .target = {Target::Kind::MaxError, 1}});
+  const Encoding bounded = encoder.encode({.method = Method::ClosedLoop,
+                                           .weighting = Weighting::BoneEnds,
+                                           .target = {Target::Kind::MaxError, 1}});
   EXPECT_LE(bounded.distortion.max.cm, 1);
   EXPECT_GT(bounded.distortion.max.cm, 0.98);
 }
@@ -147,8 +153,9 @@ TEST(ClosedLoop, EndsWhenToldTo) {
 TEST(ClosedLoop, TakesClipsOfAnyLength) {
   for (const int frames : {1, 2, 3, 5, 17}) {
     const Encoder encoder(test::smooth_motion(frames));
-    const Encoding encoding =
-        encoder.encode({.method = Method::ClosedLoop, .target = {Target::Kind::Error, 0.5}});
+    const Encoding encoding = encoder.encode({.method = Method::ClosedLoop,
+                                              .weighting = Weighting::BoneEnds,
+                                              .target = {Target::Kind::Error, 0.5}});
     EXPECT_LE(encoding.distortion.eps_bone_ends, 0.5) << frames;
     EXPECT_EQ(encoding.decoded.frames(), frames);
   }
@@ -156,16 +163,18 @@ TEST(ClosedLoop, TakesClipsOfAnyLength) {
 
 TEST(ClosedLoop, KeepsTheCoefficientRatioOfThePaperToo) {
   const Encoder encoder(test::smooth_motion(400));
-  const Encoding encoding = encoder.encode(
-      {.method = Method::ClosedLoop, .target = {Target::Kind::CoefficientRatio, 20}});
-  EXPECT_NEAR(encoding.coefficient_ratio / 20, 1, 0.02);
+  const Encoding encoding = encoder.encode({.method = Method::ClosedLoop,
+                                            .weighting = Weighting::BoneEnds,
+                                            .target = {Target::Kind::CoefficientRatio, 20}});
+  EXPECT_NEAR(*encoding.coefficient_ratio / 20, 1, 0.02);
 }
 
 TEST(ClosedLoop, AClipWithoutFramesIsEncodedToo) {
   Motion nothing = test::smooth_motion(2);
   nothing.clip.channels.resize(0, nothing.clip.channels.cols());
-  const Encoding encoding =
-      Encoder(nothing).encode({.method = Method::ClosedLoop, .target = {Target::Kind::Error, 0.5}});
+  const Encoding encoding = Encoder(nothing).encode({.method = Method::ClosedLoop,
+                                                     .weighting = Weighting::BoneEnds,
+                                                     .target = {Target::Kind::Error, 0.5}});
   EXPECT_EQ(decode(read_container(write_container(encoding.compressed))).frames(), 0);
 }
 

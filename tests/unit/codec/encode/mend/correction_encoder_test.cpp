@@ -19,8 +19,11 @@ const Encoder& walk() {
   return shared;
 }
 
-EncodeOptions with_correction(Target target, CorrectionOptions correction) {
-  return {.method = Method::Standard, .target = target, .correction = correction};
+EncodeSettings with_correction(Target target, EncodeCorrection correction) {
+  return {.method = Method::Standard,
+          .weighting = Weighting::BoneEnds,
+          .target = target,
+          .correction = correction};
 }
 
 constexpr Target kThirty = {Target::Kind::CoefficientRatio, 30};
@@ -31,8 +34,9 @@ TEST(CorrectionEncoder, HoldsTheFeetForTheSameSize) {
       const Encoding with =
           walk().encode(with_correction(kThirty, {.ratio = 16.0, .solver = solver, .at = at}));
       const auto bytes = static_cast<double>(with.compressed.motion_bytes());
-      const Encoding without =
-          walk().encode({.method = Method::Standard, .target = {Target::Kind::Size, bytes}});
+      const Encoding without = walk().encode({.method = Method::Standard,
+                                              .weighting = Weighting::BoneEnds,
+                                              .target = {Target::Kind::Size, bytes}});
       EXPECT_LT(with.footskate.total_cm, 0.2 * without.footskate.total_cm) << name(at);
     }
 }
@@ -48,11 +52,13 @@ TEST(CorrectionEncoder, CountsInARatio) {
 
 TEST(CorrectionEncoder, CombinesWithTheClosedLoopInOneStream) {
   const Target target = {Target::Kind::Ratio, 200};
-  const auto closed = [&](std::optional<CorrectionOptions> correction) {
-    return walk().encode(
-        {.method = Method::ClosedLoop, .target = target, .correction = std::move(correction)});
+  const auto closed = [&](std::optional<EncodeCorrection> correction) {
+    return walk().encode({.method = Method::ClosedLoop,
+                          .weighting = Weighting::BoneEnds,
+                          .target = target,
+                          .correction = std::move(correction)});
   };
-  const Encoding with = closed(CorrectionOptions{.ratio = 16.0});
+  const Encoding with = closed(EncodeCorrection{.ratio = 16.0});
   EXPECT_NEAR(compression_ratio(walk().motion().clip, with.compressed.motion_bytes()) / 200, 1,
               0.02);
   EXPECT_GT(with.compressed.correction_bytes(), 50u);
@@ -65,7 +71,8 @@ TEST(CorrectionEncoder, CombinesWithTheClosedLoopInOneStream) {
 
 TEST(CorrectionEncoder, FindsASplitThatHoldsTheFeetAndSparesTheRest) {
   const Target target = {Target::Kind::Ratio, 40};
-  const Encoding without = walk().encode({.method = Method::Standard, .target = target});
+  const Encoding without = walk().encode(
+      {.method = Method::Standard, .weighting = Weighting::BoneEnds, .target = target});
   const Encoding with = walk().encode(with_correction(target, {}));
   EXPECT_LT(with.footskate.total_cm, 0.5 * without.footskate.total_cm);
   EXPECT_LE(with.distortion.eps_bone_ends, 1.2 * without.distortion.eps_bone_ends);
@@ -73,7 +80,7 @@ TEST(CorrectionEncoder, FindsASplitThatHoldsTheFeetAndSparesTheRest) {
 
 TEST(CorrectionEncoder, TakesOtherJointsThanTheFeetAndMoreThanTwo) {
   const Skeleton& skeleton = walk().motion().skeleton;
-  CorrectionOptions options{.ratio = 4.0};
+  EncodeCorrection options{.ratio = 4.0};
   for (const char* joint : {"ltoes", "rtoes", "lhand", "rhand"})
     options.joints.push_back(skeleton.find(joint));
   const Encoding encoding = walk().encode(with_correction(kThirty, options));
@@ -101,7 +108,7 @@ TEST(CorrectionEncoder, KeepsTheKneesFromSnapping) {
 }
 
 TEST(CorrectionEncoder, HeedsEditedContacts) {
-  EncodeOptions options = with_correction(kThirty, {.ratio = 16.0, .at = CorrectAt::Contacts});
+  EncodeSettings options = with_correction(kThirty, {.ratio = 16.0, .at = CorrectAt::Contacts});
   options.contacts.emplace();  // the user took them all away
   const Encoding encoding = walk().encode(options);
   EXPECT_EQ(encoding.decoded.channels, encoding.correction->uncorrected.channels);

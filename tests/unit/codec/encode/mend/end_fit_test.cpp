@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kEndTarget = 0.5;  // cm
 
-EncodeOptions with_ends(Ends ends, Weighting weighting = Weighting::Surface) {
+EncodeSettings with_ends(Ends ends, Weighting weighting = Weighting::Surface) {
   return {.method = Method::ClosedLoop,
           .weighting = weighting,
           .target = {Target::Kind::Error, kEndTarget},
@@ -65,7 +65,7 @@ Motion waving_chain(int joints, int frames) {
 TEST(EndFit, HoldsEndsOfTooManyChannelsToBeWeighedAgainstEachOther) {
   const Motion motion = waving_chain(400, 9);
   for (const Ends ends : {Ends::Even, Ends::Exact}) {
-    EncodeOptions options = with_ends(ends);
+    EncodeSettings options = with_ends(ends);
     options.loop = Loop::None;
     const Encoding encoding = Encoder(motion).encode(options);
     const auto [first, last] = errors_at_ends(motion, encoding.compressed, Weighting::Surface);
@@ -100,13 +100,13 @@ TEST(EndFit, ExactEndsAreWithinATenthOfTheTargetInEveryWeighting) {
 
 TEST(EndFit, ExactEndsHoldBesideACorrectionAndInSegments) {
   const Motion motion = test::smooth_motion(700, 3);
-  EncodeOptions corrected = with_ends(Ends::Exact);
-  corrected.correction = CorrectionOptions{
+  EncodeSettings corrected = with_ends(Ends::Exact);
+  corrected.correction = EncodeCorrection{
       .joints = {motion.skeleton.joint_count() - 1, motion.skeleton.joint_count() - 4},
       .ratio = 8.0};
-  EncodeOptions in_segments = with_ends(Ends::Exact);
+  EncodeSettings in_segments = with_ends(Ends::Exact);
   in_segments.segments.longest = 256;
-  for (const EncodeOptions& asked : {corrected, in_segments}) {
+  for (const EncodeSettings& asked : {corrected, in_segments}) {
     const Encoding encoding = Encoder(motion).encode(asked);
     const auto [first, last] = errors_at_ends(motion, encoding.compressed, Weighting::Surface);
     EXPECT_LE(first, 0.1 * kEndTarget);
@@ -117,7 +117,7 @@ TEST(EndFit, ExactEndsHoldBesideACorrectionAndInSegments) {
 TEST(EndFit, OfALoopNothingJumpsFromTheLastFrameToTheFirst) {
   const Motion loop = test::loop_of(test::smooth_motion(600, 6), 1);
   ASSERT_GT(loop.clip.frames(), 100);
-  EncodeOptions asked = with_ends(Ends::Even);
+  EncodeSettings asked = with_ends(Ends::Even);
   for (const Target target :
        {Target{Target::Kind::Error, kEndTarget}, {Target::Kind::MaxError, 3}}) {
     asked.target = target;
@@ -134,7 +134,7 @@ TEST(EndFit, VelocitiesOfALoopBreakNoMoreAtItsSeamThanElsewhere) {
   int mended = 0;
   for (int seed = 1; seed <= 8; ++seed) {
     const Motion loop = test::loop_of(test::smooth_motion(300, static_cast<unsigned>(seed)), 0.5);
-    EncodeOptions asked = with_ends(Ends::Even);
+    EncodeSettings asked = with_ends(Ends::Even);
     asked.loop = Loop::Repeats;
     const Encoding encoding = Encoder(loop).encode(asked);
     const EndErrors& ends = encoding.distortion.ends;
@@ -149,7 +149,7 @@ TEST(EndFit, VelocitiesOfALoopBreakNoMoreAtItsSeamThanElsewhere) {
 
 TEST(EndFit, OfAHardMaximumNoPointOfAnExactEndIsFurtherOffThanATenth) {
   const Motion motion = test::smooth_motion(150, 4);
-  EncodeOptions asked = with_ends(Ends::Exact);
+  EncodeSettings asked = with_ends(Ends::Exact);
   asked.target = {Target::Kind::MaxError, 3};
   const Encoding encoding = Encoder(motion).encode(asked);
   const PointErrors errors(motion.skeleton, Weighting::Surface);
@@ -164,16 +164,16 @@ TEST(EndFit, OfAHardMaximumNoPointOfAnExactEndIsFurtherOffThanATenth) {
 TEST(EndFit, NothingIsCodedWhereItIsNotAskedFor) {
   const Motion motion = test::smooth_motion(100);
   EXPECT_FALSE(Encoder(motion).encode(with_ends(Ends::Free)).compressed.ends);
-  EncodeOptions bounded = with_ends(Ends::Even);
+  EncodeSettings bounded = with_ends(Ends::Even);
   bounded.target = {Target::Kind::MaxError, 3};
   EXPECT_FALSE(Encoder(motion).encode(bounded).compressed.ends);
 }
 
 TEST(EndFit, TheRuntimeDecoderGivesTheSameBits) {
   const Motion motion = test::smooth_motion(700, 5);
-  EncodeOptions in_segments = with_ends(Ends::Exact);
+  EncodeSettings in_segments = with_ends(Ends::Exact);
   in_segments.segments.longest = 256;
-  for (const EncodeOptions& asked : {with_ends(Ends::Exact), in_segments}) {
+  for (const EncodeSettings& asked : {with_ends(Ends::Exact), in_segments}) {
     CompressedClip compressed = Encoder(motion).encode(asked).compressed;
     ASSERT_TRUE(compressed.ends);
     CodedEnds& ends = *compressed.ends;

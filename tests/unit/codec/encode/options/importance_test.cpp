@@ -21,6 +21,7 @@ const Encoder& walk() {
 Encoding encoded(Method method, const Importance& importance) {
   return walk().encode({.method = method,
                         .coding = Coding::Adaptive,
+                        .weighting = Weighting::BoneEnds,
                         .target = {Target::Kind::Ratio, 150},
                         .importance = importance});
 }

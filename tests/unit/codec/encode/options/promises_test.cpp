@@ -14,7 +14,7 @@
 namespace mocapress {
 namespace {
 
-EncodeOptions options_with(const Promises& promises) {
+EncodeSettings options_with(const Promises& promises) {
   return {.method = Method::ClosedLoop,
           .weighting = Weighting::Surface,
           .target = {Target::Kind::Error, 0.5},
@@ -71,7 +71,7 @@ TEST(Promises, OutOfReachAreATargetThatIsMissed) {
 
 TEST(Promises, AreNotKeptBesideASize) {
   const Encoder encoder(samples::walk_clip());
-  EncodeOptions options = options_with({.head_degrees = 1e-9});
+  EncodeSettings options = options_with({.head_degrees = 1e-9});
   options.target = {Target::Kind::Ratio, 100};
   EXPECT_NO_THROW(encoder.encode(options));
 }

@@ -17,7 +17,10 @@ const Encoder& run() {
 }
 
 Encoding encoded(Target target, Effort effort) {
-  return run().encode({.method = Method::ClosedLoop, .target = target, .effort = effort});
+  return run().encode({.method = Method::ClosedLoop,
+                       .weighting = Weighting::BoneEnds,
+                       .target = target,
+                       .effort = effort});
 }
 
 TEST(ScaleSearch, MeetsEveryKindOfTargetWithinTwoPercent) {
@@ -46,10 +49,8 @@ TEST(ScaleSearch, MeetsEveryKindOfTargetWithinTwoPercent) {
 }
 
 TEST(ScaleSearch, LeavesNothingToSee) {
-  const auto seen = [](double times, const EncodeOptions& more) {
-    EncodeOptions options = more;
-    options.method = Method::ClosedLoop;
-    options.weighting = Weighting::Surface;
+  const auto seen = [](double times, const EncodeSettings& more) {
+    EncodeSettings options = more;
     options.target = {Target::Kind::Visibility, times};
     return run().encode(options);
   };
@@ -59,14 +60,16 @@ TEST(ScaleSearch, LeavesNothingToSee) {
   const Encoding borderline = seen(2, {});
   EXPECT_EQ(borderline.visibility.sight(), Sight::Borderline);
   EXPECT_LT(borderline.compressed.motion_bytes(), hidden.compressed.motion_bytes());
-  EncodeOptions corrected;
+  EncodeSettings corrected;
   corrected.correction.emplace().ratio = 16;
   EXPECT_EQ(seen(1, corrected).visibility.sight(), Sight::NotVisible);
 }
 
 TEST(ScaleSearch, HoldsAHardMaximumWithACorrectionToo) {
   for (const double bound : {1.5, 3.0}) {
-    EncodeOptions options{.method = Method::ClosedLoop, .target = {Target::Kind::MaxError, bound}};
+    EncodeSettings options{.method = Method::ClosedLoop,
+                           .weighting = Weighting::BoneEnds,
+                           .target = {Target::Kind::MaxError, bound}};
     options.correction.emplace().ratio = 16;
     const double furthest = run().encode(options).distortion.max.cm;
     EXPECT_LE(furthest, bound);

@@ -12,9 +12,10 @@
 namespace mocapress::test {
 namespace {
 
-EncodeOptions draft_of(const Target& target) {
+EncodeSettings draft_of(const Target& target) {
   return {.method = Method::ClosedLoop,
           .coding = Coding::Adaptive,
+          .weighting = Weighting::BoneEnds,
           .target = target,
           .effort = Effort::Draft};
 }
@@ -42,7 +43,7 @@ TEST(SizeEstimate, OfNothingButZerosIsSmall) {
 
 TEST(SizeEstimate, ADraftIsTheSameWithoutBytes) {
   const Encoder encoder(smooth_motion(400));
-  EncodeOptions options = draft_of({Target::Kind::Error, 0.3});
+  EncodeSettings options = draft_of({Target::Kind::Error, 0.3});
   const Encoding coded = encoder.encode(options);
   options.size_will_do = true;
   Encoding shown = encoder.encode(options);
@@ -60,7 +61,7 @@ TEST(SizeEstimate, ADraftIsTheSameWithoutBytes) {
 
 TEST(SizeEstimate, LeadsADraftToASize) {
   const Encoder encoder(smooth_motion(400));
-  EncodeOptions options = draft_of({Target::Kind::Size, 1500});
+  EncodeSettings options = draft_of({Target::Kind::Size, 1500});
   options.size_will_do = true;
   Encoding shown = encoder.encode(options);
   ASSERT_TRUE(shown.compressed.likely_bytes);
@@ -71,7 +72,7 @@ TEST(SizeEstimate, LeadsADraftToASize) {
 
 TEST(SizeEstimate, IsOfDraftsAlone) {
   const Encoder encoder(smooth_motion(100));
-  EncodeOptions options = draft_of({Target::Kind::Error, 0.3});
+  EncodeSettings options = draft_of({Target::Kind::Error, 0.3});
   options.size_will_do = true;
   options.effort = Effort::Default;
   EXPECT_FALSE(encoder.encode(options).compressed.likely_bytes);

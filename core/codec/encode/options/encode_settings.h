@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The request for one encode of one clip. Settings (core/mocapress/settings.h) are the same for any
-// clip, with joints by name.
+// The settings of one encode of one clip. Settings (core/mocapress/settings.h) are the same for any
+// clip, with joints by name; encode_settings() turns them into these.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ struct SegmentPlan {
 };
 
 /// Joints that inverse kinematics moves to their original places during playback.
-struct CorrectionOptions {
+struct EncodeCorrection {
   std::vector<int> joints;      // to be effectors; empty: the feet
   std::optional<double> ratio;  // r_IK: coefficients of the differences / kept ones; unset: the
                                 // encoder finds the split between motion and correction
@@ -35,17 +35,18 @@ struct CorrectionOptions {
   CorrectAt at = CorrectAt::EveryFrame;
 };
 
-struct EncodeOptions {
-  Method method = Method::Annealed;
-  Coding coding = Coding::Deflate;
+/// The defaults are those of Settings.
+struct EncodeSettings {
+  Method method = Method::ClosedLoop;
+  Coding coding = Coding::Deflate;  // heeded by the paper's methods: see effective_coding()
   Basis basis = Basis::Cubic;
-  Weighting weighting = Weighting::BoneEnds;
-  Target target;
-  std::uint64_t seed = 1;  // of the annealing; the same seed gives the same bytes
+  Weighting weighting = Weighting::Surface;
+  Target target{Target::Kind::Error, 0.5};  // cm
+  std::uint64_t seed = 1;                   // of the annealing; the same seed gives the same bytes
   Effort effort = Effort::Default;
   Importance importance;                             // heeded by annealing and the closed loop
   Promises promises;                                 // kept beside a target that is an error
-  std::optional<CorrectionOptions> correction;       // its size counts in ratio and size
+  std::optional<EncodeCorrection> correction;        // its size counts in ratio and size
   std::optional<std::vector<ContactSpan>> contacts;  // edited ones; unset: Encoder::contacts()
   SegmentPlan segments;                              // of a closed loop
   Ends ends = Ends::Even;                            // of a closed loop; their bytes count
@@ -57,8 +58,8 @@ struct EncodeOptions {
 };
 
 /// The coding that will be used. The closed loop always uses its own.
-inline Coding effective_coding(const EncodeOptions& options) {
-  return options.method == Method::ClosedLoop ? Coding::Adaptive : options.coding;
+inline Coding effective_coding(const EncodeSettings& settings) {
+  return settings.method == Method::ClosedLoop ? Coding::Adaptive : settings.coding;
 }
 
 }  // namespace mocapress

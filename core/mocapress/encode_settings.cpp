@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/mocapress/encode_options.h"
+#include "core/mocapress/encode_settings.h"
 
 #include <algorithm>
 
@@ -25,30 +25,30 @@ std::vector<ContactSpan> contacts_for(const std::vector<ContactSetting>& contact
 
 }  // namespace
 
-EncodeOptions encode_options(const Settings& settings, const Skeleton& skeleton) {
-  EncodeOptions options{.coding = coding_of(settings).value_or(Coding::Deflate),
-                        .weighting = settings.weighting,
-                        .target = settings.target,
-                        .seed = settings.seed,
-                        .effort = settings.effort,
-                        .importance = importance_for(settings.importance, skeleton),
-                        .promises = settings.promises,
-                        .ends = settings.ends,
-                        .loop = settings.loop};
+EncodeSettings encode_settings(const Settings& settings, const Skeleton& skeleton) {
+  EncodeSettings of_clip{.coding = coding_of(settings).value_or(Coding::Deflate),
+                         .weighting = settings.weighting,
+                         .target = settings.target,
+                         .seed = settings.seed,
+                         .effort = settings.effort,
+                         .importance = importance_for(settings.importance, skeleton),
+                         .promises = settings.promises,
+                         .ends = settings.ends,
+                         .loop = settings.loop};
   require_measurable(skeleton, settings.weighting);
   if (const CompressionMethod* compression_method = find_compression_method(settings.method))
-    choose_wavelets(*compression_method, options);
-  if (settings.contacts) options.contacts = contacts_for(*settings.contacts, skeleton);
-  if (!settings.correction) return options;
+    choose_wavelets(*compression_method, of_clip);
+  if (settings.contacts) of_clip.contacts = contacts_for(*settings.contacts, skeleton);
+  if (!settings.correction) return of_clip;
   const CorrectionSettings& wanted = *settings.correction;
-  options.correction =
-      CorrectionOptions{.ratio = wanted.ratio, .solver = wanted.solver, .at = wanted.at};
+  of_clip.correction =
+      EncodeCorrection{.ratio = wanted.ratio, .solver = wanted.solver, .at = wanted.at};
   for (const std::string& effector : wanted.effectors) {
     const int joint = skeleton.find(effector);
     if (joint < 0) throw Error("the skeleton has no joint named " + effector);
-    options.correction->joints.push_back(joint);
+    of_clip.correction->joints.push_back(joint);
   }
-  return options;
+  return of_clip;
 }
 
 }  // namespace mocapress
