@@ -5,7 +5,7 @@
 
 namespace mocapress {
 
-/// The drawing of that name in resources/icons, always in the palette's text colour, light or dark.
+/// Loads the drawing `name` from resources/icons in the palette's text colour, light or dark.
 QIcon themedIcon(const QString& name);
 
 }  // namespace mocapress

@@ -29,7 +29,7 @@ QString stageName(ClipProgress::Stage stage) {
   return {};
 }
 
-/// Without the path of the clip, which the row stands for, and the place in it.
+/// The error without the clip's path, which the row shows already, but with the place in the file.
 QString shortError(const QueuedClip& clip) {
   const QString path = QRegularExpression::escape(QString::fromStdString(clip.source.path));
   const QRegularExpression place(QStringLiteral("^%1(:\\d+)*:? ").arg(path));
@@ -358,7 +358,7 @@ Qt::ItemFlags BatchQueueModel::flags(const QModelIndex& index) const {
   return index.isValid() && index.column() == Clip ? usual | Qt::ItemIsUserCheckable : usual;
 }
 
-/// Whoever has the history of the queue does it.
+/// The owner of the undo history answers includeToggled() and changes the model.
 bool BatchQueueModel::setData(const QModelIndex& index, const QVariant& value, int role) {
   if (!index.isValid() || index.column() != Clip || role != Qt::CheckStateRole) return false;
   emit includeToggled(index.row(), value.toInt() == Qt::Checked);

@@ -15,14 +15,14 @@
 
 namespace mocapress {
 
-/// Where the files of a batch go, and which; and what is put on its clips.
+/// Output of a batch: folder, file names, formats, and the character put on its clips.
 struct BatchSettings {
-  QString character;  // path of a mesh for every clip; empty: each has its own
+  QString character;  // path of a mesh for every clip; empty: each keeps its own
   QString folder;     // empty: not chosen yet
   QString names = QString::fromUtf8(kUsualNames);
   std::vector<OutputFormat> formats = {OutputFormat::Mcpr};
   std::optional<runtime::BankForm> bank;
-  bool learn = false;  // of a packed bank; another form leaves it as it was chosen
+  bool learn = false;  // only for a packed bank; other formats keep the choice
   bool overwrite = false;
 
   bool learns() const { return learn && bank == runtime::BankForm::Packed; }
@@ -30,35 +30,35 @@ struct BatchSettings {
   bool operator==(const BatchSettings&) const = default;
 };
 
-/// A clip in the queue and how far it is.
+/// A clip in the queue and its progress.
 struct QueuedClip {
   enum class State { Waiting, Working, Done, Failed };
 
   SourceClip source;
   std::string skeleton;         // .asf; empty: beside the .amc
-  ReadOptions reading = {};     // import options of the library
-  std::optional<Settings> own;  // locked: the common preset does not reach it
-  ClipReview review = {};       // of the library
-  std::string files = {};       // hash of its files, as the library knows them; empty: it does not
-  bool missing = false;         // they are gone
-  bool left_out = false;        // it stays in the queue and is not exported
+  ReadOptions reading = {};     // the library's import options
+  std::optional<Settings> own;  // a locked clip's own settings
+  ClipReview review = {};       // the library's review
+  std::string files = {};       // hash of its files as the library knows them; empty: unknown
+  bool missing = false;         // the files are gone
+  bool left_out = false;        // the clip stays in the queue and is not exported
   State state = State::Waiting;
-  ClipProgress progress;                // while working
-  std::optional<Measurement> measured;  // when done, by the file that was read back
-  std::string error;                    // when failed
-  std::vector<std::string> warnings;    // when it has ended: what its reader repaired or guessed
+  ClipProgress progress;                // set while working
+  std::optional<Measurement> measured;  // set when done, measured on the file that was read back
+  std::string error;                    // set when failed
+  std::vector<std::string> warnings;    // set at the end: what the reader repaired or guessed
 };
 
-/// The clips of a batch, the preset they have in common, and what became of each.
+/// The clips of a batch, their common preset, and the result of each.
 class BatchQueueModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
   enum Column { Clip, Lock, Preset, Review, State, Ratio, Eps, Max, Columns };
 
-  /// 0 to 1 while the clip is being worked on, else invalid.
+  /// Role for the progress, 0 to 1, of a clip that is being worked on; invalid for others.
   static constexpr int kProgressRole = Qt::UserRole;
-  static constexpr int kStateRole = Qt::UserRole + 1;  // int of QueuedClip::State
+  static constexpr int kStateRole = Qt::UserRole + 1;  // Role for QueuedClip::State as an int.
 
   using QAbstractTableModel::QAbstractTableModel;
 
@@ -66,42 +66,42 @@ class BatchQueueModel : public QAbstractTableModel {
   const Settings& common() const { return common_; }
   const Settings& presetOf(int row) const;
 
-  /// Another queue in the place of this one.
+  /// Replaces the whole queue.
   void replace(const Settings& common, const std::vector<QueuedClip>& clips);
 
-  /// What a clip has comes of its preset: one that gets another is waiting again.
+  /// Gives a preset to every clip that is not locked. A clip whose preset changes waits again.
   void setCommon(const Settings& preset);
   void setOwn(const std::vector<int>& rows, const std::optional<Settings>& preset);
   void setOwn(const std::map<int, std::optional<Settings>>& by_row);
 
   void setReading(int row, const ReadOptions& reading);
 
-  /// A clip that is rejected is left out from then on, one that no longer is comes back. What is
-  /// said of other clips than these stays.
+  /// Sets the reviews of these clips; other clips keep theirs. A newly rejected clip is left out,
+  /// and comes back once it is no longer rejected.
   void setReviews(const ClipReviews& reviews);
   void setLeftOut(const std::vector<int>& rows, bool left_out);
 
-  /// Those that are not there yet.
+  /// Adds the clips that are not in the queue yet.
   void add(const std::vector<QueuedClip>& clips);
 
-  /// Each at its row, as remove() took them.
+  /// Inserts each clip at its row, as remove() took them.
   void insert(const std::map<int, QueuedClip>& clips);
   void remove(std::vector<int> rows);
 
-  /// Of a running batch, whose indices are rows.
+  /// Shows the progress of a running batch, whose clip indices are rows.
   void setProgress(int row, const ClipProgress& progress);
   void setEnded(int row, const std::optional<Measurement>& measured, const std::string& error,
                 const std::vector<std::string>& warnings = {});
 
-  /// Clips that were being worked on are waiting again.
+  /// Clips that were being worked on wait again.
   void stopWorking();
-  /// All of them, for they go somewhere else, or by another name.
+  /// All clips wait again, since folder or file names have changed.
   void waitAgain();
 
-  /// Of those that are not left out.
+  /// Counts the clips in a state, without those that are left out.
   int count(QueuedClip::State state) const;
 
-  /// Verdicts that are not about the files or the settings that would be exported.
+  /// Counts verdicts that were given for other files or settings than those to be exported.
   int countStale() const;
   int countLeftOut() const;
 
@@ -113,10 +113,10 @@ class BatchQueueModel : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  signals:
-  /// Clips or settings, which are worth keeping; not progress.
+  /// Clips or settings changed, which are worth saving; progress is not.
   void edited();
 
-  /// The user ticked a clip, or took its tick away.
+  /// The user ticked or unticked a clip.
   void includeToggled(int row, bool included);
 
  private:
@@ -132,7 +132,7 @@ class BatchQueueModel : public QAbstractTableModel {
   std::vector<QueuedClip> clips_;
 };
 
-/// "eps_x 0.5 cm", in the language and with the decimal sign of the user.
+/// Formats a target as "eps_x 0.5 cm", in the user's language and with its decimal sign.
 QString batchTargetText(const Target& target);
 
 }  // namespace mocapress

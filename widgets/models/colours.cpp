@@ -34,7 +34,7 @@ QColor sightColour(double times_noticed) {
   const Sight sight = sight_of(times_noticed);
   const QColor colour = sightColour(sight);
   if (sight != Sight::NotVisible) return colour;
-  constexpr double kDarkest = 0.45;  // of the colour's lightness
+  constexpr double kDarkest = 0.45;  // share of the colour's lightness
   const double share = kDarkest + (1 - kDarkest) * std::clamp(times_noticed, 0.0, 1.0);
   const auto darker = [share](int part) { return static_cast<int>(std::lround(share * part)); };
   return {darker(colour.red()), darker(colour.green()), darker(colour.blue())};
@@ -42,7 +42,7 @@ QColor sightColour(double times_noticed) {
 
 namespace {
 
-constexpr double kNothing = 0.1;  // cm
+constexpr double kNothing = 0.1;  // cm: smaller slides count as none
 constexpr double kWorst = 2.0;
 
 }  // namespace

@@ -11,54 +11,54 @@
 
 namespace mocapress {
 
-/// Okabe and Ito's colours, told apart by all kinds of colour vision; those that hold on white and
-/// on black.
+/// Okabe and Ito's colours that can be seen on white and on black. They differ in all kinds of
+/// colour vision.
 inline constexpr std::array<QRgb, 7> kCurveColours = {
     0xff0072b2, 0xffd55e00, 0xff009e73, 0xffcc79a7, 0xffe69f00, 0xff56b4e9, 0xff999999};
 
-/// What tells the series of a study apart, in every plot and table the same: colour, shape of the
-/// points and kind of line, so that colour is never needed alone.
+/// Distinguishes a series of a study in every plot and table: colour, point shape and line style,
+/// so that nobody depends on colour alone.
 struct SeriesStyle {
   QColor colour;
-  int shape = 0;        // of the points, 0 to kSeriesShapes - 1
-  bool dashed = false;  // the line
-  bool hollow = false;  // the points: with the feet held
+  int shape = 0;        // shape of the points, 0 to kSeriesShapes - 1
+  bool dashed = false;  // dashes the line
+  bool hollow = false;  // draws hollow points: the feet are held
 };
 
 inline constexpr int kSeriesShapes = 5;
 
-/// By the method's place among compression_methods().
+/// Picks the style by the method's place in compression_methods().
 SeriesStyle seriesStyle(std::string_view method, bool feet_held);
 
-/// Slate, amber, vermilion: told apart in all kinds of colour vision and by how light they are.
+/// Returns slate, amber or vermilion: they differ in all kinds of colour vision and in lightness.
 QColor sightColour(Sight sight);
 
-/// The same by how many times an error is what is noticed: what is not visible is the darker the
-/// less there is of it.
+/// The same for an error given as a multiple of the noticeable threshold. Errors below the
+/// threshold are darker the smaller they are.
 QColor sightColour(double times_noticed);
 
-/// How bad a slide is, 0 ... 1: a millimetre is nothing to be seen, two centimetres are as bad as
-/// it gets.
+/// Grades a slide from 0 to 1: up to a millimetre cannot be seen, and two centimetres are the
+/// worst.
 float slideSeverity(double slid_cm);
 
-/// From the teal of a foot that stands to the violet of one that slides: told apart without red and
-/// green, and from a red figure.
+/// Runs from teal for a foot that stands to violet for one that slides. Both differ for people who
+/// confuse red and green, and from the red figure.
 QColor slideColour(double slid_cm);
 
-/// What the scene is painted with. The figures stay recognisable on either background.
+/// Colours of the scene. The figures can be recognised on a light and on a dark background.
 struct SceneColours {
   QColor backdrop_centre, backdrop_edge;
   QColor grid, x_axis, z_axis;
-  QColor original;      // the ghost
-  QColor compressed;    // red
-  QColor trail;         // of a foot that hardly slides
-  QColor alert;         // of a foot that does, and its trail
-  QColor past, future;  // poses before and after now
-  QColor plate;         // what is written over the scene
+  QColor original;      // ghost of the original
+  QColor compressed;    // red figure
+  QColor trail;         // trail of a foot that hardly slides
+  QColor alert;         // a foot that slides, and its trail
+  QColor past, future;  // poses before and after the current frame
+  QColor plate;         // texts over the scene
   QColor text;
 };
 
-/// Light or dark, as the palette's window is.
+/// Light or dark colours, as the palette's window is.
 SceneColours sceneColours(const QPalette& palette);
 
 }  // namespace mocapress

@@ -6,7 +6,7 @@
 namespace mocapress {
 namespace {
 
-/// The frames that no other contact of the landmark takes, around one that is free.
+/// The free frames around a frame, between the landmark's other contacts.
 struct Room {
   int first;
   int last;
@@ -50,7 +50,7 @@ std::vector<ContactSpan> withContactAt(std::vector<ContactSpan> contacts, int la
   const Room room = roomAround(contacts, landmark, frame, frames);
   const int first = std::max(room.first, frame - length / 2);
   const ContactSpan added{landmark, first, std::min(room.last, first + length - 1)};
-  // Before the next of its landmark, else after the last of it, else at the end.
+  // The place before the landmark's next contact, else after its last one, else at the end.
   auto place = std::find_if(contacts.begin(), contacts.end(), [&](const ContactSpan& span) {
     return span.landmark == landmark && span.first_frame > frame;
   });

@@ -9,15 +9,15 @@ namespace mocapress {
 
 enum class SpanEnd { First, Last };
 
-/// The contacts with an end of one of them moved to a frame, or as near as its own other end, the
-/// next contact of the same landmark and the clip allow.
+/// Moves an end of one contact to a frame, or as near to it as the contact's other end, the
+/// landmark's next contact and the clip allow.
 std::vector<ContactSpan> withEndAt(std::vector<ContactSpan> contacts, int index, SpanEnd end,
                                    int frame, int frames);
 
 std::vector<ContactSpan> withoutContact(std::vector<ContactSpan> contacts, int index);
 
-/// With a contact of `landmark` around a frame, as long as there is room up to `length`; the same
-/// where there is one already. Sorted by landmark and time as they were.
+/// Adds a contact of `landmark` around a frame, up to `length` frames long where there is room. A
+/// frame that already has one changes nothing. The order by landmark and time is kept.
 std::vector<ContactSpan> withContactAt(std::vector<ContactSpan> contacts, int landmark, int frame,
                                        int length, int frames);
 

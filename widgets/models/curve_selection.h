@@ -8,15 +8,15 @@
 
 namespace mocapress {
 
-/// The landmarks whose error is drawn, by name, so that a choice outlives the clip it was made on.
-/// Each keeps its colour while others come and go.
+/// The landmarks whose error is drawn, by name, so that the choice survives a change of clip. Each
+/// keeps its colour while others come and go.
 class CurveSelection {
  public:
   bool contains(const QString& name) const;
   void add(const QString& name);
   void remove(const QString& name);
 
-  /// Invalid where `name` is not selected.
+  /// Invalid for a landmark that is not selected.
   QColor colour(const QString& name) const;
 
   QStringList names() const;
@@ -24,7 +24,7 @@ class CurveSelection {
   bool operator==(const CurveSelection&) const = default;
 
  private:
-  std::vector<QString> slots_;  // index = colour; empty: free
+  std::vector<QString> slots_;  // index = colour; an empty name is a free colour
 };
 
 }  // namespace mocapress

@@ -15,7 +15,7 @@ struct Methods {
   Q_DECLARE_TR_FUNCTIONS(mocapress::Methods)
 };
 
-// The titles are core's; lupdate finds them here. A test tells when one is missing.
+// The titles come from core and are repeated here for lupdate. A test fails when one is missing.
 [[maybe_unused]] constexpr const char* kTitles[] = {
     QT_TRANSLATE_NOOP("mocapress::Methods", "Closed-loop wavelets"),
     QT_TRANSLATE_NOOP("mocapress::Methods", "Annealed wavelets"),
@@ -80,7 +80,7 @@ Texts textsOf(const Settings& preset) {
   return {QString::fromStdString(preset.name), {}};
 }
 
-/// The name of a body part in the user's language, a joint's own as it is.
+/// The name of a body part in the user's language; a joint keeps its own name.
 QString partText(const std::string& name) {
   for (const BodyPart part : kBodyParts)
     if (name == mocapress::name(part)) return displayName(part);

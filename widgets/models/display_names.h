@@ -13,45 +13,46 @@
 
 namespace mocapress {
 
-/// The title that compression_methods() give a method, in the user's language; the name itself
-/// where there is no method of that name.
+/// The method's title from compression_methods() in the user's language, or the name itself for an
+/// unknown method.
 QString methodTitle(std::string_view name);
 
-/// The same of a series of a study: "Annealed wavelets + IK 16:1".
+/// The title of a study's series: "Annealed wavelets + IK 16:1".
 QString seriesTitle(std::string_view method, const std::optional<double>& ik_ratio);
 
-/// What people read: the built-in ones in their language, their own as they called them.
+/// The name shown for a preset: translated for built-in ones, as typed for the user's own.
 QString displayName(const Settings& preset);
 
-/// What a built-in preset is for; empty for any other.
+/// The purpose of a built-in preset; empty for any other.
 QString purposeOf(const Settings& preset);
 
-/// "Feet × 4, contacts × 20; effort: best": what of a preset is not seen elsewhere; may be empty.
+/// Settings of a preset that nothing else shows: "Feet × 4, contacts × 20; effort: best". May be
+/// empty.
 QString detailsOf(const Settings& preset);
 
 QString displayName(BodyPart part);
 QString displayName(Effort effort);
 QString displayName(Ends ends);
 
-/// "Feet × 4, contacts × 20"; empty where all are alike.
+/// "Feet × 4, contacts × 20"; empty when all importances are equal.
 QString importanceText(const NamedImportance& importance);
 
-/// What people read for the values of the file format.
+/// Names shown for the values of the file format.
 QString displayName(Method method);
 QString displayName(Coding coding);
 QString displayName(Weighting weighting);
 QString displayName(CorrectAt at);
 
-/// What is seen of a clip, as views share it; null: unknown.
+/// Visibility of a clip's errors, shared by several views; null: unknown.
 using SightPtr = std::shared_ptr<const SightTable>;
 
-/// "not visible", "borderline", "visible".
+/// Returns "not visible", "borderline" or "visible".
 QString displayName(Sight sight);
 
-/// "sliding foot".
+/// Names a cue, such as "sliding foot".
 QString displayName(Cue cue);
 
-/// "borderline: velocity 5.2 cm/s, noticed from 3.1 cm/s".
+/// Explains the worst error, as in "borderline: velocity 5.2 cm/s, noticed from 3.1 cm/s".
 QString sightText(const WorstSight& seen);
 
 }  // namespace mocapress

@@ -7,7 +7,7 @@
 namespace mocapress {
 namespace {
 
-/// Passes that most clips take.
+/// The number of passes that most clips take.
 double usualPasses(const EncodeSettings& options) {
   const bool by_bound = is_by_worst(options.target);
   if (options.method == Method::Annealed) return by_bound ? 20 : 8;
@@ -19,7 +19,7 @@ double usualSweeps(const EncodeSettings& options) {
   return options.effort == Effort::Best ? 6 : 5;
 }
 
-/// As it is as far as four fifths, then ever slower towards one.
+/// Unchanged up to 0.8, then approaches 1 without reaching it.
 double neverQuiteOne(double share) {
   constexpr double kStraight = 0.8;
   if (share <= kStraight) return share;
@@ -38,7 +38,7 @@ EncodeEstimate::EncodeEstimate(const EncodeSettings& options)
 
 void EncodeEstimate::add(const EncodeProgress& state, double seconds) {
   if (state.pass != pass_) {
-    // A clip in segments sweeps over each: the passes before tell how many iterations there are.
+    // A clip in segments makes a sweep for each: earlier passes tell how many iterations to expect.
     pass_length_ = std::max<double>(pass_length_, iterations_);
     pass_ = state.pass;
     iterations_ = 0;

@@ -7,30 +7,30 @@
 
 namespace mocapress {
 
-/// How far a running encode is, and how long it will still take. How many passes a target takes is
-/// not known beforehand: beyond what is usual the share grows ever slower, and never runs back.
+/// Estimates the share done and the remaining time of a running encode. The number of passes is not
+/// known beforehand: beyond the usual number the share grows ever slower, and it never falls.
 class EncodeEstimate {
  public:
   explicit EncodeEstimate(const EncodeSettings& options);
 
-  /// A state, so many seconds after the encode began.
+  /// Adds a progress state, `seconds` after the start of the encode.
   void add(const EncodeProgress& state, double seconds);
 
-  double share() const { return share_; }  // done, 0 to 1
+  double share() const { return share_; }  // share done, 0 to 1
 
-  /// Unset until there is enough to go by.
+  /// Unset while there is too little data for an estimate.
   std::optional<double> secondsLeft() const;
 
  private:
   double usual_passes_;
-  double pass_length_;  // iterations of a pass
+  double pass_length_;  // iterations in a pass
   int pass_ = 0;
-  int iterations_ = 0;  // of the pass so far
+  int iterations_ = 0;  // iterations done in this pass
   double share_ = 0;
   double seconds_ = 0;
 };
 
-/// Share done of an annealing, 0 to 1: the step halves from first_step until it is 0.
+/// Share of an annealing that is done, 0 to 1: the step halves from first_step down to 0.
 double passProgress(const EncodeProgress& state);
 
 }  // namespace mocapress

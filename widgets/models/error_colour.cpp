@@ -28,7 +28,7 @@ QString errorsText(const Distortion& errors, int frame, int landmark) {
 
 namespace {
 
-// Equally far apart on the map; straight lines between them stay within two steps of 8-bit colour.
+// Samples at equal distances on the map; linear interpolation is within two steps of 8-bit colour.
 constexpr std::array<QRgb, 11> kViridis = {0xff440154, 0xff482475, 0xff414487, 0xff355f8d,
                                            0xff2a788e, 0xff21918c, 0xff22a884, 0xff44bf70,
                                            0xff7ad151, 0xffbddf26, 0xfffde725};
@@ -53,7 +53,7 @@ double ErrorScale::share(double error) const {
 
 ErrorScale errorScaleFor(double error, ErrorQuantity quantity) {
   if (!(error > 0) || !std::isfinite(error)) return {.quantity = quantity};
-  constexpr double kRounding = 1e-9;  // 0.2 is not quite 2 x 0.1
+  constexpr double kRounding = 1e-9;  // allows for rounding: 0.2 is not quite 2 x 0.1
   const double decade = std::pow(10.0, std::floor(std::log10(error)));
   for (const double step : {1.0, 2.0, 5.0})
     if (error <= step * decade * (1 + kRounding)) return {step * decade, quantity};

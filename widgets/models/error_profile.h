@@ -14,14 +14,15 @@ struct ErrorProfile {
   int frames() const { return static_cast<int>(max.size()); }
 };
 
-/// Of distances (frames x landmarks, cm).
+/// Computes the profile from distances (frames x landmarks, cm).
 ErrorProfile errorProfile(const Eigen::MatrixXf& distances);
 
-/// Frames at which the greatest error has a peak, the worst first, none nearer than `apart` frames
-/// to a worse one, `most` at most.
+/// Frames at which the maximum has a peak, worst first: at most `most`, and each at least `apart`
+/// frames away from any worse one.
 std::vector<int> worstFrames(const Eigen::VectorXf& max, int apart, int most);
 
-/// The next in that order; `step` -1: the one before. From a frame that is none of them: the worst.
+/// The next frame of `worst`, or the one before for `step` -1. A frame outside the list leads to
+/// the worst.
 int nextWorst(const std::vector<int>& worst, int frame, int step);
 
 }  // namespace mocapress

@@ -66,10 +66,10 @@ QVariant JointErrorModel::nameData(int row, int role) const {
   const QString name = nameOf(row);
   switch (role) {
     case Qt::DisplayRole:
-    case Qt::ToolTipRole:  // where there is not room enough for it
+    case Qt::ToolTipRole:  // the full name, which the column may be too narrow for
       return name;
     case kSortRole:
-      return row;  // the skeleton's order
+      return row;  // orders by the skeleton
     case Qt::CheckStateRole:
       return selection_.contains(name) ? Qt::Checked : Qt::Unchecked;
     case Qt::DecorationRole:
@@ -107,7 +107,7 @@ std::optional<double> JointErrorModel::errorAt(int row, int column) const {
   return static_cast<double>(distances_(row, column - Mean));
 }
 
-/// What a column is called, and what it tells.
+/// Title and explanation of a column.
 std::pair<QString, QString> JointErrorModel::headerTexts(int column) {
   switch (column) {
     case Name:

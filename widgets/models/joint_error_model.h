@@ -12,9 +12,9 @@
 
 namespace mocapress {
 
-/// One row a landmark: its name, checkable, its mean and greatest distance from the original (cm),
-/// by how much it is turned (degrees), whether the eye sees it, and the greatest distance of the
-/// skin that its joint carries.
+/// A table with one row for each landmark: its checkable name, mean and largest distance from the
+/// original (cm), angle error (degrees), visibility, and the largest distance of the skin that its
+/// joint carries.
 class JointErrorModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -24,13 +24,13 @@ class JointErrorModel : public QAbstractTableModel {
 
   using QAbstractTableModel::QAbstractTableModel;
 
-  /// Rows in the order of `points`, errors unknown.
+  /// Makes a row for each of `points`, without errors.
   void setLandmarks(std::vector<Landmark> points);
 
-  /// Of those landmarks; null: unknown.
+  /// Sets the errors of those landmarks; null: unknown.
   void setErrors(const Distortion* errors, const SightTable* sight);
 
-  /// Whether there is a skin to be measured.
+  /// True when there are errors of a skin.
   bool hasSkin() const { return skin_.rows() > 0; }
 
   void setSelection(const CurveSelection& selection);
@@ -45,7 +45,7 @@ class JointErrorModel : public QAbstractTableModel {
   Qt::ItemFlags flags(const QModelIndex& index) const override;
 
  signals:
-  /// A check box was clicked; setSelection() answers.
+  /// A check box was clicked; the owner answers by setSelection().
   void checkRequested(const QString& name, bool checked);
 
  private:
@@ -56,10 +56,10 @@ class JointErrorModel : public QAbstractTableModel {
   std::optional<double> errorAt(int row, int column) const;
 
   std::vector<Landmark> points_;
-  Eigen::MatrixX2f distances_;     // cm: mean, max; no rows: unknown
-  Eigen::VectorXd joint_degrees_;  // by joint, RMS
-  Eigen::VectorXf times_noticed_;  // by joint, at worst; empty: unknown
-  Eigen::MatrixX2d skin_;          // as Distortion::skin_of_joints
+  Eigen::MatrixX2f distances_;     // cm, columns mean and max; no rows: unknown
+  Eigen::VectorXd joint_degrees_;  // RMS angle of each joint
+  Eigen::VectorXf times_noticed_;  // worst of each joint, in noticeable thresholds; empty: unknown
+  Eigen::MatrixX2d skin_;          // laid out as Distortion::skin_of_joints
   CurveSelection selection_;
 };
 

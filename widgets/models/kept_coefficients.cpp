@@ -8,7 +8,7 @@
 namespace mocapress {
 namespace {
 
-constexpr double kRounding = 1e-6;  // of the largest: what decoding in floats leaves of zeros
+constexpr double kRounding = 1e-6;  // covers the rounding of decoding in floats
 
 }  // namespace
 

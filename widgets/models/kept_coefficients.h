@@ -8,7 +8,7 @@
 
 namespace mocapress {
 
-/// How much of a scale is kept.
+/// The coefficients kept in one scale.
 struct KeptBand {
   int kept = 0;
   int all = 0;
@@ -16,8 +16,8 @@ struct KeptBand {
   bool operator==(const KeptBand&) const = default;
 };
 
-/// The coefficients that a decoded channel consists of, by scale from coarse to fine: those that
-/// are not zero when it is transformed again.
+/// Transforms a decoded channel again and counts its non-zero coefficients in each scale, coarse to
+/// fine.
 std::vector<KeptBand> keptByScale(const Eigen::VectorXd& decoded, Basis basis);
 
 }  // namespace mocapress

@@ -22,7 +22,7 @@ const QStringList& notesOf(const LibraryEntry& entry) {
 }
 
 QString outcomeText(const LibraryEntry& entry) {
-  // The figures of a missing clip are still known, and its state says that it is missing.
+  // A missing clip keeps its figures, and its state says that it is missing.
   if (!entry.trouble.isEmpty() && !entry.missing) return LibraryModel::tr("Cannot be read");
   if (!entry.outcome && entry.missing && entry.frames == 0) return {};
   if (!entry.outcome)
@@ -46,7 +46,7 @@ RowState stateOf(const LibraryEntry& entry) {
 
 namespace {
 
-/// Where the outcome is still that of the clip, what the eye sees of it.
+/// Adds the visibility of errors, provided the outcome is still that of the clip.
 QString withOutcome(const QString& state, const LibraryEntry& entry) {
   QStringList parts{state};
   if (entry.outcome && entry.outcome->sight) parts << displayName(*entry.outcome->sight);
@@ -56,7 +56,7 @@ QString withOutcome(const QString& state, const LibraryEntry& entry) {
 }  // namespace
 
 QString stateText(const LibraryEntry& entry) {
-  // A stale verdict says itself that the file is missing.
+  // A stale verdict already says that the file is missing.
   if (const QString verdict = verdictText(entry.review.verdict, entry.stale); !verdict.isEmpty())
     return entry.stale == Staleness::None ? withOutcome(verdict, entry) : verdict;
   if (entry.missing) return LibraryModel::tr("! file missing");

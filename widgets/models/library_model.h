@@ -19,46 +19,46 @@
 
 namespace mocapress {
 
-/// Why a verdict or an outcome is not about a clip as it is now.
+/// The reason why a verdict or an outcome no longer applies to a clip.
 enum class Staleness { None, Missing, Source, Settings, Unknown };
 
-/// Compares the hashes of files and settings that something was made from with those of now.
-/// Unknown: nobody wrote down from which.
+/// Compares the hashes of the files and settings behind a result with today's. Unknown: the result
+/// has no hashes.
 Staleness staleness(const std::string& source, const std::string& settings,
                     const std::string& source_now, const std::string& settings_now);
 
-/// The result of the last compression of a clip, in the studio or in a batch.
+/// The result of a clip's last compression, in the studio or in a batch.
 struct Outcome {
   double ratio = 0;
   double eps_cm = 0;
   double max_cm = 0;
   std::size_t motion_bytes = 0;
-  bool met = true;             // the target that was set
-  std::optional<Sight> sight;  // unset: nobody looked
-  QStringList warnings;        // of the reader
-  std::string source;          // hash of the bytes it was made from
-  std::string settings;        // settings_hash() of what it was made by
+  bool met = true;             // the target was met
+  std::optional<Sight> sight;  // unset: not examined
+  QStringList warnings;        // the reader's warnings
+  std::string source;          // hash of the input's bytes
+  std::string settings;        // settings_hash() of the settings
 
   bool operator==(const Outcome&) const = default;
 };
 
-/// A clip of the library as it is listed.
+/// A clip as the library lists it.
 struct LibraryEntry {
   QString path;
   int frames = 0;  // 0: not read yet
   double sample_rate_hz = 0;
-  QList<QLineF> outline;  // a pose in a square from 0 to 1, y down
-  QImage skin;            // the same pose, where the clip has a skin
-  QString trouble;        // why it could not be read; empty: it could, or was not tried
-  QStringList notes;      // what its reader repaired or guessed
-  bool missing = false;   // its file is gone
+  QList<QLineF> outline;  // a pose scaled to a square from 0 to 1, y down
+  QImage skin;            // the same pose with its skin, for a clip that has one
+  QString trouble;        // why reading failed; empty: it succeeded or was not tried
+  QStringList notes;      // what the reader repaired or guessed
+  bool missing = false;   // the file is gone
   std::optional<Outcome> outcome;
-  Staleness outdated = Staleness::None;  // of the outcome: why it is no longer that of the clip
+  Staleness outdated = Staleness::None;  // why the outcome no longer applies
   ClipReview review;
-  Staleness stale = Staleness::None;  // of the verdict
+  Staleness stale = Staleness::None;  // why the verdict no longer applies
 };
 
-/// The clips of a project, one row each. The text of a row says all that its picture does.
+/// The clips of a project, one row each. A row's text says all that its picture shows.
 class LibraryModel : public QAbstractListModel {
   Q_OBJECT
 
@@ -67,12 +67,12 @@ class LibraryModel : public QAbstractListModel {
 
   void setEntries(std::vector<LibraryEntry> entries);
 
-  /// Of the entry with that path, or a new row at the end.
+  /// Replaces the entry with that path, or adds a row at the end.
   void setEntry(const LibraryEntry& entry);
-  /// Replaces these rows, in one change.
+  /// Replaces these rows in one change.
   void replace(const std::map<int, LibraryEntry>& entries);
 
-  /// New rows at the end, of paths that have none yet.
+  /// Adds rows at the end for paths that have none yet.
   void addEntries(const std::vector<LibraryEntry>& entries);
 
   const LibraryEntry& entry(int row) const { return entries_[static_cast<std::size_t>(row)]; }
@@ -85,38 +85,37 @@ class LibraryModel : public QAbstractListModel {
   std::vector<LibraryEntry> entries_;
 };
 
-/// The reader's notes on the clip, from when it was read last.
+/// The reader's notes from the last time the clip was read.
 const QStringList& notesOf(const LibraryEntry& entry);
 
-/// "25.0 : 1, 0.09 cm", or why there is nothing to say yet.
+/// "25.0 : 1, 0.09 cm", or the reason why there are no figures yet.
 QString outcomeText(const LibraryEntry& entry);
 
-/// The most important thing to know of a row: it decides the colour of its state.
+/// The most important fact about a row, which decides the colour of its state.
 enum class RowState { Plain, Good, Bad, Doubtful };
 
 RowState stateOf(const LibraryEntry& entry);
 
-/// "approved", "✓ stale: file changed", "target missed" ...; empty where there is
-/// nothing to report.
+/// "approved", "✓ stale: file changed", "target missed"; empty when there is nothing to report.
 QString stateText(const LibraryEntry& entry);
 
-/// "file changed" ...; empty: none.
+/// Names a staleness, such as "file changed"; empty for None.
 QString displayName(Staleness staleness);
 
 /// "✓ approved", "✕ stale: file changed"; empty without a verdict.
 QString verdictText(Verdict verdict, Staleness stale);
 
-/// "Ann, 27.11.26 01:39"; empty where nobody knows.
+/// "Ann, 27.11.26 01:39"; empty when the reviewer is unknown.
 QString reviewerText(const ClipReview& review);
 
-/// The library's review of a clip.
+/// A clip's review as the library keeps it.
 struct LibraryReview {
   ClipReview review;
-  std::string source;    // hash of the clip's files as they are now; empty: not known
-  bool missing = false;  // they are gone
+  std::string source;    // hash of the clip's files today; empty: unknown
+  bool missing = false;  // the files are gone
 };
 
-/// Reviews of all its clips, by their paths.
+/// Reviews of all clips of the library, by path.
 using ClipReviews = QHash<QString, LibraryReview>;
 
 }  // namespace mocapress

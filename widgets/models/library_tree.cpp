@@ -7,15 +7,15 @@
 
 namespace mocapress {
 
-/// Rows: folders, then clips.
+/// A node of the tree; its rows are folders, then clips.
 struct LibraryTree::Folder {
   QString name;
   QString path;
   Folder* above = nullptr;
-  int row = 0;  // among the folders of `above`
+  int row = 0;  // row among the folders of `above`
   std::vector<std::unique_ptr<Folder>> folders;
   std::vector<int> clips;
-  SharedName shared;  // by the names of `clips`
+  SharedName shared;  // shared part of the names of `clips`
 
   Folder& child(const QString& child_name) {
     for (const auto& each : folders)
@@ -28,7 +28,7 @@ struct LibraryTree::Folder {
     return *folders.back();
   }
 
-  /// What holds one folder and nothing else becomes one with it.
+  /// Merges a folder with its only subfolder when it holds nothing else.
   void shorten() {
     while (clips.empty() && folders.size() == 1) {
       const std::unique_ptr<Folder> only = std::move(folders.front());

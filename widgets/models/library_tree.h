@@ -10,8 +10,8 @@
 
 namespace mocapress {
 
-/// The clips of a library below their folders, as far as they match a filter. Folders that all
-/// clips share are left out, and so are those between with nothing but one folder in them.
+/// The clips of a library as a tree of folders, reduced by a filter. Folders that all clips share
+/// are left out, and so are folders that hold nothing but one folder.
 class LibraryTree : public QAbstractItemModel {
   Q_OBJECT
 
@@ -19,23 +19,23 @@ class LibraryTree : public QAbstractItemModel {
   explicit LibraryTree(LibraryModel* clips, QObject* parent = nullptr);
   ~LibraryTree() override;
 
-  /// Words that name, folder or state must all have; empty: everything is there.
+  /// Words that must all occur in name, folder or state; empty: no filter.
   void setFilter(const QString& words);
 
-  /// Of the library; -1: a folder.
+  /// The clip's row in the library; -1 for a folder.
   int clipOf(const QModelIndex& index) const;
-  QModelIndex indexOf(int clip) const;  // invalid: it is filtered out
+  QModelIndex indexOf(int clip) const;  // invalid: the clip is filtered out
 
-  /// Of a folder, however deep below; of a clip: itself.
+  /// All clips below a folder at any depth; for a clip, the clip itself.
   std::vector<int> clipsBelow(const QModelIndex& index) const;
 
-  /// The part of a clip's name that the names of all clips beside it share.
+  /// The part of a clip's name that all clips in its folder share.
   SharedName sharedNameOf(const QModelIndex& index) const;
 
-  /// Full path; empty: a clip.
+  /// Full path of a folder; empty for a clip.
   QString folderPath(const QModelIndex& index) const;
 
-  /// "12 clips, 2 missed".
+  /// Sums up a folder, as in "12 clips, 2 missed".
   QString folderSummary(const QModelIndex& index) const;
 
   QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
@@ -49,14 +49,14 @@ class LibraryTree : public QAbstractItemModel {
 
   void build();
   bool matches(int clip) const;
-  Folder* holderOf(const QModelIndex& index) const;  // the folder the index is a row of
+  Folder* holderOf(const QModelIndex& index) const;  // the folder that has the index as a row
   Folder* folderAt(const QModelIndex& index) const;  // null: a clip
   void clipsChanged(int first, int last);
 
   LibraryModel* clips_;
   QStringList words_;
   std::unique_ptr<Folder> root_;
-  std::vector<Folder*> holders_;  // of each clip; null: filtered out
+  std::vector<Folder*> holders_;  // the folder of each clip; null: filtered out
 };
 
 }  // namespace mocapress

@@ -15,9 +15,9 @@ struct Lengths {
   Q_DECLARE_TR_FUNCTIONS(mocapress::Lengths)
 };
 
-constexpr double kMillimetres = 10;    // a centimetre
-constexpr double kShownAsOne = 0.995;  // cm: from here on two decimals show a whole centimetre
-constexpr double kLeastShown = 0.005;  // mm: less is not zero either
+constexpr double kMillimetres = 10;    // millimetres in a centimetre
+constexpr double kShownAsOne = 0.995;  // cm: from here on two decimals would show 1.00
+constexpr double kLeastShown = 0.005;  // mm: smaller values are shown with a <
 
 }  // namespace
 
@@ -38,7 +38,7 @@ QString roundLengthText(double cm) {
 
 namespace {
 
-constexpr double kLeastDegrees = 0.005;  // shown: less is not zero either
+constexpr double kLeastDegrees = 0.005;  // smaller values are shown with a <
 
 QString inDegrees(const QString& number) {
   return number + QStringLiteral("°");

@@ -33,7 +33,7 @@ QString textOf(const PinnedEntry& entry, int column) {
 }  // namespace
 
 void PinnedModel::setEntries(std::vector<PinnedEntry> entries) {
-  if (entries.size() == entries_.size()) {  // the choice of a row stays
+  if (entries.size() == entries_.size()) {  // keeps the selected row
     entries_ = std::move(entries);
     if (!entries_.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
     return;

@@ -9,7 +9,7 @@
 
 namespace mocapress {
 
-/// A result that was pinned, as it is listed.
+/// A pinned result as it is listed.
 struct PinnedEntry {
   QString name;
   QColor colour;
@@ -20,7 +20,7 @@ struct PinnedEntry {
   std::optional<double> drift_cm;
 };
 
-/// One row a pinned result: its name, which can be edited, and its figures.
+/// A table with one row for each pinned result: its name, which can be edited, and its figures.
 class PinnedModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -40,7 +40,7 @@ class PinnedModel : public QAbstractTableModel {
   Qt::ItemFlags flags(const QModelIndex& index) const override;
 
  signals:
-  /// A name was edited; setEntries() answers.
+  /// A name was edited; the owner answers by setEntries().
   void nameEdited(int row, const QString& name);
 
  private:

@@ -18,7 +18,7 @@ std::vector<Series> inOrder(std::vector<Series> series) {
   return series;
 }
 
-/// The rows of some clips alone.
+/// Results made of some clips' rows only.
 Results resultsOf(const std::vector<StudyRow>& rows, const std::set<std::string>& clips) {
   std::vector<StudyRow> chosen;
   for (const StudyRow& row : rows)

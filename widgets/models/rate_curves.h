@@ -9,11 +9,11 @@
 
 namespace mocapress {
 
-/// A measured row in a rate-distortion plot.
+/// A measured row as a point of a rate-distortion plot.
 struct RatePoint {
   double ratio;
   double eps_cm;
-  int row;  // among the rows of the study
+  int row;  // index among the rows of the study
 };
 
 /// A series in a rate-distortion plot.
@@ -21,12 +21,12 @@ struct RateCurve {
   Series series;
   Curve line;
   std::vector<RatePoint> points;
-  bool mean = false;  // the line is that of many clips, and the points are not on it
+  bool mean = false;  // the line is the mean of many clips, and the points lie beside it
 };
 
-/// One curve a series, in the order of compression_methods(): of the clip with this path, or, where
-/// it is empty, the mean (Results::mean_curve()) over those of `complete` with the points of all
-/// clips.
+/// Makes one curve for each series, in the order of compression_methods(). A path selects one clip.
+/// An empty path selects the mean over the clips of `complete` (Results::mean_curve()), with the
+/// points of all clips.
 std::vector<RateCurve> rateCurves(const std::vector<StudyRow>& rows, const std::string& clip,
                                   const std::set<std::string>& complete);
 

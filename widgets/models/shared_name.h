@@ -8,16 +8,16 @@ class QFontMetrics;
 
 namespace mocapress {
 
-/// The characters that all of several names begin and end with: they tell none from another.
+/// Lengths of the beginning and the end that several names share, which do not tell them apart.
 struct SharedName {
   qsizetype start = 0;
   qsizetype end = 0;
 };
 
-/// Numbers are not torn: of "walk01" and "walk02" only "walk" is shared.
+/// Numbers stay whole: "walk01" and "walk02" share only "walk".
 SharedName sharedName(const QStringList& names);
 
-/// As much of a name as fits: what it shares with its neighbours goes first, then its middle.
+/// Shortens a name to fit. The part shared with its neighbours goes first, then the middle.
 QString shortened(const QString& name, const SharedName& shared, const QFontMetrics& metrics,
                   int width);
 

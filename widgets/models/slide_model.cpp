@@ -35,7 +35,7 @@ QVariant SlideModel::data(const QModelIndex& index, int role) const {
   switch (index.column()) {
     case Joint:
       return names_[static_cast<std::size_t>(slide.span.landmark)];
-    case Frames:  // counted from 1, as the transport does
+    case Frames:  // counts from 1, as the transport bar does
       return tr("%L1–%L2").arg(slide.span.first_frame + 1).arg(slide.span.last_frame + 1);
     case Drift:
       return lengthText(slide.drift_cm);

@@ -8,7 +8,8 @@
 
 namespace mocapress {
 
-/// One row a finding of footskate, the furthest drift first: which point, when, how far and fast.
+/// A table with one row for each footskate finding, largest drift first: the point, the frames, the
+/// drift and the speed.
 class SlideModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -17,7 +18,7 @@ class SlideModel : public QAbstractTableModel {
 
   using QAbstractTableModel::QAbstractTableModel;
 
-  /// `names` of all landmarks, by index.
+  /// `names` has the names of all landmarks, by index.
   void setFindings(std::vector<SlideFinding> findings, const std::vector<QString>& names);
 
   const SlideFinding& finding(int row) const { return findings_[static_cast<std::size_t>(row)]; }

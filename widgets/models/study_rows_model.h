@@ -24,7 +24,7 @@ class StudyRowsModel : public QAbstractTableModel {
   const std::vector<StudyRow>& rows() const { return rows_; }
   const StudyRow& row(int index) const { return rows_[static_cast<std::size_t>(index)]; }
 
-  /// All that is known of a row in some lines.
+  /// Everything known about a row, in a few lines.
   QString description(int index) const;
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -36,13 +36,13 @@ class StudyRowsModel : public QAbstractTableModel {
   std::vector<StudyRow> rows_;
 };
 
-/// "Annealed wavelets + IK 16:1".
+/// Title of the row's series: "Annealed wavelets + IK 16:1".
 QString seriesTitle(const StudyRow& row);
 
-/// The file's name without its ending.
+/// The file's name without its extension.
 QString clipTitle(const StudyRow& row);
 
-/// "30:1", "0.5 cm".
+/// Formats a target as "30:1" or "0.5 cm".
 QString targetText(const Target& target);
 
 }  // namespace mocapress

@@ -9,20 +9,20 @@
 
 namespace mocapress {
 
-/// What the user asks of a study.
+/// The user's choices for a study.
 struct StudySettings {
   QStringList clips;    // files
-  QString skeleton;     // .asf of clips that have none beside them; empty: none
-  QStringList methods;  // names of compression_methods()
+  QString skeleton;     // .asf for clips without one beside them; empty: none
+  QStringList methods;  // names as in compression_methods()
   std::vector<double> ratios;
   std::vector<double> errors;      // eps_x, cm
-  std::optional<double> ik_ratio;  // set: annealed also with the feet held
+  std::optional<double> ik_ratio;  // set: the annealed method runs with held feet too
   Weighting weighting = Weighting::Surface;
 
   bool operator==(const StudySettings&) const = default;
 };
 
-/// The methods most worth comparing, at usual_targets().
+/// Default settings: the methods most worth comparing, at usual_targets().
 StudySettings usualStudySettings();
 
 StudyPlan planOf(const StudySettings& settings);

@@ -18,7 +18,7 @@ namespace {
 constexpr int kProgressSteps = 1000;
 constexpr std::chrono::milliseconds kSlow{300};
 
-/// "8 s", "2 min": nobody can tell more exactly.
+/// "8 s", "2 min": the estimate is no more precise than this.
 QString timeLeft(double seconds) {
   if (seconds < 60) {
     const int step = seconds < 10 ? 1 : 5;
@@ -45,7 +45,7 @@ AnnealingPanel::AnnealingPanel(QWidget* parent)
   left_->setAccessibleName(tr("Time left"));
   cancel_->setToolTip(tr("Stop refining. The best so far is kept where it beats the draft."));
   plot_->setMinimumHeight(110);
-  // Nothing moves when the bar comes and goes.
+  // Widgets keep their room when hidden, so that nothing moves.
   for (QWidget* each : {static_cast<QWidget*>(progress_), static_cast<QWidget*>(left_)}) {
     QSizePolicy policy = each->sizePolicy();
     policy.setRetainSizeWhenHidden(true);
@@ -66,7 +66,7 @@ AnnealingPanel::AnnealingPanel(QWidget* parent)
   slow_.setSingleShot(true);
   slow_.setInterval(kSlow);
   connect(&slow_, &QTimer::timeout, this, [this] {
-    progress_->setRange(0, 0);  // how long a draft takes is not known
+    progress_->setRange(0, 0);  // an endless bar: the duration of a draft is unknown
     progress_->show();
   });
   connect(cancel_, &QPushButton::clicked, this, &AnnealingPanel::cancelRequested);

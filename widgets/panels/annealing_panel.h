@@ -16,23 +16,23 @@ namespace mocapress {
 
 class ConvergencePlot;
 
-/// A running refinement, by annealing or in a closed loop: how far it is and how long it will take,
-/// how the error falls, and a way out.
+/// Shows a running refinement, by annealing or in a closed loop: its progress, the remaining time,
+/// the falling error, and a button to stop it.
 class AnnealingPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit AnnealingPanel(QWidget* parent = nullptr);
 
-  /// Something new was asked for: the curve of what was before goes.
+  /// Something new was requested: the old curve is cleared.
   void await();
 
-  /// A refinement by these options begins.
+  /// A refinement with these options begins.
   void begin(const EncodeSettings& options);
 
   void append(const std::vector<EncodeProgress>& states);
 
-  /// The refinement ended, the curve stays. Nothing happens where something new is awaited.
+  /// The refinement ended and its curve stays. Does nothing while something new is awaited.
   void end();
 
   /// Nothing is awaited any more.
@@ -48,7 +48,7 @@ class AnnealingPanel : public QWidget {
   State state_ = State::Idle;
   EncodeEstimate estimate_{{}};
   QElapsedTimer clock_;
-  QTimer slow_;  // an answer that takes longer is said to be on its way
+  QTimer slow_;  // after this delay an answer is announced as on its way
   QProgressBar* progress_;
   QPushButton* cancel_;
   QLabel* left_;

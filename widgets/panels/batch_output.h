@@ -14,7 +14,7 @@ class QPushButton;
 
 namespace mocapress {
 
-/// Where the files of a batch go, by which names and in which formats.
+/// Edits the output of a batch: folder, file names and formats.
 class BatchOutput : public QWidget {
   Q_OBJECT
 
@@ -24,7 +24,7 @@ class BatchOutput : public QWidget {
   /// Emits nothing.
   void setSettings(const BatchSettings& settings);
 
-  /// What the names are like, from a clip of the queue; or what is wrong with the pattern.
+  /// Shows an example of the names, made from a clip of the queue, or the fault of the pattern.
   void setExample(const QString& example, bool wrong);
 
   QPushButton* folder() const { return folder_; }

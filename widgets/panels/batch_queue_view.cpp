@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kQueueRowHeight = 28;
 
-/// A state as text; a clip that is being worked on fills its cell from the left.
+/// Draws a state as text; progress fills the cell from the left.
 class StateDelegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -61,7 +61,7 @@ class StateDelegate : public QStyledItemDelegate {
   }
 };
 
-/// Rows as high as is comfortable, whatever the style.
+/// Gives rows a comfortable height in every style.
 class RowDelegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -133,7 +133,7 @@ BatchQueueView::BatchQueueView(BatchQueueModel* model, QWidget* parent) : QTreeV
           &BatchQueueView::selectedRowsChanged);
 }
 
-/// An empty column of verdicts would cut off what the others say.
+/// Hides the verdict column when it is empty, so that the others have room.
 void BatchQueueView::fitColumns() {
   const auto* queue = static_cast<const BatchQueueModel*>(model());
   const bool any = std::any_of(queue->clips().begin(), queue->clips().end(), [](const auto& clip) {
@@ -168,7 +168,7 @@ void BatchQueueView::dropEvent(QDropEvent* event) {
   emit dropped(paths);
 }
 
-/// An empty queue says what to do.
+/// Draws a hint while the queue is empty.
 void BatchQueueView::paintEvent(QPaintEvent* event) {
   QTreeView::paintEvent(event);
   if (model()->rowCount() > 0) return;

@@ -17,7 +17,7 @@ class BatchQueueView : public QTreeView {
 
   std::vector<int> selectedRows() const;
 
-  /// While a batch runs its clips stay.
+  /// The clips cannot be changed while a batch runs.
   void setEditable(bool editable) { editable_ = editable; }
 
  signals:

@@ -8,14 +8,14 @@ class QToolButton;
 
 namespace mocapress {
 
-/// The file of a character that is put on every clip that it fits, or none.
+/// Chooses the file of a character for every clip that it fits, or none.
 class CharacterChoice : public QWidget {
   Q_OBJECT
 
  public:
   explicit CharacterChoice(QWidget* parent = nullptr);
 
-  /// Empty: none. Emits nothing.
+  /// An empty path means none. Emits nothing.
   void setPath(const QString& path);
 
   QPushButton* file() const { return file_; }

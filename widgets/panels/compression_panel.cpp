@@ -18,7 +18,7 @@
 namespace mocapress {
 namespace {
 
-constexpr int kImportanceWidth = 200;  // of the text on the button
+constexpr int kImportanceWidth = 200;  // width of the text on the button
 
 template <typename Value>
 void addChoices(QComboBox* box, std::initializer_list<Value> values) {
@@ -82,7 +82,7 @@ CompressionPanel::CompressionPanel(QWidget* parent)
     connect(box, &QComboBox::activated, this, [this, box, member] {
       using Value = std::remove_reference_t<decltype(options_.*member)>;
       options_.*member = chosen<Value>(box);
-      if (box == method_) options_.basis = Basis::Cubic;  // no longer that of a study's wavelets
+      if (box == method_) options_.basis = Basis::Cubic;  // drops a study's basis
       showWhatApplies();
       emit optionsChanged(options_);
     });
@@ -97,7 +97,7 @@ CompressionPanel::CompressionPanel(QWidget* parent)
   setOptions({});
 }
 
-/// Beside the target, which says nothing of them.
+/// Makes the controls of the tracks, which the target does not cover.
 QWidget* CompressionPanel::makeTracks() {
   auto* tracks = new QWidget(this);
   track_error_->setAlignment(Qt::AlignRight);
@@ -129,7 +129,7 @@ void CompressionPanel::setHasTracks(bool has_tracks) {
   tracks_->setVisible(has_tracks);
 }
 
-/// What is seldom changed.
+/// Makes the drawer of rarely changed settings.
 QWidget* CompressionPanel::makeDrawer() {
   auto* drawer = new QWidget(this);
   auto* more = new QToolButton(drawer);
@@ -188,7 +188,7 @@ void CompressionPanel::makeChoices() {
   coding_->setAccessibleName(tr("Coding"));
 }
 
-/// What the method has no use for is disabled, and says why.
+/// Disables what the method does not use, and says why.
 void CompressionPanel::showWhatApplies() {
   const bool closed = options_.method == Method::ClosedLoop;
   effort_->setEnabled(closed);

@@ -15,7 +15,7 @@ class CorrectionControl;
 class PresetChooser;
 class TargetControl;
 
-/// The settings of the compression. Shows what it is told, and tells what the user chose.
+/// Edits the settings of the compression: shows what is set and reports what the user chooses.
 class CompressionPanel : public QWidget {
   Q_OBJECT
 
@@ -25,13 +25,13 @@ class CompressionPanel : public QWidget {
   /// Emits nothing.
   void setOptions(const EncodeSettings& options);
 
-  /// The joints that can be held.
+  /// Sets the joints that can be held.
   void setSkeleton(const Skeleton& skeleton);
 
-  /// No value of a scalar track is further off. Emits nothing.
+  /// Sets the largest error of a scalar track's values. Emits nothing.
   void setTrackError(double track_error);
 
-  /// Whether the clip has any: else there is nothing to set.
+  /// Says if the clip has scalar tracks; without them their setting is hidden.
   void setHasTracks(bool has_tracks);
 
   PresetChooser* presets() const { return presets_; }
@@ -48,7 +48,7 @@ class CompressionPanel : public QWidget {
   void optionsChanged(const EncodeSettings& options);
   void trackErrorChanged(double track_error);
 
-  /// The user wants to see what is taken more care of.
+  /// The user wants to edit the importances.
   void importanceRequested();
 
  private:

@@ -18,7 +18,7 @@
 namespace mocapress {
 namespace {
 
-constexpr double kFirstRatio = 16;  // where Auto is taken off; of the paper's video
+constexpr double kFirstRatio = 16;  // the paper's video; used when Auto is switched off
 constexpr LogScale kScale = {1, 200};
 const QString kNotKnownYet = QStringLiteral("–");
 
@@ -113,7 +113,7 @@ void CorrectionControl::setSkeleton(const Skeleton& skeleton) {
     action->setData(j);
     connect(action, &QAction::toggled, this, &CorrectionControl::chooseJoints);
   }
-  correction_.joints.clear();  // they were another skeleton's
+  correction_.joints.clear();  // joint indices of another skeleton mean nothing here
   show();
 }
 

@@ -16,21 +16,21 @@ namespace mocapress {
 
 class NumberBox;
 
-/// Whether, how finely and where feet or other joints are held by inverse kinematics. Shows what it
-/// is told, and tells what the user chose.
+/// Edits the inverse kinematics: on or off, its ratio, and the joints that it holds. Shows what is
+/// set and reports what the user chooses.
 class CorrectionControl : public QWidget {
   Q_OBJECT
 
  public:
   explicit CorrectionControl(QWidget* parent = nullptr);
 
-  /// The joints to choose from.
+  /// Sets the joints to choose from.
   void setSkeleton(const Skeleton& skeleton);
 
   /// Emits nothing.
   void setCorrection(const std::optional<EncodeCorrection>& correction);
 
-  /// The ratio that the encoder chose where that is left to it; unset: not known yet.
+  /// The ratio that the encoder found for Auto; unset: not known yet.
   void setFound(const std::optional<double>& ratio);
 
   QCheckBox* hold() const { return hold_; }
@@ -48,7 +48,7 @@ class CorrectionControl : public QWidget {
   void tell();
 
   EncodeCorrection correction_;
-  double ratio_;  // for when it is no longer found by the encoder
+  double ratio_;  // used when Auto is switched off
   std::optional<double> found_ratio_;
   QCheckBox* hold_;
   QCheckBox* found_;

@@ -5,8 +5,8 @@
 
 namespace mocapress {
 
-/// A line that takes the room there is: what does not fit is left out at its end and in its tool
-/// tip. It never makes its window wider.
+/// A line of text that fits its room: the end is elided and the whole stands in the tool tip. It
+/// never widens its window.
 class ElidedLabel : public QWidget {
   Q_OBJECT
 

@@ -15,7 +15,7 @@ class FactorControl : public QWidget {
   Q_OBJECT
 
  public:
-  /// `name` for a screen reader. `from_none`: the slider begins with 0, which is none.
+  /// `name` is for screen readers. With `from_none` the slider starts at 0, which means none.
   FactorControl(const QString& name, const QString& tip, const LogScale& scale, bool from_none,
                 QWidget* parent = nullptr);
 

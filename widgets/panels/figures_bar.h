@@ -11,18 +11,18 @@ class QLabel;
 
 namespace mocapress {
 
-/// Error and size in one line at the foot of the window, in sight whatever panels are open.
+/// Error and size in one line at the bottom of the window, visible whatever panels are open.
 class FiguresBar : public QWidget {
   Q_OBJECT
 
  public:
   explicit FiguresBar(QWidget* parent = nullptr);
 
-  /// Unset: dashes.
+  /// Unset figures show as dashes.
   void setFigures(const std::optional<ResultFigures>& figures);
 
  private:
-  /// A name and what belongs to it.
+  /// The widgets of one figure: its name and its value.
   struct Figure {
     QLabel* caption;
     QLabel* value;

@@ -13,20 +13,21 @@ namespace mocapress {
 
 class SlideModel;
 
-/// The findings of footskate, each a click away, and the thresholds by which contacts are found.
+/// Lists the footskate findings, each of which seeks when clicked, and edits the thresholds of
+/// contact detection.
 class FootskatePanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit FootskatePanel(SlideModel* model, QWidget* parent = nullptr);
 
-  /// In one line, above the list.
+  /// Sets the line above the list.
   void setSummary(const QString& summary);
 
   const ContactSettings& settings() const { return settings_; }
 
  signals:
-  /// The frame where it is worst, and the joint or end that slides.
+  /// The worst frame of the finding, and the joint or bone end that slides.
   void findingChosen(int frame, int landmark);
   void settingsChanged(const ContactSettings& settings);
 

@@ -156,7 +156,7 @@ void ImportancePanel::setMethod(Method method) {
     widget->setEnabled(heeded);
 }
 
-/// What single joints of the part had is theirs no more.
+/// The part's factor replaces those of its single joints.
 void ImportancePanel::choosePart(BodyPart part, double factor) {
   importance_.joints.resize(static_cast<std::size_t>(skeleton_.joint_count()), 1.0);
   for (const int joint : joints_of(skeleton_, part))

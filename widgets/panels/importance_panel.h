@@ -19,21 +19,21 @@ namespace mocapress {
 
 class FactorControl;
 
-/// What the encoder is to take more care of: parts of the body and standing feet on sliders, and
-/// any joint in a drawer. Shows what it is told, and tells what the user chose.
+/// Edits the importances of the error: sliders for body parts and standing feet, and a drawer for
+/// any joint. Shows what is set and reports what the user chooses.
 class ImportancePanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit ImportancePanel(QWidget* parent = nullptr);
 
-  /// Its joints, all alike.
+  /// Sets the joints, all equally important.
   void setSkeleton(const Skeleton& skeleton);
 
-  /// Those of the skeleton. Emits nothing.
+  /// Sets importances for joints of the skeleton. Emits nothing.
   void setImportance(const Importance& importance);
 
-  /// Not every method heeds it.
+  /// Disables the panel for methods that ignore importances.
   void setMethod(Method method);
 
   FactorControl* part(BodyPart part) const { return parts_.at(part); }
@@ -61,7 +61,7 @@ class ImportancePanel : public QWidget {
   std::map<BodyPart, FactorControl*> parts_;
   FactorControl* contacts_;
   QToolButton* drawer_;
-  QWidget* drawn_;  // what is in the drawer
+  QWidget* drawn_;  // content of the drawer
   QLineEdit* find_;
   QTreeWidget* joints_;
   QPushButton* even_;

@@ -18,7 +18,7 @@ namespace {
 constexpr int kLeastNameLetters = 12;
 
 /// Keeps Space for its check boxes, where the window would play and pause. The first column takes
-/// the room that the others leave, but never so little that nobody can read it.
+/// the remaining width, but never less than can be read.
 class CheckList : public QTreeView {
  public:
   using QTreeView::QTreeView;
@@ -63,7 +63,7 @@ JointsPanel::JointsPanel(JointErrorModel* model, QWidget* parent)
   view_->setSortingEnabled(true);
   view_->sortByColumn(JointErrorModel::Name, Qt::AscendingOrder);
   view_->header()->setStretchLastSection(false);
-  view_->setTextElideMode(Qt::ElideMiddle);  // what tells joints apart is often at the end
+  view_->setTextElideMode(Qt::ElideMiddle);  // joint names often differ only at the end
   for (int column = JointErrorModel::Mean; column < JointErrorModel::kColumns; ++column)
     view_->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
   const auto show_skin = [this] {

@@ -18,7 +18,7 @@ class JointsPanel : public QWidget {
  public:
   explicit JointsPanel(JointErrorModel* model, QWidget* parent = nullptr);
 
-  /// The row of that joint's origin becomes current. Emits nothing.
+  /// Makes the row of that joint's origin current. Emits nothing.
   void setCurrentJoint(int joint);
 
  signals:

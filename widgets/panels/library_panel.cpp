@@ -26,9 +26,9 @@ constexpr int kRowHeight = 58;
 constexpr int kPicture = 46;
 constexpr int kFolderHeight = 28;
 constexpr int kMargin = 6;
-const QString kMark = QStringLiteral("⚠");  // there are notes on reading the clip
+const QString kMark = QStringLiteral("⚠");  // marks a clip with notes of its reader
 
-/// Of a clip a pose, the name, what it came to and what was decided; of a folder what is in it.
+/// Draws a clip's pose, name, result and verdict, and a folder's summary.
 class RowPainter : public QStyledItemDelegate {
  public:
   RowPainter(const LibraryModel* model, const LibraryTree* tree, QObject* parent)
@@ -81,7 +81,7 @@ class RowPainter : public QStyledItemDelegate {
     painter->restore();
   }
 
-  /// A click on the mark says what is behind it.
+  /// A click on the mark shows the notes.
   bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
                    const QModelIndex& index) override {
     const int clip = tree_->clipOf(index);
@@ -94,13 +94,13 @@ class RowPainter : public QStyledItemDelegate {
   }
 
  private:
-  /// At the end of a row's first line.
+  /// The place of the mark, at the end of a row's first line.
   static QRect markOf(const QStyleOptionViewItem& option) {
     const int size = option.fontMetrics.height();
     return {option.rect.right() - kMargin - size, option.rect.top() + kMargin, size, size};
   }
 
-  /// Dark enough on white, bright enough on black.
+  /// Colours dark enough on white and bright enough on black.
   static QColor colourOf(RowState state, const QPalette& palette) {
     const bool dark = palette.color(QPalette::Base).lightness() < 128;
     switch (state) {
@@ -290,7 +290,7 @@ QMenu* LibraryPanel::makeMenu() {
   return menu;
 }
 
-/// The selection, where the clip that is shown is part of it.
+/// Returns the selection if it includes the clip that is shown, else that clip alone.
 std::vector<int> LibraryPanel::reviewedRows() const {
   std::vector<int> rows = chosenRows();
   const int row = current();
@@ -308,7 +308,7 @@ void LibraryPanel::setCurrent(int row) {
     using Selection = QItemSelectionModel;
     Selection* selection = view_->selectionModel();
     const QSignalBlocker blocker(selection);
-    // One of several that are chosen leaves them so.
+    // Making one of several selected rows current keeps the others selected.
     selection->setCurrentIndex(
         index, selection->isSelected(index) ? Selection::NoUpdate : Selection::ClearAndSelect);
     if (index.isValid()) view_->scrollTo(index);
@@ -317,7 +317,7 @@ void LibraryPanel::setCurrent(int row) {
   showReview();
 }
 
-/// Built anew: what was collapsed stays so, and what was chosen.
+/// Builds the tree anew and keeps collapsed folders and the selection.
 void LibraryPanel::showTree() {
   {
     const QSignalBlocker blocker(view_);

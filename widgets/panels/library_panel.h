@@ -19,21 +19,20 @@ namespace mocapress {
 class LibraryModel;
 class LibraryTree;
 
-/// The clips of the project below their folders: what each came to, and what the reviewer says. A
-/// click opens a clip.
+/// The clips of the project in their folders, with results and verdicts. A click opens a clip.
 class LibraryPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit LibraryPanel(LibraryModel* model, QWidget* parent = nullptr);
 
-  /// The clip that is open; -1: none of the list. Emits nothing.
+  /// The row of the open clip; -1: none of the list. Emits nothing.
   void setCurrent(int row);
 
-  /// The clips that are selected, and all below selected folders.
+  /// The selected clips, and all clips below selected folders.
   std::vector<int> chosenRows() const;
 
-  /// Those that clips can be given.
+  /// The presets that can be given to clips.
   void setPresets(const std::vector<Settings>& presets) { presets_ = presets; }
 
   QTreeView* view() const { return view_; }
@@ -43,12 +42,12 @@ class LibraryPanel : public QWidget {
   QComboBox* verdict() const { return verdict_; }
   QLineEdit* note() const { return note_; }
 
-  /// The context menu of the selection.
+  /// Makes the context menu for the selection.
   QMenu* makeMenu();
 
   QSize sizeHint() const override { return {230, 400}; }
 
-  /// In less, rows would say nothing.
+  /// Rows narrower than this could not be read.
   QSize minimumSizeHint() const override { return {210, 200}; }
 
  signals:
@@ -56,16 +55,16 @@ class LibraryPanel : public QWidget {
   void addFolderRequested();
   void removeRequested(const QList<int>& rows);
   void openRequested(int row);
-  /// For all that is selected.
+  /// A verdict for all selected clips.
   void verdictChosen(const std::vector<int>& rows, mocapress::Verdict verdict);
   void presetChosen(const std::vector<int>& rows, const mocapress::Settings& preset);
 
   void noteEdited(int row, const QString& note);
 
-  /// A batch of these clips; none: of all.
+  /// Exports these clips as a batch; no rows: all clips.
   void exportRequested(const std::vector<int>& rows);
 
-  /// Clips whose files are gone are to be looked for.
+  /// The user wants to look for missing files.
   void findMissingRequested();
 
  private:
@@ -75,7 +74,7 @@ class LibraryPanel : public QWidget {
   void removeChosen();
   void addVerdicts(QMenu* menu, const std::vector<int>& rows);
   std::vector<int> reviewedRows() const;
-  int current() const;  // row of the library, -1: none
+  int current() const;  // row in the library, -1: none
 
   LibraryModel* model_;
   LibraryTree* tree_;
@@ -87,7 +86,7 @@ class LibraryPanel : public QWidget {
   QLineEdit* note_;
   std::vector<Settings> presets_;
   QSet<QString> collapsed_;  // paths of folders
-  QString chosen_;           // path of the clip that is, kept while the tree is built anew
+  QString chosen_;           // path of the selected clip, kept while the tree is rebuilt
 };
 
 }  // namespace mocapress

@@ -29,7 +29,7 @@ MessageBar::MessageBar(QWidget* parent)
   text_->setWordWrap(true);
   text_->setTextFormat(Qt::PlainText);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  text_->setMinimumWidth(1);  // one long word does not make the window wider
+  text_->setMinimumWidth(1);  // a long word must not widen the window
   auto* close = new QToolButton(this);
   close->setIcon(style()->standardIcon(QStyle::SP_TitleBarCloseButton));
   close->setAutoRaise(true);
@@ -38,7 +38,7 @@ MessageBar::MessageBar(QWidget* parent)
 
   remedy_->setAccessibleName(tr("What may help"));
   work_->setAccessibleName(tr("Something is being done"));
-  work_->setRange(0, 0);  // how long it takes is not known
+  work_->setRange(0, 0);  // an endless bar: the duration is unknown
   work_->setTextVisible(false);
   work_->setMaximumSize(160, 8);
 
@@ -89,7 +89,7 @@ void MessageBar::showText(const QString& text, bool error, QAction* remedy) {
 
 void MessageBar::changeEvent(QEvent* event) {
   QFrame::changeEvent(event);
-  // Of the application: applyColours() changes this widget's own palette.
+  // The application's palette counts: applyColours() changes this widget's own.
   if (event->type() == QEvent::ApplicationPaletteChange) applyColours();
 }
 

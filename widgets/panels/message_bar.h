@@ -12,8 +12,8 @@ class QToolButton;
 
 namespace mocapress {
 
-/// One message in the window, in nobody's way: errors stay until closed or replaced, notes leave by
-/// themselves.
+/// Shows one message in the window without blocking it: errors stay until closed or replaced, notes
+/// disappear by themselves.
 class MessageBar : public QFrame {
   Q_OBJECT
 
@@ -22,10 +22,10 @@ class MessageBar : public QFrame {
 
   void showNote(const QString& text);
 
-  /// Something is being done: stays until replaced or hidden.
+  /// Shows a running task until replaced or hidden.
   void showWork(const QString& text);
 
-  /// With a button for `remedy` where there is one; the bar keeps no ownership.
+  /// Shows a button for `remedy` if there is one; the bar does not own it.
   void showError(const QString& text, QAction* remedy = nullptr);
 
   QString text() const;

@@ -7,9 +7,9 @@
 
 namespace mocapress {
 
-/// A number of any size, taken as it is typed: what a range would cut off is for others to judge.
-/// Shows no more decimals than it has, and keeps its width whatever it holds. Decimals beyond the
-/// third digit of a number that is typed are rounded away.
+/// A spin box that accepts a number of any size as it is typed: its owner judges the value. It
+/// shows only the decimals that the number has, and keeps its width. Typed digits beyond the third
+/// decimal place are rounded away.
 class NumberBox : public QDoubleSpinBox {
   Q_OBJECT
 
@@ -30,7 +30,7 @@ class NumberBox : public QDoubleSpinBox {
   int shown_ = 0;
 };
 
-/// Positive numbers in a line, separated by spaces. What cannot be read is marked, and changes
+/// A line of positive numbers separated by spaces. Text that cannot be read is marked and changes
 /// nothing.
 class NumberListEdit : public QLineEdit {
   Q_OBJECT
@@ -42,7 +42,7 @@ class NumberListEdit : public QLineEdit {
   const std::vector<double>& numbers() const { return numbers_; }
 
  signals:
-  /// By the user.
+  /// Emitted for changes by the user.
   void numbersChanged();
 
  private:

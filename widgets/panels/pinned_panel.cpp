@@ -74,7 +74,7 @@ bool PinnedPanel::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
-/// Names take the room there is; where that is too little, the columns scroll.
+/// Gives the names all free width; with too little of it, the columns scroll.
 void PinnedPanel::fitNames() {
   QHeaderView* header = view_->header();
   const int others = header->length() - header->sectionSize(PinnedModel::Name);

@@ -10,14 +10,14 @@ namespace mocapress {
 
 class PinnedModel;
 
-/// The pinned results with their figures, and what can be done with them.
+/// Lists the pinned results with their figures, and the actions on them.
 class PinnedPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit PinnedPanel(PinnedModel* model, QWidget* parent = nullptr);
 
-  /// There is a result to pin, and room for it.
+  /// True when there is a result to pin and room for it.
   void setCanPin(bool can);
 
   QTreeView* view() const { return view_; }

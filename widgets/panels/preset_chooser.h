@@ -12,8 +12,8 @@ class QToolButton;
 
 namespace mocapress {
 
-/// The presets to choose from, and a menu to keep, share and remove one's own. Shows what it is
-/// told, and tells what the user wants.
+/// Chooses a preset, with a menu to save, share and remove the user's own. Shows what is set and
+/// reports what the user wants.
 class PresetChooser : public QWidget {
   Q_OBJECT
 
@@ -23,11 +23,11 @@ class PresetChooser : public QWidget {
   /// Built-in ones first, then the user's own.
   void setPresets(const std::vector<Settings>& presets);
 
-  /// Emits nothing. One that is not among the presets is shown as a change of the one whose name it
-  /// has; without a name, as settings of its own.
+  /// Emits nothing. A preset outside the list counts as a change of the one with its name; without
+  /// a name, as settings of its own.
   void setPreset(const Settings& preset);
 
-  /// Whether what is shown is one of the presets as it is.
+  /// True when the shown settings are exactly one of the presets.
   bool isPure() const;
 
   const Settings& preset() const { return preset_; }

@@ -122,7 +122,7 @@ void PresetEditor::setPreset(const Settings& preset) {
   hold_feet_->setEnabled(!find_comparison_method(preset.method));
 }
 
-/// Range, decimals and unit of the value, and a usual one where it was of another kind.
+/// Sets range, decimals and unit for the kind of target, and a usual value if the kind is new.
 void PresetEditor::showKind() {
   struct Scale {
     double least, most, usual;

@@ -15,19 +15,18 @@ namespace mocapress {
 
 class PresetChooser;
 
-/// A preset to choose, and the few settings most are changed in. Shows what it is told, and tells
-/// what the user chose.
+/// Chooses a preset and edits its most used settings. Shows what is set and reports what the user
+/// chooses.
 class PresetEditor : public QWidget {
   Q_OBJECT
 
  public:
   explicit PresetEditor(QWidget* parent = nullptr);
 
-  /// Those to choose from: built-in ones first, then the user's own.
+  /// The presets to choose from: built-in ones first, then the user's own.
   void setPresets(const std::vector<Settings>& presets);
 
-  /// Emits nothing. One that is not among the presets is shown as a change of the one whose name it
-  /// has.
+  /// Emits nothing. A preset outside the list counts as a change of the one with its name.
   void setPreset(const Settings& preset);
 
   PresetChooser* chooser() const { return chooser_; }

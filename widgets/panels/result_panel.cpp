@@ -42,7 +42,7 @@ QString seenExplanation() {
   return ResultPanel::tr("Whether anything that is off is more than people notice.");
 }
 
-/// What is seen most, and when.
+/// Names the most visible error and its time.
 QString reasonText(const SeenFigures& seen) {
   return ResultPanel::tr("%1, %2 at %L3 s: %L4 times what people notice")
       .arg(displayName(seen.cue), seen.joint)
@@ -190,7 +190,7 @@ QLabel* ResultPanel::nameOf(QLabel* value) const {
   return qobject_cast<QLabel*>(grid_->itemAtPosition(row, 0)->widget());
 }
 
-/// Where a clip begins and ends, or goes over into its beginning.
+/// Shows the errors at both ends of a clip, or at the seam of a loop.
 void ResultPanel::setEnds(const ResultFigures& figures) {
   const bool is_loop = figures.ends && figures.is_loop;
   const auto change = [](double cm, double cm_per_frame) {

@@ -16,7 +16,7 @@ class QLabel;
 
 namespace mocapress {
 
-/// What the eye sees, and where it sees it most.
+/// Visibility of the errors, and the place where it is highest.
 struct SeenFigures {
   Sight sight = Sight::NotVisible;
   Cue cue = Cue::Velocity;
@@ -25,18 +25,18 @@ struct SeenFigures {
   double times_noticed = 0;
 };
 
-/// The figures of one compressed clip. Unset: not known.
+/// Figures of one compressed clip. Unset ones are unknown.
 struct ResultFigures {
   double ratio = 0;
   std::size_t motion_bytes = 0;
-  std::size_t file_bytes = 0;                 // unknown where the size is estimated
-  bool size_is_estimated = false;             // and with it the ratio and the bits
-  Weighting weighting = Weighting::BoneEnds;  // of eps_cm
+  std::size_t file_bytes = 0;                 // unknown for an estimated size
+  bool size_is_estimated = false;             // ratio and bits are estimates too
+  Weighting weighting = Weighting::BoneEnds;  // weighting of eps_cm
   double eps_cm = 0;
   std::optional<double> p95_cm;
   std::optional<double> p99_cm;
   double max_cm = 0;
-  std::optional<Spread> skin;  // unset: there is no mesh, or no original to compare it with
+  std::optional<Spread> skin;  // unset: no mesh, or no original to compare with
   std::optional<SeenFigures> seen;
   std::optional<double> coefficient_ratio;
   double bits_per_joint_sample = 0;
@@ -50,17 +50,17 @@ struct ResultFigures {
   std::optional<double> fastest_knee_of_original;
 };
 
-/// Size and error of the compressed clip, always in sight.
+/// Size and error of the compressed clip.
 class ResultPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit ResultPanel(QWidget* parent = nullptr);
 
-  /// Unset: dashes.
+  /// Unset figures show as dashes.
   void setFigures(const std::optional<ResultFigures>& figures);
 
-  /// How the figures came about, in a few words.
+  /// A few words on the origin of the figures.
   void setState(const QString& state);
 
  private:
@@ -75,7 +75,7 @@ class ResultPanel : public QWidget {
   QLabel* eps_name_;
   QLabel* state_;
   QLabel* ends_;
-  QLabel* elsewhere_;  // what a loop's seam compares with
+  QLabel* elsewhere_;  // error of frames elsewhere, to compare a loop's seam with
   QLabel* bytes_;
   QLabel* p95_;
   QLabel* p99_;

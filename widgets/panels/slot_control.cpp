@@ -21,7 +21,7 @@ SlotControl::SlotControl(QWidget* parent) : QWidget(parent), copy_(new QToolButt
     buttons_[i] = new QToolButton(this);
     buttons_[i]->setCheckable(true);
     buttons_[i]->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    // Room for all there can be, so that nothing moves when it is known.
+    // The width suits the longest summary, so that nothing moves when the figures arrive.
     buttons_[i]->setMinimumWidth(fontMetrics().horizontalAdvance(kWidestSlot) + 12);
     buttons_[i]->setAccessibleName(tr("Settings %1").arg(kNames[i]));
     buttons_[i]->setToolTip(
@@ -30,7 +30,7 @@ SlotControl::SlotControl(QWidget* parent) : QWidget(parent), copy_(new QToolButt
     connect(buttons_[i], &QToolButton::clicked, this, [this, i] {
       buttons_[static_cast<std::size_t>(active_)]->setChecked(true);
       if (static_cast<int>(i) == active_) return;
-      buttons_[i]->setChecked(false);  // until setSlots() says so
+      buttons_[i]->setChecked(false);  // stays off until setSlots()
       emit switchRequested();
     });
   }

@@ -8,14 +8,15 @@ class QToolButton;
 
 namespace mocapress {
 
-/// Two settings of one clip, A and B: which of them is seen and tuned, and what each came to.
+/// Two settings of one clip, A and B: chooses which is shown and edited, and shows the result of
+/// each.
 class SlotControl : public QWidget {
   Q_OBJECT
 
  public:
   explicit SlotControl(QWidget* parent = nullptr);
 
-  /// `summaries` of A and B; empty: not known. Emits nothing.
+  /// `summaries` of A and B; empty: no result yet. Emits nothing.
   void setSlots(int active, const std::array<QString, 2>& summaries);
 
   QToolButton* slot(int index) const { return buttons_[static_cast<std::size_t>(index)]; }

@@ -43,7 +43,7 @@ class StudyClips : public QWidget {
   QPushButton* remove_;
 };
 
-/// What a study compresses and how, and how far it is.
+/// Edits a study's clips, methods and targets, and shows its progress.
 class StudyPanel : public QWidget {
   Q_OBJECT
 
@@ -52,13 +52,13 @@ class StudyPanel : public QWidget {
 
   void setSettings(const StudySettings& settings);
 
-  /// Where the rows are kept; empty: wherever the program does.
+  /// The folder of the rows; empty: the program's default.
   void setFolder(const QString& folder);
 
-  /// `canRun`: there is something to do.
+  /// `canRun`: the study has something left to do.
   void setRunning(bool running, bool canRun);
 
-  /// `jobs` 0: it is not known how much there is to do.
+  /// `jobs` 0: their number is not known yet.
   void setProgress(int done, int jobs);
 
   void setStatus(const QString& status);

@@ -21,7 +21,7 @@ namespace mocapress {
 namespace {
 
 constexpr int kUpdateDelay = 120;  // ms at least
-constexpr int kRest = 4;           // times as long as the last update took
+constexpr int kRest = 4;           // waits this many times as long as the last update took
 constexpr int kPlotHeight = 540;
 constexpr int kTableHeight = 230;
 
@@ -85,7 +85,7 @@ void StudyResults::makeTable() {
   table_->setFrameShape(QFrame::NoFrame);
   table_->setIconSize({9, 9});
   table_->setSortingEnabled(true);
-  table_->sortByColumn(-1, Qt::AscendingOrder);  // as they come
+  table_->sortByColumn(-1, Qt::AscendingOrder);  // starts in the order of arrival
   table_->header()->setStretchLastSection(false);
   table_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->header()->setSectionResizeMode(StudyRowsModel::Method, QHeaderView::Stretch);
@@ -165,7 +165,7 @@ void StudyResults::showClip() {
                                                QRegularExpression::escape(path))));
 }
 
-/// Selected in the table too, where its row says more.
+/// Selects the row in the table too, which has more details.
 void StudyResults::choose(int row) {
   const QModelIndex index = sorted_.mapFromSource(model_->index(row, 0));
   if (index.isValid()) {

@@ -18,23 +18,23 @@ namespace mocapress {
 class RatePlot;
 class StudyRowsModel;
 
-/// The rows of a study as curves and as a table, of one clip or of all. What is chosen in one is
-/// shown in the other.
+/// The rows of a study as curves and as a table, for one clip or all. A choice in one shows in the
+/// other.
 class StudyResults : public QWidget {
   Q_OBJECT
 
  public:
   explicit StudyResults(StudyRowsModel* model, QWidget* parent = nullptr);
 
-  /// Paths of clips of which all rows are there: these make the average.
+  /// Paths of the clips with all their rows: these make the average.
   void setComplete(const std::set<std::string>& complete);
 
-  /// The compressed clip that is open in the studio: its original's path and what it came to.
+  /// The compressed clip open in the studio: its original's path and its figures.
   void setHere(const QString& path, const std::optional<CurvePoint>& here);
 
   void setHint(const QString& hint);
 
-  /// To the right of the chooser of clips.
+  /// Adds a tool to the right of the clip chooser.
   void addTool(QWidget* tool);
 
   /// Path of the clip that is shown; empty: the average over all.
@@ -45,7 +45,7 @@ class StudyResults : public QWidget {
   QTreeView* table() { return table_; }
 
  signals:
-  /// To be loaded into the studio.
+  /// The user wants to load this row into the studio.
   void rowChosen(int row);
 
  private:
@@ -62,7 +62,7 @@ class StudyResults : public QWidget {
   QTreeView* table_;
   QComboBox* chooser_;
   QWidget* tools_;
-  QTimer update_;  // once for many rows
+  QTimer update_;  // gathers many rows into one update
   std::set<std::string> complete_;
   QString here_path_;
   std::optional<CurvePoint> here_;

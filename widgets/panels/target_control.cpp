@@ -15,7 +15,7 @@
 namespace mocapress {
 namespace {
 
-/// How a kind of target is shown, and what it begins with.
+/// Display and initial value of a kind of target.
 struct Unit {
   LogScale scale;
   double first;
@@ -41,7 +41,7 @@ Unit unitOf(Target::Kind kind) {
   return {{2, 1000}, 25, 1, 3, TargetControl::tr(" : 1")};
 }
 
-/// In few digits, and so that what was achieved still meets it.
+/// Rounds to few digits, to the side on which the achieved value still meets the target.
 double rounded(Target::Kind kind, double value) {
   if (kind == Target::Kind::Ratio) return std::round(10 * value) / 10;
   if (kind == Target::Kind::Size) return value;

@@ -14,8 +14,8 @@ namespace mocapress {
 
 class NumberBox;
 
-/// What is asked for, a size or a quality, on a slider of equal factors with a number beside it.
-/// The number may lie beyond the slider and beyond what the clip can reach: it stays as typed.
+/// Edits the target, a size or a quality, on a slider of equal factors with a number beside it. The
+/// number may lie outside the slider's range and the clip's reach: it stays as typed.
 class TargetControl : public QWidget {
   Q_OBJECT
 
@@ -24,13 +24,13 @@ class TargetControl : public QWidget {
 
   const Target& target() const { return target_; }
 
-  /// Of any kind but CoefficientRatio. Emits nothing.
+  /// Accepts any kind but CoefficientRatio. Emits nothing.
   void setTarget(const Target& target);
 
-  /// What the current result has of each kind: that is asked for when the kind is chosen.
+  /// The current result in terms of each kind: choosing a kind asks for this value.
   void setAchieved(const std::map<Target::Kind, double>& achieved);
 
-  /// Said below the number, with more about it as a tool tip; empty: nothing is wrong.
+  /// A warning below the number, with details as tool tip; empty: none.
   void setTrouble(const QString& trouble, const QString& details = {});
 
   QComboBox* kind() const { return kind_; }
@@ -46,7 +46,7 @@ class TargetControl : public QWidget {
   void show();
 
   Target target_;
-  std::map<Target::Kind, double> values_;  // what each kind begins with when it is chosen
+  std::map<Target::Kind, double> values_;  // value asked for when a kind is chosen
   QComboBox* kind_;
   QSlider* slider_;
   NumberBox* value_;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kListHeight = 110;
 
-/// Without the path of the clip, which is in view.
+/// The warning without the path of the clip, which the user sees already.
 QString noteText(const QString& clip, const Warning& warning) {
   if (QString::fromStdString(warning.file) != clip) return QString::fromStdString(warning.text());
   const QString message = QString::fromStdString(warning.message);
@@ -72,7 +72,7 @@ void WarningsPanel::setWarnings(const QString& clip, const Warnings& warnings) {
   const bool is_told = std::exchange(told_[clip], lines) == lines;
   if (std::exchange(clip_, clip) == clip && is_told) return;
   list_->setPlainText(lines.join(QLatin1Char('\n')));
-  // A single note is its own title.
+  // A single note is the title itself.
   title_->setText(lines.size() == 1 ? lines.front()
                                     : tr("%n note(s) on reading this clip", nullptr,
                                          static_cast<int>(lines.size())));

@@ -13,15 +13,16 @@ namespace mocapress {
 
 class ElidedLabel;
 
-/// Tells what a reader repaired or guessed, in a line that unfolds and can be dismissed, once a
-/// clip: from then on the mark on the clip's row in the library has it.
+/// Tells once a clip what its reader repaired or guessed, in a line that unfolds and can be
+/// dismissed. Later the mark on the clip's row in the library tells it.
 class WarningsPanel : public QFrame {
   Q_OBJECT
 
  public:
   explicit WarningsPanel(QWidget* parent = nullptr);
 
-  /// `clip` is its path. No warnings, or those that were told of it already, hide the panel.
+  /// `clip` is its path. The panel hides without warnings, or if all were shown for this clip
+  /// before.
   void setWarnings(const QString& clip, const Warnings& warnings);
 
  private:
@@ -29,7 +30,7 @@ class WarningsPanel : public QFrame {
   QToolButton* unfold_;
   QPlainTextEdit* list_;
   QString clip_;
-  std::map<QString, QStringList> told_;  // by clip
+  std::map<QString, QStringList> told_;  // warnings already shown, by clip
 };
 
 }  // namespace mocapress

@@ -19,9 +19,9 @@ namespace mocapress {
 /// One channel of the skeleton over time, as recorded and as compressed.
 struct ChannelCurves {
   Eigen::VectorXd original;    // degrees or cm; empty: unknown
-  Eigen::VectorXd compressed;  // likewise
+  Eigen::VectorXd compressed;  // like `original`
   bool rotation = false;
-  std::vector<KeptBand> kept;  // of the compressed one; empty: unknown
+  std::vector<KeptBand> kept;  // coefficients kept in `compressed`; empty: unknown
   double sample_rate_hz = 120;
 };
 
@@ -33,7 +33,7 @@ class ChannelGraph : public QWidget {
  public:
   explicit ChannelGraph(QWidget* parent = nullptr);
 
-  /// The channels to choose from; `current` of them is shown, -1: none.
+  /// The channels to choose from and the one shown, `current`; -1: none.
   void setChannels(const QStringList& names, int current);
   void setCurves(const ChannelCurves& curves);
   void setFrame(int frame);
@@ -60,7 +60,7 @@ class ChannelGraph : public QWidget {
   QCustomPlot* bands_plot_;
   QCPAxisRect* difference_;
   std::vector<QCPItemStraightLine*> playheads_;
-  bool playhead_waits_ = false;  // to be drawn
+  bool playhead_waits_ = false;  // a redraw is pending
   ChannelCurves curves_;
 };
 

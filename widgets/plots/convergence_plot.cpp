@@ -24,7 +24,7 @@ ConvergencePlot::ConvergencePlot(QWidget* parent) : QWidget(parent), plot_(new Q
   clear();
 }
 
-/// Axes of nothing would say that there is something from 0 to 1.
+/// Empty axes would suggest a range from 0 to 1.
 void ConvergencePlot::clear() {
   plot_->clearGraphs();
   pass_ = -1;
@@ -42,7 +42,7 @@ void ConvergencePlot::startPass(int pass) {
 void ConvergencePlot::append(const std::vector<EncodeProgress>& states) {
   for (const EncodeProgress& state : states) {
     if (state.pass != pass_) startPass(state.pass);
-    // A segment that was coded alone is no step of the whole, and tells no error.
+    // A segment coded alone reports no error: it is no step of the whole clip.
     if (state.eps_cm > 0)
       plot_->graph(plot_->graphCount() - 1)->addData(state.iteration, state.eps_cm);
   }

@@ -32,10 +32,10 @@ ErrorGraph::ErrorGraph(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot
   plot_->xAxis->setLabel(tr("Time (s)"));
   plot_->axisRect()->setRangeZoom(Qt::Horizontal);
   plot_->setInteraction(QCP::iRangeZoom);
-  // Thousands of points: smooth lines would take longer to draw than the 3D picture.
+  // The curves have thousands of points: antialiasing would take longer than the 3D picture.
   plot_->setNotAntialiasedElements(QCP::aePlottables | QCP::aeFills);
 
-  // Above the curves, in as few lines as it fits.
+  // The legend stands above the curves, in as few lines as possible.
   auto* above = new QCPLayoutGrid;
   plot_->plotLayout()->insertRow(0);
   plot_->plotLayout()->addElement(0, 0, above);
@@ -48,9 +48,9 @@ ErrorGraph::ErrorGraph(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot
   plot_->legend->setIconSize(14, 8);
   plot_->legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
   plot_->legend->setColumnSpacing(14);
-  plot_->setMinimumSize(kLeastSize);  // else as wide as the legend is now
+  plot_->setMinimumSize(kLeastSize);  // else the legend would set the minimum
 
-  // On a layer of its own: moving it does not draw the curves again.
+  // The playhead has a layer of its own, so that moving it does not redraw the curves.
   plot_->addLayer(QStringLiteral("playhead"));
   plot_->layer(QStringLiteral("playhead"))->setMode(QCPLayer::lmBuffered);
   playhead_ = new QCPItemStraightLine(plot_);
@@ -101,7 +101,7 @@ void ErrorGraph::setSwitch(QAction* action) {
   fitLegend();
 }
 
-/// In as few lines as leave every name whole beside the switch.
+/// Chooses the fewest lines of the legend in which every name fits beside the switch.
 void ErrorGraph::fitLegend() {
   const QCPLegend& legend = *plot_->legend;
   const QMargins margins = legend.margins();
@@ -109,7 +109,7 @@ void ErrorGraph::fitLegend() {
                    (switch_ ? switch_->sizeHint().width() + 2 * kSwitchMargin : 0);
   std::vector<int> widths;
   for (int i = 0; i < legend.itemCount(); ++i)
-    if (const auto* item = legend.item(i))  // of the last line cells may be empty
+    if (const auto* item = legend.item(i))  // the last line may have empty cells
       widths.push_back(item->minimumOuterSizeHint().width());
   const auto width_in = [&](int columns) {
     int sum = (columns - 1) * legend.columnSpacing();
@@ -125,10 +125,10 @@ void ErrorGraph::fitLegend() {
   int columns = std::max(static_cast<int>(widths.size()), 1);
   while (columns > 1 && width_in(columns) > room) --columns;
   plot_->legend->setWrap(columns);
-  plot_->legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);  // anew
+  plot_->legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);  // arranges the items again
 }
 
-/// In line with the legend.
+/// Puts the switch in line with the legend.
 void ErrorGraph::placeSwitch() {
   if (!switch_) return;
   const QSize size = switch_->sizeHint();
@@ -151,7 +151,7 @@ void ErrorGraph::setFrame(int frame) {
   playhead_->point1->setCoords(seconds, 0);
   playhead_->point2->setCoords(seconds, 1);
   if (std::exchange(playhead_waits_, true)) return;
-  // After curves that wait to be drawn: before, they would be drawn twice.
+  // Runs after pending changes of the curves, which would otherwise be drawn twice.
   QTimer::singleShot(0, this, [this] {
     playhead_waits_ = false;
     plot_->layer(QStringLiteral("playhead"))->replot();
@@ -205,7 +205,7 @@ int ErrorGraph::frameAt(int x_pixel) const {
   return static_cast<int>(std::clamp(frame, 0.0, static_cast<double>(shown().rows() - 1)));
 }
 
-/// Both errors of every curve, and the worst.
+/// Text with both errors of every curve and of the worst landmark.
 QString ErrorGraph::readout(int frame) const {
   QStringList lines = {tr("Frame %L1").arg(frame + 1)};
   const auto add = [&lines](const QString& name, const QString& errors) {
@@ -226,7 +226,7 @@ bool ErrorGraph::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::ToolTip || shown().size() == 0)
     return QWidget::eventFilter(watched, event);
   const auto* help = static_cast<QHelpEvent*>(event);
-  if (!plot_->axisRect()->rect().contains(help->pos())) return false;  // the plot's own
+  if (!plot_->axisRect()->rect().contains(help->pos())) return false;  // the plot's only
   QToolTip::showText(help->globalPos(), readout(frameAt(help->pos().x())), plot_);
   return true;
 }

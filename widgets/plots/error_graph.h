@@ -23,21 +23,21 @@ struct ErrorCurve {
   int landmark = 0;
 };
 
-/// Errors of one quantity over time (s): a curve for each chosen landmark over the shape of the
-/// worst of all, and a playhead. Pointed at, it tells the errors there of both quantities. A click
-/// or drag seeks, the wheel zooms time, a double click shows all of it.
+/// Errors of one quantity over time (s): a curve for each chosen landmark, the maximum of all
+/// landmarks as an area, and a playhead. Hovering shows both errors at that time. A click or drag
+/// seeks, the wheel zooms time, a double click shows the whole clip.
 class ErrorGraph : public QWidget {
   Q_OBJECT
 
  public:
   explicit ErrorGraph(QWidget* parent = nullptr);
 
-  /// Null: nothing to show. `curves` are of its landmarks.
+  /// Null shows nothing. `curves` are landmarks of `errors`.
   void setErrors(ErrorsPtr errors, double sample_rate_hz, std::vector<ErrorCurve> curves);
 
   void setQuantity(ErrorQuantity quantity);
 
-  /// What switches to the other quantity, in the corner.
+  /// The action in the corner that switches to the other quantity.
   void setSwitch(QAction* action);
 
   void setCurves(std::vector<ErrorCurve> curves);
@@ -68,8 +68,8 @@ class ErrorGraph : public QWidget {
 
   QCustomPlot* plot_;
   QCPItemStraightLine* playhead_;
-  bool playhead_waits_ = false;      // to be drawn
-  QCPLayoutElement* beside_legend_;  // where the switch is
+  bool playhead_waits_ = false;      // a redraw is pending
+  QCPLayoutElement* beside_legend_;  // cell that holds the switch
   SwitchButton* switch_ = nullptr;
   ErrorsPtr errors_;
   ErrorQuantity quantity_ = ErrorQuantity::Distance;

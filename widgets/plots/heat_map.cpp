@@ -28,7 +28,8 @@ std::array<QRgb, 256> ramp() {
   return colours;
 }
 
-/// A row each, a column for frames that share it: `colour(row, first, last)` of them.
+/// Draws a row for each landmark and a column for each group of frames; `colour(row, first, last)`
+/// paints one.
 template <typename Colour>
 QImage paintedCells(int frames, int rows, int most_columns, const Colour& colour) {
   if (frames == 0 || rows == 0) return {};
@@ -82,7 +83,7 @@ void HeatMap::setErrors(ErrorsPtr errors, std::vector<QString> names, const Erro
   errors_ = std::move(errors);
   names_ = std::move(names);
   scale_ = scale;
-  image_ = QImage();  // made when it is seen
+  image_ = QImage();  // made again when shown
   names_width_ = 0;
   const QFontMetrics widest(boldFont());
   for (const QString& name : names_)
@@ -110,7 +111,7 @@ void HeatMap::setSwitches(const QList<QAction*>& actions) {
   placeSwitches();
 }
 
-/// Below the names, where the legend leaves room.
+/// Puts the switches below the names, in the room left of the legend.
 void HeatMap::placeSwitches() {
   int left = kMargin;
   for (SwitchButton* button : switches_) {
@@ -172,7 +173,7 @@ void HeatMap::paintEvent(QPaintEvent*) {
   }
   painter.drawImage(area, image_);
   painter.setPen(palette().color(QPalette::Text));
-  // Names that do not fit beside each other are left out, but not the current one.
+  // Names that would overlap are left out, except the current one.
   const int line = fontMetrics().height();
   const int step = std::max(1, static_cast<int>(std::ceil(line / rowOf(0).height())));
   const auto name = [&](int row) {
@@ -220,7 +221,7 @@ void HeatMap::paintLegend(QPainter& painter) const {
                    none);
 }
 
-/// What the colours of verdicts mean, from the right, as far as the switches leave room.
+/// Draws the legend of the verdicts from the right, as far as the switches leave room.
 void HeatMap::paintVerdicts(QPainter& painter) const {
   const QRectF area = mapArea();
   const double y = area.bottom() + kLegendHeight / 2.0 + 1;

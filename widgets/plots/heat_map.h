@@ -14,27 +14,28 @@ namespace mocapress {
 
 class SwitchButton;
 
-/// Every landmark's error at every frame at a glance, a distance or an angle: a row a landmark,
-/// time to the right, coloured by a scale of either. Or whether the eye sees it, a row a joint. A
-/// click seeks and chooses the joint.
+/// Every landmark's error at every frame: a row for each landmark, time to the right, coloured by
+/// distance or by angle. It can also show visibility, with a row for each joint. A click seeks and
+/// chooses the joint.
 class HeatMap : public QWidget {
   Q_OBJECT
 
  public:
   explicit HeatMap(QWidget* parent = nullptr);
 
-  /// `names` of all landmarks. The scale says which errors are shown.
+  /// `names` of all landmarks. The scale decides which quantity is shown.
   void setErrors(ErrorsPtr errors, std::vector<QString> names, const ErrorScale& scale);
 
-  /// Of the same clip; null: unknown. Shown in place of its errors, or told beside them.
+  /// Visibility for the same clip; null: unknown. `shown` draws it instead of the errors; otherwise
+  /// it is only in the tool tip.
   void setSight(SightPtr sight, bool shown);
 
-  /// What switches to other quantities, in the corner.
+  /// The actions in the corner that switch to other quantities.
   void setSwitches(const QList<QAction*>& actions);
 
   void setFrame(int frame);
 
-  /// The row that is marked; -1: none.
+  /// The marked row; -1: none.
   void setCurrentLandmark(int landmark);
 
   QSize sizeHint() const override { return {400, 200}; }
@@ -57,7 +58,7 @@ class HeatMap : public QWidget {
     int landmark;
   };
 
-  QFont boldFont() const;  // of the current name
+  QFont boldFont() const;  // font of the current name
   QRectF mapArea() const;
   QRectF rowOf(int landmark) const;
   std::optional<Cell> cellAt(const QPointF& position) const;
@@ -82,16 +83,16 @@ class HeatMap : public QWidget {
   SightPtr sight_;
   bool sight_shown_ = false;
   std::vector<SwitchButton*> switches_;
-  QImage image_;  // one pixel a landmark and a stretch of frames
+  QImage image_;  // one pixel for each landmark and group of frames
   int frame_ = 0;
   int current_ = -1;
   int names_width_ = 0;
 };
 
-/// The picture of a heat map: the worst of the frames that share a column counts.
+/// Picture of a heat map. A column shows the worst of its frames.
 QImage heatImage(const Eigen::MatrixXf& errors, const ErrorScale& scale, int most_columns);
 
-/// The same of what is seen.
+/// The same for visibility.
 QImage sightImage(const SightTable& sight, int frames, int most_columns);
 
 }  // namespace mocapress

@@ -27,7 +27,7 @@ void applyPalette(QCPAxis* axis, const QPalette& palette, const QFont& font) {
 }
 
 void applyPalette(QCustomPlot* plot) {
-  // Of the widget around it, which hears of a change first.
+  // The parent widget learns of a palette change first.
   const QPalette palette = plot->parentWidget()->palette();
   plot->setPlottingHint(QCP::phImmediateRefresh, false);
   plot->setBackground(palette.brush(QPalette::Base));
@@ -43,7 +43,7 @@ QVector<QCPGraphData> overTime(const Eigen::VectorXd& values, double sample_rate
 }
 
 QVector<double> LogTicker::createTickVector(double, const QCPRange& range) {
-  constexpr double kLeastGap = 0.12;  // of the axis: room for a label
+  constexpr double kLeastGap = 0.12;  // share of the axis: room for a label
   QVector<double> ticks;
   if (!(range.lower > 0)) return ticks;
   const double decades = std::log10(range.upper / range.lower);

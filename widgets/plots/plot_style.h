@@ -9,21 +9,21 @@
 
 namespace mocapress {
 
-/// Axes, grid and background in the palette of the widget the plot is in: call again when that
-/// changes. Has it drawn with the window's next picture rather than at once, maybe several times.
+/// Gives axes, grid and background the palette of the plot's parent widget; call it again when that
+/// changes. The plot is redrawn with the window's next picture, however often this is called.
 void applyPalette(QCustomPlot* plot);
 
-/// The same for one axis of a plot that has more.
+/// The same for one axis of a plot with more of them.
 void applyPalette(QCPAxis* axis, const QPalette& palette, const QFont& font);
 
-/// One point a frame, against seconds.
+/// Makes one point for each frame, against seconds.
 QVector<QCPGraphData> overTime(const Eigen::VectorXd& values, double sample_rate_hz);
 
-/// Ticks of a logarithmic axis that is read at a glance: as many as have room for their labels, of
-/// every digit, of 1, 2, 5, or of whole decades. In a range of less than a digit: equal steps.
+/// Ticks of a logarithmic axis: every digit, 1, 2 and 5, or whole decades, whichever is the finest
+/// with room for its labels. A range within one digit gets equal steps.
 class LogTicker : public QCPAxisTicker {
  public:
-  /// `unit` follows each number: ":1".
+  /// `unit` follows each number, such as ":1".
   explicit LogTicker(const QString& unit = {}) : unit_(unit) {}
 
  protected:
@@ -36,8 +36,8 @@ class LogTicker : public QCPAxisTicker {
   QString unit_;
 };
 
-/// An action as a word in the corner of a plot. With a frame: without, it reads as the unit of what
-/// is shown. A click leaves the keys with the plot.
+/// A button that shows an action as a word in the corner of a plot. Its frame keeps it from reading
+/// as a unit. A click leaves the keyboard focus with the plot.
 class SwitchButton : public QToolButton {
  public:
   SwitchButton(QAction* action, QWidget* plot) : QToolButton(plot) {

@@ -19,11 +19,11 @@ namespace mocapress {
 namespace {
 
 constexpr int kLeastHeight = 220;
-constexpr double kReach = 12;            // px from a point at which it answers
+constexpr double kReach = 12;            // px from a point to the mouse that shows its text
 constexpr int kBeside = 9;               // px from the mark to its label
 constexpr int kBelow = 6;                // px
-constexpr int kStill = 4;                // px a click may wander
-constexpr QSize kPictureSize(960, 640);  // px at scale 1, points of a page
+constexpr int kStill = 4;                // px the mouse may move during a click
+constexpr QSize kPictureSize(960, 640);  // px at scale 1; points on a page
 constexpr double kPictureScale = 2;
 
 QCPScatterStyle markOf(const SeriesStyle& style, const QColor& background, double size) {
@@ -171,7 +171,7 @@ void RatePlot::addCurve(const RateCurve& curve) {
   line->setName(seriesTitle(curve.series.method, curve.series.ik_ratio));
   line->setPen(QPen(style.colour, 2, style.dashed ? Qt::DashLine : Qt::SolidLine));
   line->setScatterStyle(markOf(style, background, 7));
-  if (curve.mean) line->setScatterSkip(7);  // it has points enough to be smooth
+  if (curve.mean) line->setScatterSkip(7);  // the curve has enough points to be smooth
   for (const CurvePoint& point : curve.line) line->addData(point.ratio, point.eps_cm);
 }
 
@@ -185,7 +185,7 @@ void RatePlot::placeMarks() {
   here_label_->position->setCoords(here_->ratio, here_->eps_cm);
 }
 
-/// Beside the mark, in that of its corners which is farthest from the curves.
+/// Puts the label at the corner of the mark that is farthest from the curves.
 void RatePlot::placeHereLabel() {
   if (!here_) return;
   const QPointF mark(plot_->xAxis->coordToPixel(here_->ratio),
@@ -208,9 +208,9 @@ void RatePlot::placeHereLabel() {
     }
 }
 
-/// px from the nearest curve, or legend; 0: one is in it.
+/// Distance in px to the nearest curve or legend; 0: one is inside.
 double RatePlot::clearance(const QRectF& place) const {
-  constexpr int kSteps = 16;  // between two points of a curve
+  constexpr int kSteps = 16;  // samples between two points of a curve
   if (plot_->legend->visible() && place.intersects(plot_->legend->outerRect())) return 0;
   double least = std::numeric_limits<double>::infinity();
   const auto at = [this](const CurvePoint& point) {
@@ -284,7 +284,7 @@ void RatePlot::hover(const QPoint& position) {
     QToolTip::hideText();
 }
 
-/// A plot of its own, so that the one on the screen need not change.
+/// Exports a separate plot, so that the one on the screen stays as it is.
 template <typename Write>
 QByteArray RatePlot::picture(Write write) const {
   RatePlot copy;
@@ -299,7 +299,7 @@ QByteArray RatePlot::picture(Write write) const {
   auto* title = new QCPTextElement(plot, title_, font);
   title->setMargins(QMargins(0, 10, 0, 4));
   plot->plotLayout()->addElement(0, 0, title);
-  // QCustomPlot writes to files only.
+  // QCustomPlot can write to files only.
   const QTemporaryDir folder;
   QFile file(folder.filePath(QStringLiteral("plot")));
   if (!write(plot, file.fileName()) || !file.open(QIODevice::ReadOnly)) return {};

@@ -16,13 +16,13 @@ class QCustomPlot;
 
 namespace mocapress {
 
-/// Compression ratio against eps_x (cm), both logarithmic, a curve a series. Points tell what they
-/// are and can be chosen; the wheel zooms, dragging moves, a double click shows all.
+/// Compression ratio against eps_x (cm), both logarithmic, with a curve for each series. Points
+/// have tool tips and can be chosen; the wheel zooms, dragging moves, a double click shows all.
 class RatePlot : public QWidget {
   Q_OBJECT
 
  public:
-  /// What a point is, by its row.
+  /// Describes the point of a row.
   using Describe = std::function<QString(int row)>;
 
   explicit RatePlot(QWidget* parent = nullptr);
@@ -30,28 +30,28 @@ class RatePlot : public QWidget {
   void setDescribe(Describe describe) { describe_ = std::move(describe); }
   void setCurves(std::vector<RateCurve> curves);
 
-  /// Of eps_x.
+  /// The weighting of eps_x.
   void setWeighting(Weighting weighting);
 
-  /// Where the setting is that the studio shows now; unset: nowhere here.
+  /// The point of the studio's current settings; unset: none.
   void setHere(const std::optional<CurvePoint>& here);
 
   /// Rings the point of a row; -1: none.
   void setCurrentRow(int row);
 
-  /// What to read while there are no curves.
+  /// A text shown while there are no curves.
   void setHint(const QString& hint);
 
-  /// Of exported pictures.
+  /// Title of exported pictures.
   void setTitle(const QString& title) { title_ = title; }
 
   const std::vector<RateCurve>& curves() const { return curves_; }
 
-  /// Where a point is drawn, in this widget's pixels.
+  /// The place of a point in this widget's pixels.
   QPoint positionOf(const RatePoint& point) const;
 
-  /// The plot as a picture for paper, whatever the palette and size of the widget. Empty when it
-  /// could not be made.
+  /// The plot as a picture for paper, independent of the palette and size of the widget. Empty on
+  /// failure.
   QByteArray png() const;
   QByteArray pdf() const;
 
@@ -80,14 +80,14 @@ class RatePlot : public QWidget {
   QCPGraph* here_mark_ = nullptr;
   QCPGraph* ring_ = nullptr;
   QCPItemText* hint_;
-  QCPItemText* here_label_;  // on the side where there is room
+  QCPItemText* here_label_;  // on the side with room
   Describe describe_;
   std::vector<RateCurve> curves_;
   std::optional<CurvePoint> here_;
   Weighting weighting_ = Weighting::BoneEnds;
   QString title_;
   int current_row_ = -1;
-  bool moved_ = false;  // by the user: new points leave the axes alone
+  bool moved_ = false;  // the user moved the axes: new points leave them alone
   QPoint pressed_at_;
 };
 

@@ -19,7 +19,7 @@ namespace {
 constexpr int kLaneHeight = 13;  // pixels
 constexpr int kLaneGap = 2;
 constexpr double kCorner = 2;
-constexpr double kHandleReach = 5;  // pixels to either side of an end
+constexpr double kHandleReach = 5;  // pixels on both sides of a bar's end
 
 }  // namespace
 
@@ -32,7 +32,7 @@ ContactStrip::ContactStrip(QWidget* parent) : QWidget(parent) {
 
 void ContactStrip::setContacts(std::vector<ContactSpan> contacts, const std::vector<QString>& names,
                                int frames) {
-  // A foot whose last contact is removed keeps its lane: one can be added again.
+  // A foot keeps its lane without contacts, so that one can be added again.
   if (names != names_ || frames != frames_) lanes_.clear();
   contacts_ = std::move(contacts);
   names_ = names;
@@ -189,7 +189,7 @@ void ContactStrip::mouseMoveEvent(QMouseEvent* event) {
     return;
   }
   if (!dragged_) return emit seekRequested(axis().frameAt(x));
-  // An end is between frames: the nearest border counts.
+  // Contacts end between frames, so the mouse goes to the nearest border of a frame.
   const double half_frame = (axis().xOf(1) - axis().xOf(0)) / 2;
   const int frame = dragged_->end == SpanEnd::First ? axis().frameAt(x + half_frame)
                                                     : axis().frameAt(x - half_frame);

@@ -11,26 +11,26 @@
 
 namespace mocapress {
 
-/// The contacts of a clip over time, one lane a foot, each bar coloured by how far the foot slides
-/// in it. A click seeks, an end of a bar can be dragged, the right button adds and removes.
+/// The contacts of a clip over time, one lane for each foot; a bar's colour tells how far the foot
+/// slides. A click seeks, an end of a bar can be dragged, the right button adds and removes.
 class ContactStrip : public QWidget {
   Q_OBJECT
 
  public:
   explicit ContactStrip(QWidget* parent = nullptr);
 
-  /// `names` of all landmarks, by index.
+  /// `names` has the names of all landmarks, by index.
   void setContacts(std::vector<ContactSpan> contacts, const std::vector<QString>& names,
                    int frames);
   void setFindings(const std::vector<SlideFinding>& findings);
   void setFrame(int frame);
   void setWindow(const FrameWindow& window);
 
-  /// What its names take, and what they are given.
+  /// The width that its names need, and the width they get.
   int labelWidth() const { return names_width_; }
   void setLabelWidth(int pixels);
 
-  /// Frames of a contact that is added.
+  /// Length of an added contact, in frames.
   void setUsualLength(int frames) { usual_length_ = frames; }
 
   QSize sizeHint() const override;
@@ -48,7 +48,7 @@ class ContactStrip : public QWidget {
   void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
-  /// An end of a contact under the mouse.
+  /// The end of a contact under the mouse.
   struct Handle {
     int contact;
     SpanEnd end;
@@ -58,18 +58,18 @@ class ContactStrip : public QWidget {
   QRectF barOf(const ContactSpan& span) const;
   std::optional<Handle> handleAt(const QPointF& position) const;
   int contactAt(const QPointF& position) const;   // -1: none
-  int laneAt(double y) const;                     // its landmark, -1: none
-  double slideOf(const ContactSpan& span) const;  // cm
+  int laneAt(double y) const;                     // the lane's landmark, -1: none
+  double slideOf(const ContactSpan& span) const;  // in cm
   QString describe(const ContactSpan& span) const;
 
   std::vector<ContactSpan> contacts_;
   std::vector<SlideFinding> findings_;
-  std::vector<int> lanes_;  // landmarks
+  std::vector<int> lanes_;  // landmark of each lane
   std::vector<QString> names_;
   int frames_ = 0;
   FrameWindow window_;
   int frame_ = 0;
-  int names_width_ = 0;  // pixels
+  int names_width_ = 0;  // pixels for names
   int label_width_ = 0;
   int usual_length_ = 30;
   std::optional<Handle> dragged_;

@@ -75,7 +75,7 @@ void ErrorStrip::setLabelWidth(int pixels) {
   showErrors();
 }
 
-/// Whatever the scale: the strip does not move when another is chosen.
+/// The width suits every scale, so that the strip does not move when another is chosen.
 int ErrorStrip::labelWidth() const {
   int widest = 0;
   for (const double top : errorScales(scale_.quantity))
@@ -124,7 +124,7 @@ void ErrorStrip::paintEvent(QPaintEvent*) {
   painter.drawLine(QPointF(x, 0), QPointF(x, height()));
 }
 
-/// What the height and the colour of a column mean.
+/// Draws the scale, which explains the height and colour of a column.
 void ErrorStrip::paintScale(QPainter& painter) const {
   const QRectF area = plotArea();
   const double right = area.left() - kStripMargin;
@@ -132,7 +132,7 @@ void ErrorStrip::paintScale(QPainter& painter) const {
     painter.fillRect(QRectF(right - kRampWidth, area.bottom() - y - 1, kRampWidth, 1),
                      viridis(y / (area.height() - 1)));
   painter.setPen(palette().color(QPalette::WindowText));
-  // The top number may stand out above the plot by half its height.
+  // The top number may reach above the plot by half its height.
   const double line = fontMetrics().height();
   const QRectF numbers(kStripMargin, area.top() - line / 4,
                        right - kRampWidth - kRampGap - kStripMargin,
@@ -152,7 +152,7 @@ QPixmap ErrorStrip::paintedErrors() const {
   return picture;
 }
 
-/// A column a pixel, of the worst of its frames: none that is bad is lost between pixels.
+/// Draws one column for each pixel with the maximum of its frames, so that no peak is lost.
 void ErrorStrip::paintColumns(QPainter& painter) const {
   const QRectF area = plotArea();
   const TimeAxis time = axis();
@@ -165,7 +165,7 @@ void ErrorStrip::paintColumns(QPainter& painter) const {
   }
 }
 
-/// Pixel by pixel: a smooth line as long as this takes ten times as long.
+/// Draws the line pixel by pixel: a smooth one of this length takes ten times as long.
 void ErrorStrip::paintMean(QPainter& painter) const {
   const QRectF area = plotArea();
   const TimeAxis time = axis();
@@ -178,7 +178,8 @@ void ErrorStrip::paintMean(QPainter& painter) const {
     line.emplace_back(x, from, 1, std::max(y, before) - from + 1);
     before = y;
   }
-  // Light on dark violet columns, dark above them: a light line with a dark rim is seen on both.
+  // The columns are dark violet at the bottom and lighter above: a light line with a dark rim shows
+  // on both.
   for (const QRectF& piece : line)
     painter.fillRect(piece.adjusted(0, -1, 0, 1), QColor(0, 0, 0, 130));
   for (const QRectF& piece : line) painter.fillRect(piece, Qt::white);

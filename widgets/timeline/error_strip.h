@@ -17,24 +17,24 @@ namespace mocapress {
 /// First and last frame of a part of a clip.
 using FrameRange = std::pair<int, int>;
 
-/// The error over time in a narrow strip: greatest error as coloured columns, the mean as a line,
+/// The error over time in a narrow strip: the maximum as coloured columns, the mean as a line,
 /// one-frame glitches as marks, and the range that is played. Its scale stands beside it; a click
-/// on that opens a menu of the widget's actions. A click or drag seeks, with Shift it chooses the
-/// range.
+/// on the scale opens a menu of the widget's actions. A click or drag seeks, with Shift it chooses
+/// the range.
 class ErrorStrip : public QWidget {
   Q_OBJECT
 
  public:
   explicit ErrorStrip(QWidget* parent = nullptr);
 
-  /// What a clip's strip begins and ends at. An empty profile: unknown.
+  /// Sets the errors of a clip of `frames` frames. An empty profile: unknown.
   void setErrors(ErrorProfile profile, const ErrorScale& scale, int frames);
   void setGlitches(std::vector<Glitch> glitches, std::vector<QString> names);
   void setRange(const std::optional<FrameRange>& range);
   void setFrame(int frame);
   void setWindow(const FrameWindow& window);
 
-  /// Pixels left for names, in line with the strips below.
+  /// Width in pixels for names, in line with the strips below.
   void setLabelWidth(int pixels);
   int labelWidth() const;
 
@@ -68,7 +68,7 @@ class ErrorStrip : public QWidget {
 
   ErrorProfile profile_;
   ErrorScale scale_;
-  QPixmap errors_;  // columns and mean, null: to be painted. They stay while the playhead moves.
+  QPixmap errors_;  // picture of columns and mean, null: outdated. Playing does not repaint it.
   std::vector<Glitch> glitches_;
   std::vector<QString> names_;
   std::optional<FrameRange> range_;
@@ -76,7 +76,7 @@ class ErrorStrip : public QWidget {
   FrameWindow window_;
   int frame_ = 0;
   int label_width_ = 0;
-  int range_from_ = 0;  // where the choice of a range began
+  int range_from_ = 0;  // first frame of the range being dragged
 };
 
 }  // namespace mocapress

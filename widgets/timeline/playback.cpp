@@ -8,7 +8,7 @@
 namespace mocapress {
 namespace {
 
-constexpr double kFastest = 8;  // of the shuttle
+constexpr double kFastest = 8;  // highest speed of the shuttle
 
 }  // namespace
 

@@ -9,19 +9,19 @@
 
 namespace mocapress {
 
-/// Which frame is shown now. While it plays, the frame follows from the clock and the clip's rate;
-/// late timer ticks drop frames and never slow the motion.
+/// Decides which frame is shown. While it plays, the frame follows from the clock and the clip's
+/// rate; late timer ticks drop frames and never slow the motion.
 class Playback : public QObject {
   Q_OBJECT
 
  public:
-  using Seconds = std::function<double()>;  // of a clock that only moves forward
+  using Seconds = std::function<double()>;  // a monotonic clock
 
   static Seconds steadyClock();
 
   explicit Playback(Seconds clock = steadyClock(), QObject* parent = nullptr);
 
-  /// Stops at the first frame. No frames: nothing plays.
+  /// Stops at the first frame. A clip without frames cannot play.
   void setClip(int frames, double sample_rate_hz);
 
   int frame() const { return frame_; }
@@ -30,32 +30,32 @@ class Playback : public QObject {
   bool playing() const { return timer_.isActive(); }
   bool loops() const { return loops_; }
 
-  /// The part of the clip that is played; unset: all of it. A new clip has none.
+  /// The part of the clip that is played; unset: all of it. A new clip resets it.
   const std::optional<std::pair<int, int>>& range() const { return range_; }
   void setRange(const std::optional<std::pair<int, int>>& range);
 
-  /// From the start again when it stands at the end.
+  /// Starts again from the beginning if it stands at the end.
   void play();
 
-  /// As the keys J and L of an editing desk: plays that way (1 or -1), twice as fast each time it
-  /// is asked for again.
+  /// Plays in a direction (1 or -1), like the keys J and L of video editors: each repetition
+  /// doubles the speed.
   void shuttle(int direction);
   void pause();
   void toggle();
 
-  /// Clamped to the clip; goes on playing from there.
+  /// Goes to a frame, clamped to the clip, and goes on playing from there.
   void seek(int frame);
 
-  /// Pauses, and moves by that many frames.
+  /// Pauses and moves by `frames`.
   void step(int frames);
 
   void setLoops(bool loops);
 
-  /// Whether the last frame shows the first one's pose again: looping, the whole clip is played
-  /// without it, or the figure would halt for a frame. A new clip does not.
+  /// Says that the last frame repeats the first one's pose: a loop then leaves the last frame out,
+  /// or the figure would halt for a frame. A new clip resets it.
   void setRepeatsFirst(bool repeats);
 
-  /// 1: as recorded.
+  /// The speed; 1: as recorded.
   void setSpeed(double speed);
 
   /// Takes the frame from the clock; called by a timer while playing.
@@ -80,11 +80,11 @@ class Playback : public QObject {
   double sample_rate_hz_ = 120;
   int frame_ = 0;
   double speed_ = 1;
-  double pace_ = 1;  // of the shuttle, on top of the speed; negative: backwards
+  double pace_ = 1;  // speed factor of the shuttle; negative: backwards
   std::optional<std::pair<int, int>> range_;
   bool loops_ = true;
   bool repeats_first_ = false;
-  int start_frame_ = 0;  // where the clock read start_seconds_
+  int start_frame_ = 0;  // clock reading at start_seconds_
   double start_seconds_ = 0;
 };
 

@@ -70,7 +70,7 @@ void SightStrip::paintEvent(QPaintEvent*) {
   painter.drawLine(QPointF(x, 0), QPointF(x, height()));
 }
 
-/// A column a pixel, of the worst of its windows.
+/// Draws one column for each pixel with the worst of its windows.
 void SightStrip::paintColumns(QPainter& painter, const QRectF& area) const {
   const TimeAxis time = axis();
   for (double x = area.left(); x < area.right(); ++x) {

@@ -10,21 +10,21 @@
 
 namespace mocapress {
 
-/// What the eye sees over time, of the joint that is seen most: nothing where it is not visible,
-/// half a column where it is borderline, a whole one where it is visible. A click or drag tells
-/// frame and joint.
+/// Visibility over time, of the joint with the most visible error: no column where it is not
+/// visible, half a column where it is borderline, a whole one where it is visible. A click or drag
+/// shows frame and joint.
 class SightStrip : public QWidget {
   Q_OBJECT
 
  public:
   explicit SightStrip(QWidget* parent = nullptr);
 
-  /// `names` of all joints.
+  /// `names` has the names of all joints.
   void setSight(SightPtr sight, std::vector<QString> names, int frames);
   void setFrame(int frame);
   void setWindow(const FrameWindow& window);
 
-  /// Pixels left for names, in line with the other strips.
+  /// Width in pixels for names, in line with the other strips.
   void setLabelWidth(int pixels);
   int labelWidth() const;
 
@@ -45,7 +45,7 @@ class SightStrip : public QWidget {
   void paintColumns(QPainter& painter, const QRectF& area) const;
 
   SightPtr sight_;
-  Eigen::VectorXf worst_;  // of the joints in each of its windows
+  Eigen::VectorXf worst_;  // worst joint of each window
   std::vector<QString> names_;
   int frames_ = 0;
   FrameWindow window_;

@@ -6,7 +6,7 @@
 
 namespace mocapress {
 
-/// The part of a clip that is in sight.
+/// The visible part of a clip.
 struct FrameWindow {
   double first = 0;
   double length = 0;  // frames; 0: all of the clip
@@ -14,8 +14,8 @@ struct FrameWindow {
   bool operator==(const FrameWindow&) const = default;
 };
 
-/// Where the frames of a clip are on a strip, in pixels: strips above each other share it, so that
-/// a moment is in one line in all of them.
+/// Maps a clip's frames to pixels. Strips above each other share it, so that a moment is at the
+/// same x in all of them.
 struct TimeAxis {
   double left = 0;
   double right = 1;
@@ -24,12 +24,12 @@ struct TimeAxis {
 
   double length() const { return window.length > 0 ? window.length : std::max(frames, 1); }
 
-  /// Where a frame begins; the next one's beginning is its end.
+  /// The left edge of a frame; the next one's left edge is its end.
   double xOf(double frame) const {
     return left + (right - left) * (frame - window.first) / length();
   }
 
-  /// The nearest frame of the clip.
+  /// The frame of the clip that is nearest to x.
   int frameAt(double x) const {
     const double share = (x - left) / std::max(right - left, 1.0);
     return std::clamp(static_cast<int>(std::floor(window.first + share * length())), 0,
@@ -37,7 +37,7 @@ struct TimeAxis {
   }
 };
 
-/// Free at both ends of a strip, pixels.
+/// Margin in pixels at both ends of a strip.
 inline constexpr int kStripMargin = 8;
 
 }  // namespace mocapress

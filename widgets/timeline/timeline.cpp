@@ -15,11 +15,11 @@
 namespace mocapress {
 namespace {
 
-constexpr double kNotch = 120;           // Qt's angle delta of one
-constexpr double kLengthPerNotch = 0.8;  // of what is in sight
-constexpr double kMovePerNotch = 0.15;   // of what is in sight
-constexpr double kLeastFrames = 12;      // in sight
-constexpr double kLead = 0.05;           // of what is in sight, before a playhead that comes in
+constexpr double kNotch = 120;           // Qt's angle delta of a wheel notch
+constexpr double kLengthPerNotch = 0.8;  // share of the visible length left by a notch
+constexpr double kMovePerNotch = 0.15;   // share of the visible length that a notch moves
+constexpr double kLeastFrames = 12;      // smallest visible length
+constexpr double kLead = 0.05;           // share of the visible length before an entering playhead
 
 double possibleLength(double wanted, int frames) {
   const double all = std::max(frames, 1);
@@ -48,7 +48,7 @@ Timeline::Timeline(QWidget* parent)
   connect(contacts_, &ContactStrip::seekRequested, this, &Timeline::seekRequested);
   connect(scroll_, &QScrollBar::valueChanged, this,
           [this](int first) { setWindow(first, window_.length); });
-  setContacts({}, {}, 0);  // room for names
+  setContacts({}, {}, 0);  // reserves room for names
 }
 
 int Timeline::labelWidth() const {
@@ -111,7 +111,7 @@ void Timeline::wheelEvent(QWheelEvent* event) {
     const double notches = sideways ? turned.x() : turned.y();
     return setWindow(window_.first - notches * kMovePerNotch * time.length(), time.length());
   }
-  // What lies under the mouse stays there.
+  // The frame under the mouse stays in place.
   const double share =
       std::clamp((event->position().x() - time.left) / (time.right - time.left), 0.0, 1.0);
   const double length =

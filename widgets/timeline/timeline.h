@@ -16,7 +16,7 @@ class ErrorStrip;
 class SightStrip;
 
 /// The strips below the 3D view, in line with each other. The wheel zooms about the mouse, with
-/// Shift it moves along; a scroll bar stands below while a part is in sight.
+/// Shift it scrolls; a scroll bar appears while only a part is visible.
 class Timeline : public QWidget {
   Q_OBJECT
 
@@ -28,14 +28,14 @@ class Timeline : public QWidget {
   ContactStrip* contacts() const { return contacts_; }
   QScrollBar* scroll() const { return scroll_; }
 
-  /// ContactStrip::setContacts(), and leaves the same room for names in all strips.
+  /// Calls ContactStrip::setContacts() and reserves equal room for names in all strips.
   void setContacts(std::vector<ContactSpan> contacts, const std::vector<QString>& names,
                    int frames);
 
-  /// Where it is out of sight, the strips move along.
+  /// Scrolls to the frame if it is out of view.
   void setFrame(int frame);
 
-  /// The whole clip is in sight again.
+  /// Shows the whole clip again.
   void showAll();
 
   const FrameWindow& window() const { return window_; }

@@ -13,7 +13,7 @@ namespace mocapress {
 
 class Playback;
 
-/// What the buttons of the transport bar do; shared with menus and shortcuts.
+/// Actions of the transport bar's buttons, shared with menus and shortcuts.
 struct TransportActions {
   QAction* first = nullptr;
   QAction* previous = nullptr;
@@ -21,31 +21,31 @@ struct TransportActions {
   QAction* next = nullptr;
   QAction* last = nullptr;
   QAction* loop = nullptr;
-  QAction* backwards = nullptr;  // J, K and L of an editing desk
+  QAction* backwards = nullptr;  // J, K and L, as in video editors
   QAction* halt = nullptr;
   QAction* forwards = nullptr;
   QAction* ten_back = nullptr;
   QAction* ten_on = nullptr;
-  QAction* range_from = nullptr;  // the part that is played begins here
+  QAction* range_from = nullptr;  // starts the played range here
   QAction* range_to = nullptr;
   QAction* whole_clip = nullptr;
 };
 
-/// Buttons, scrub slider, read-outs of time and frame, and speed, below the 3D view.
+/// Buttons, time slider, displays of time and frame, and speed, below the 3D view.
 class TransportBar : public QWidget {
   Q_OBJECT
 
  public:
-  /// With icons, shortcuts and effect on `playback`.
+  /// Makes actions with icons and shortcuts that control `playback`.
   static TransportActions makeActions(Playback* playback, QObject* parent);
 
   TransportBar(Playback* playback, const TransportActions& actions, QWidget* parent = nullptr);
 
-  /// The animations of the file, and which is played. Seen where there are several.
+  /// The animations of the file and the one that is played. Hidden for a single animation.
   void setTakes(const QStringList& names, int current);
 
  signals:
-  /// By the user; which one is still to be set.
+  /// The user chose a take; the owner answers by setTakes().
   void takeChosen(int take);
 
  private:

@@ -12,33 +12,33 @@
 
 namespace mocapress {
 
-/// One figure in the scene: a capsule mesh, drawn once an instance. A new pose replaces one buffer.
+/// One figure in the scene, drawn as instances of a capsule mesh. A new pose replaces one buffer.
 class Figure : public Qt3DCore::QEntity {
  public:
-  /// A trail is a ghost of many capsules, each made of less.
+  /// A trail is a ghost of many capsules, each with fewer triangles.
   enum class Look { Solid, Ghost, Trail };
 
   Figure(Look look, QNode* parent);
 
-  /// Shows these alone.
+  /// Shows these capsules and no others.
   void show(std::span<const Capsule> capsules);
   void hide();
 
-  /// A figure made as a ghost may stand solid, and be one again.
+  /// Switches a figure made as a ghost to solid and back.
   void setGhost(bool ghost);
 
-  /// Counts as this much (cm) further from the eye than it is: what is nearer covers it.
+  /// Moves the figure's depth this far (cm) from the eye, so that nearer ones cover it.
   void setBehind(float behind);
 
-  /// 1: as thick as the bones are.
+  /// Scales the thickness; 1: as thick as the bones are.
   void setThickness(float thickness);
 
   void setPane(const Pane& pane);
 
-  /// Draws everything that far (cm) from where it is.
+  /// Moves everything drawn by this offset (cm).
   void setOffset(const QVector3D& offset);
 
-  /// 1: round; less: pressed flat onto the ground.
+  /// Flattens the capsules onto the ground; 1: round.
   void setFlatness(float flatness);
 
   void setColours(const QColor& figure, const QColor& alert);

@@ -14,20 +14,20 @@
 namespace mocapress {
 namespace {
 
-// Of what is no human. Thickness grows with the root of the length, so that neither fingers vanish
-// nor thighs swell.
+// Thickness of anything but a human. It grows with the root of the length, so that neither fingers
+// vanish nor thighs swell.
 constexpr float kRadiusPerRoot = 0.034f;  // of length x size of the figure
 constexpr float kThinnest = 0.003f;       // radius per size of the figure
 constexpr float kTaper = 0.6f;            // a bone's end radius, per start radius
 constexpr float kRingPerBall = 1.5f;      // radii
-constexpr float kRingPerDepth = 1.3f;     // of how deep below the skin the joint is
-constexpr float kMostThickness = 0.4f;    // of a bone's length, its radius
+constexpr float kRingPerDepth = 1.3f;     // per depth of the joint below the skin
+constexpr float kMostThickness = 0.4f;    // radius per length of a bone
 
-// Of a human, per stature.
+// Proportions of a human, per stature.
 constexpr float kLegOfStature = 0.491f;  // from hip to ankle
-constexpr float kSkull = 0.049f;         // its radius
+constexpr float kSkull = 0.049f;         // radius per stature
 constexpr float kJaw = 0.036f;
-constexpr float kJawAbove = 0.03f;  // of the joint that the head turns about, along the head
+constexpr float kJawAbove = 0.03f;  // above the joint that turns the head
 constexpr float kSkullAbove = 0.063f;
 constexpr float kNeckRadius = 0.031f;
 constexpr float kChest = 0.059f;
@@ -38,7 +38,7 @@ constexpr float kPalm = 0.017f;
 constexpr float kHandLength = 0.1f;
 constexpr float kFinger = 0.0062f;
 constexpr float kHeel = 0.019f;
-constexpr float kHeelBelow = 0.02f;  // of the ankle
+constexpr float kHeelBelow = 0.02f;  // below the ankle
 constexpr float kToes = 0.013f;
 constexpr float kFootLength = 0.1f;  // from the ankle
 
@@ -81,7 +81,7 @@ QVector3D landmarkAt(const Eigen::MatrixXd& tracks, int frame, int landmark) {
   return {at(0), at(1), at(2)};
 }
 
-/// What a body is made of, put together part by part.
+/// Builds a body part by part.
 class FigureShape::Builder {
  public:
   Builder(const Skeleton& skeleton, const Eigen::MatrixXd& pose, FigureShape& shape)
@@ -118,7 +118,7 @@ class FigureShape::Builder {
     return posed(a).distanceToPoint(posed(b));
   }
 
-  /// `share` of the way from one place to another; beyond it where more than 1.
+  /// The point `share` of the way between two places; a share above 1 leads beyond the second.
   static Place between(const Place& from, const Place& to, float share) {
     Place place;
     for (const auto& [landmark, weight] : from) place.emplace_back(landmark, (1 - share) * weight);
@@ -127,7 +127,7 @@ class FigureShape::Builder {
   }
   static Place on(int landmark) { return {{landmark, 1.0f}}; }
 
-  /// So many cm beyond `to`, seen from another place.
+  /// The point `cm` beyond `to`, seen from another place.
   Place beyond(const Place& from, const Place& to, float cm) const {
     const float length = distance(from, to);
     return length > 0 ? between(from, to, 1 + cm / length) : to;
@@ -137,13 +137,13 @@ class FigureShape::Builder {
     shape_.parts_.push_back({start, start_radius, end, end_radius});
   }
 
-  /// A ball that fills the joint.
+  /// Adds a ball that fills the joint.
   void fill(int joint, float radius) {
     float& ball = shape_.ball_radii_[static_cast<std::size_t>(joint)];
     ball = std::max(ball, radius);
   }
 
-  /// Those that a body has: not from a root on the floor to the hips.
+  /// Collects the body's bones, without any from a root on the floor to the hips.
   void findBones() {
     const std::vector<BodyLimb> limbs = body_limbs(skeleton_);
     int end_site = skeleton_.joint_count();
@@ -185,14 +185,14 @@ class FigureShape::Builder {
     stature_ = 0;
     for (const int hip : hips_) stature_ += legBelow(hip) / 2 / kLegOfStature;
     if (!(stature_ > 0)) return false;
-    // Sides go by who is nearer.
+    // Pairs shoulders with hips by distance.
     if (distance(on(shoulders_[0]), on(hips_[0])) + distance(on(shoulders_[1]), on(hips_[1])) >
         distance(on(shoulders_[0]), on(hips_[1])) + distance(on(shoulders_[1]), on(hips_[0])))
       std::swap(shoulders_[0], shoulders_[1]);
     return true;
   }
 
-  /// From hip to knee to ankle, however many joints lie between.
+  /// The leg's length from hip over knee to ankle, however many joints lie between.
   float legBelow(int hip) const {
     const auto is_below = [&](int joint) {
       while (joint > hip) joint = skeleton_.joint(joint).parent;
@@ -207,13 +207,13 @@ class FigureShape::Builder {
     return distance(on(hip), on(knee)) + distance(on(knee), on(ankle));
   }
 
-  /// Two columns that bend with shoulders and hips, narrower at the waist.
+  /// Adds two columns that bend with shoulders and hips, narrower at the waist.
   void addTrunk() {
     const Place between_shoulders = between(on(shoulders_[0]), on(shoulders_[1]), 0.5f);
     const Place between_hips = between(on(hips_[0]), on(hips_[1]), 0.5f);
     const float trunk = distance(between_shoulders, between_hips);
     const float wide = distance(on(shoulders_[0]), on(shoulders_[1]));
-    // Ribs are no wider than the arms leave room for.
+    // The ribs fit between the arms.
     const float chest = std::min({kChest * stature_, 0.32f * wide, 0.4f * trunk});
     const float waist = chest * kWaist / kChest;
     const float pelvis = chest * kPelvis / kChest;
@@ -261,7 +261,7 @@ class FigureShape::Builder {
       add(neck_base_, 1.1f * kNeckRadius * stature_, along(0.02f), kNeckRadius * stature_);
       add(along(kJawAbove), kJaw * stature_, along(kSkullAbove), kSkull * stature_);
       fill(head, kNeckRadius * stature_);
-      // What slopes from the neck to the shoulders.
+      // The slopes from the neck to the shoulders.
       for (std::size_t side = 0; side < 2; ++side)
         add(between(neck_base_, base, 0.4f), 0.95f * kNeckRadius * stature_,
             between(neck_base_, on(shoulders_[side]), 0.8f), 0.85f * shoulder_of_[side]);
@@ -270,7 +270,7 @@ class FigureShape::Builder {
   }
 
   void addLimb(const Bone& bone) {
-    // What leads from one limb into another is thick as flesh, not as bone.
+    // Bones that lead into a limb are as thick as its flesh.
     const auto add_tapered = [&](float start, float end) {
       const float radius = std::min(bone.radius, kMostThickness * bone.length);
       add(on(bone.start), start * radius, on(bone.end), end * radius);
@@ -295,7 +295,7 @@ class FigureShape::Builder {
     }
   }
 
-  /// Where what hangs on a joint in its own region ends.
+  /// The ends of all chains that hang on a joint in its own region.
   std::vector<int> endsBelow(int joint, bool also_fingers) const {
     std::vector<int> ends;
     for (const Bone& bone : bones_) {
@@ -307,7 +307,7 @@ class FigureShape::Builder {
     return ends;
   }
 
-  /// Wide where fingers begin; as long as a hand is where there are none.
+  /// Adds a palm: wide at the fingers, or as long as a hand without them.
   void addPalm(int wrist) {
     const Place base = on(wrist);
     const float palm = kPalm * stature_;
@@ -328,14 +328,14 @@ class FigureShape::Builder {
     add(between(base, tip, 0.25f), palm, between(base, tip, 0.85f), 0.75f * palm);
   }
 
-  /// A heel below the ankle, the instep and the toes.
+  /// Adds a heel below the ankle, the instep and the toes.
   void addFoot(int ankle) {
     const Place base = on(ankle);
     const int knee = skeleton_.joint(ankle).parent;
     const Place heel = beyond(on(knee), base, kHeelBelow * stature_);
     float reach = 0;
-    int ball = -1;  // the first joint or end away from the ankle
-    int tip = -1;   // the one furthest away
+    int ball = -1;  // first joint or end beyond the ankle
+    int tip = -1;   // furthest joint or end
     for (const int end : endsBelow(ankle, true)) {
       const float away = distance(base, on(end));
       if (ball < 0 && away > 0.03f * stature_) ball = end;
@@ -357,14 +357,14 @@ class FigureShape::Builder {
 
   const Skeleton& skeleton_;
   FigureShape& shape_;
-  const Eigen::MatrixXd& pose_;      // in which it is measured
-  std::vector<BodyRegion> regions_;  // empty: no human
+  const Eigen::MatrixXd& pose_;      // pose in which it is measured
+  std::vector<BodyRegion> regions_;  // empty: not a human
   std::vector<bool> is_finger_;
   std::vector<Bone> bones_;
   std::vector<int> hips_;               // joints where legs begin, left and right or right and left
-  std::vector<int> shoulders_;          // likewise arms, on the same sides
+  std::vector<int> shoulders_;          // joints where arms begin, in the order of hips_
   float stature_ = 0;                   // cm
-  std::array<float, 2> shoulder_of_{};  // their radii, cm
+  std::array<float, 2> shoulder_of_{};  // radii of the shoulders, cm
   Place neck_base_;
 };
 
@@ -374,7 +374,7 @@ FigureShape::FigureShape(const Skeleton& skeleton, const Eigen::MatrixXd& tracks
   const Eigen::MatrixXd rest = restTracks(skeleton);
   const Eigen::MatrixXd pose = tracks.rows() > 0 ? tracks.topRows(1).eval() : rest;
   size_ = skeleton.joint_count() > 0 ? longestSide(boxAround(rest, 0, body_root_)) : 0;
-  if (size_ <= 0) size_ = 100;  // a lone point is still drawn as a ball to see and to click
+  if (size_ <= 0) size_ = 100;  // a lone point is drawn as a ball too, to see and click
   std::fill(ball_radii_.begin(), ball_radii_.end(), kThinnest * size_);
   Builder(skeleton, pose, *this).build();
   for (int j = 0; j < jointCount(); ++j)

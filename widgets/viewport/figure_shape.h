@@ -13,38 +13,37 @@
 
 namespace mocapress {
 
-/// A round body between two balls, as the figure's shader takes it: one instance of the mesh.
+/// A round body between two balls, laid out for the figure's shader: one instance of the mesh.
 struct Capsule {
   QVector3D start;     // cm, in the world
   float start_radius;  // cm
   QVector3D end;
   float end_radius;
-  float alert;           // 0 ... 1
-  QVector4D start_tint;  // red, green, blue, and how much of them, each 0 ... 1
+  float alert;           // strength of the alert colour, 0 to 1
+  QVector4D start_tint;  // red, green, blue and opacity, each 0 to 1
   QVector4D end_tint;
 };
 static_assert(sizeof(Capsule) == 17 * sizeof(float));
 
-/// A tint that covers what is under it.
+/// An opaque tint in this colour.
 QVector4D tintOf(const QColor& colour);
 
-/// What is marked on a figure at a frame.
+/// Marks on a figure at a frame.
 struct FigureMarks {
-  std::vector<float> alerts;     // of each joint, 0 ... 1; empty: none
-  std::vector<QVector4D> tints;  // of each landmark; empty: none
+  std::vector<float> alerts;     // for each joint, 0 to 1; empty: none
+  std::vector<QVector4D> tints;  // for each landmark; empty: none
 };
 
 /// A point of a frame of landmark_tracks().
 QVector3D landmarkAt(const Eigen::MatrixXd& tracks, int frame, int landmark);
 
-/// The body of a skeleton, in tapered capsules. That of a human has a skull, a trunk with volume,
-/// limbs of human proportions, hands and feet, whatever joints carry it; that of anything else has
-/// bones as thick as what hangs on them. It follows from places of landmarks alone. Knows
-/// thicknesses, which stay, and not the pose, which comes with every frame.
+/// The body of a skeleton in tapered capsules. A human has a skull, a trunk with volume, limbs of
+/// human proportions, hands and feet, whatever joints carry them; other bodies have bones whose
+/// thickness follows from what hangs on them. The shape comes from landmark positions alone. It
+/// keeps thicknesses; poses come with every frame.
 ///
-/// Proportions are those of the first frame of `tracks`, or of the rest pose without any. Channels
-/// of an FBX or glTF at zero are no pose that anybody has been in: both shoulders may be at one
-/// place there.
+/// Measures proportions in the first frame of `tracks`, or in the rest pose without any. The zero
+/// pose of an FBX or glTF file may be no pose at all, for example with both shoulders in one place.
 class FigureShape {
  public:
   explicit FigureShape(const Skeleton& skeleton, const Eigen::MatrixXd& tracks = {});
@@ -52,8 +51,8 @@ class FigureShape {
   int jointCount() const { return static_cast<int>(ball_radii_.size()); }
   int capsuleCount() const { return static_cast<int>(parts_.size() + ball_radii_.size()); }
 
-  /// Of those the parts of the body, which come last. They are round at their ends. The others are
-  /// balls within it, one a joint.
+  /// Number of capsules that are parts of the body. They come last and are round at their ends; the
+  /// others are balls inside the body, one for each joint.
   int partCount() const { return static_cast<int>(parts_.size()); }
 
   /// The skeleton's body_root().
@@ -62,25 +61,25 @@ class FigureShape {
   /// The longest side (cm) of the box around the rest pose.
   float size() const { return size_; }
 
-  /// The width (cm) of a ring around a joint that the body does not cover.
+  /// The width (cm) of a ring around a joint that shows outside the body.
   float ringRadius(int joint) const { return ring_radii_[static_cast<std::size_t>(joint)]; }
 
   /// All capsules at a frame of landmark_tracks().
   std::vector<Capsule> posed(const Eigen::MatrixXd& tracks, int frame,
                              const FigureMarks& marks) const;
 
-  /// Fills capsuleCount() capsules, joint j the j-th of them, parts after the joints.
+  /// Fills capsuleCount() capsules: joint j is the j-th, the parts follow the joints.
   void pose(const Eigen::MatrixXd& tracks, int frame, const FigureMarks& marks,
             std::span<Capsule> capsules) const;
 
-  /// The body's landmarks at a frame, and how high its parts reach.
+  /// The body's landmarks at a frame, and the highest points of its parts.
   std::vector<QVector3D> body(const Eigen::MatrixXd& tracks, int frame) const;
 
   /// The centre of the box around them.
   QVector3D centre(const Eigen::MatrixXd& tracks, int frame) const;
 
  private:
-  /// A mean of landmarks, with weights that sum to 1. Negative ones lead beyond the others.
+  /// A weighted mean of landmarks; weights sum to 1. Negative weights lead beyond the others.
   using Place = std::vector<std::pair<int, float>>;
   struct Part {
     Place start;
@@ -93,7 +92,7 @@ class FigureShape {
   static QVector3D at(const Place& place, const Eigen::MatrixXd& tracks, int frame);
   static int nearestLandmark(const Place& place);
 
-  /// How deep (cm) below the surface of the body a point of the first frame is; 0: outside.
+  /// Depth (cm) of a point of the first frame below the body's surface; 0: outside.
   float depth(const QVector3D& point, const Eigen::MatrixXd& tracks) const;
 
   std::vector<Part> parts_;

@@ -13,7 +13,7 @@ Mesh capsuleMesh(const CapsuleDetail& detail) {
   Mesh mesh;
   for (int ring = 0; ring < 2 * rings; ++ring) {
     const bool end = ring >= rings;
-    const int step = end ? ring - rings : ring - rings + 1;  // from the equator, signed
+    const int step = end ? ring - rings : ring - rings + 1;  // rings from the equator, signed
     const float latitude = kQuarter * static_cast<float>(step) / static_cast<float>(rings - 1);
     for (int segment = 0; segment < segments; ++segment) {
       const float longitude =

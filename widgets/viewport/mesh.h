@@ -11,23 +11,24 @@
 
 namespace mocapress {
 
-/// Triangles whose vertices are a position (3 floats) and one float more.
+/// Triangles whose vertices are a position (3 floats) and one more float.
 struct Mesh {
   struct Vertex {
     float x, y, z;
-    float along;  // what the capsule's shader takes; 0 elsewhere
+    float along;  // end of the capsule for its shader; 0 in other meshes
   };
   std::vector<Vertex> vertices;
   std::vector<std::uint16_t> indices;
 };
 
-/// How finely a capsule is made.
+/// Resolution of a capsule.
 struct CapsuleDetail {
-  int segments = 12;  // around
-  int rings = 4;      // a half, the pole included
+  int segments = 12;  // around the axis
+  int rings = 4;      // from the equator to the pole, inclusive
 };
 
-/// A unit ball cut at the equator, the halves at `along` 0 (y <= 0) and 1: stretched by the shader.
+/// A unit ball cut at the equator: one half has `along` 0 (y <= 0), the other 1. The shader pulls
+/// the halves apart.
 Mesh capsuleMesh(const CapsuleDetail& detail = {});
 
 /// A square from -1 to 1 on y = 0.
@@ -36,19 +37,19 @@ Mesh groundMesh();
 /// One triangle that covers clip space.
 Mesh backdropMesh();
 
-/// What a buffer takes.
+/// The bytes of a buffer.
 template <typename T>
 QByteArray bytesOf(const std::vector<T>& values) {
   return {reinterpret_cast<const char*>(values.data()),
           static_cast<qsizetype>(values.size() * sizeof(T))};
 }
 
-/// Float attributes of a buffer of equal records.
+/// Adds float attributes from a buffer of equal records.
 Qt3DCore::QAttribute* addAttribute(Qt3DCore::QGeometry* geometry, Qt3DCore::QBuffer* buffer,
                                    const QString& name, uint floats, uint byte_offset,
                                    uint byte_stride);
 
-/// The mesh with attributes `vertexPosition` and `along`.
+/// Makes a renderer of the mesh with attributes `vertexPosition` and `along`.
 Qt3DRender::QGeometryRenderer* makeRenderer(const Mesh& mesh, Qt3DCore::QNode* parent);
 
 }  // namespace mocapress

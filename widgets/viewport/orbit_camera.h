@@ -19,24 +19,25 @@ class OrbitCamera {
 
   void setViewSize(const QSizeF& pixels);
 
-  /// Looks at a sphere from the front right, so that the whole of it is in sight.
+  /// Looks at a whole sphere from the front right.
   void lookAt(const QVector3D& centre, float radius);
 
-  /// Looks at points from the front right, so near that they fill the view but for a margin. The
-  /// limits of zoom() and both planes follow their size, which is taken as `least_radius` at least.
+  /// Looks at points from the front right so that they fill the view up to a margin. The limits of
+  /// zoom() and the clipping planes follow their size, at least `least_radius`.
   void frame(std::span<const QVector3D> points, float least_radius);
 
-  /// The same sphere from above, as on a floor plan. Once more: from where it was seen before.
+  /// Looks at the same sphere from above, as on a floor plan. A second call returns to the earlier
+  /// view.
   void lookDown();
 
-  /// A drag: the scene turns with the hand. Stops short of the poles.
+  /// Turns the scene with a drag. Stops short of the poles.
   void orbit(const QPointF& pixels);
 
-  /// A drag: what lies at the target's depth stays under the hand.
+  /// Moves the scene with a drag, so that a point at the target's depth stays under the mouse.
   void pan(const QPointF& pixels);
 
-  /// Positive notches of the wheel go nearer: as far as a fraction of the radius, and away as far
-  /// as what was looked at is still seen.
+  /// Positive notches zoom in. The distance ranges from a fraction of the radius to where the
+  /// target can still be seen.
   void zoom(float notches);
 
   void moveBy(const QVector3D& offset) { target_ += offset; }
@@ -46,13 +47,14 @@ class OrbitCamera {
   float distance() const { return distance_; }
   float aspectRatio() const;
 
-  /// Both scale with the distance and the radius looked at: tiny and huge figures are not clipped.
+  /// The clipping planes scale with distance and radius, so that tiny and huge figures are not
+  /// clipped.
   float nearPlane() const { return 0.02f * distance_; }
   float farPlane() const { return 10 * distance_ + 40 * radius_; }
 
   QMatrix4x4 clipFromWorld() const;
 
-  /// Where a point is seen; nothing when it is behind the eye.
+  /// Projects a point to pixels; nothing if it is behind the eye.
   std::optional<QPointF> project(const QVector3D& in_world) const;
 
  private:
@@ -69,7 +71,7 @@ class OrbitCamera {
   struct Angles {
     float azimuth, elevation;
   };
-  std::optional<Angles> before_;  // looking down
+  std::optional<Angles> before_;  // angles before lookDown()
 };
 
 struct PickedJoint {
@@ -77,8 +79,9 @@ struct PickedJoint {
   double distance;  // logical pixels from the cursor
 };
 
-/// The joint seen nearest to the cursor, within `reach` pixels; of joints at one place the first,
-/// which is nearest to the root. The first `joint_count` landmarks of `tracks` are the joints.
+/// The joint whose projection is nearest to the cursor, within `reach` pixels. Among joints in one
+/// place the first wins, which is nearest to the root. The first `joint_count` landmarks of
+/// `tracks` are the joints.
 std::optional<PickedJoint> pickJoint(const OrbitCamera& camera, const Eigen::MatrixXd& tracks,
                                      int frame, int joint_count, const QPointF& cursor,
                                      double reach = 12);

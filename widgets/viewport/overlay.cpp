@@ -43,7 +43,7 @@ SceneLabel::SceneLabel(QNode* parent) : QEntity(parent), image_(new PaintedImage
   material_ = new ShaderMaterial("label", {{"shade", states}}, this);
   QImage nothing(1, 1, QImage::Format_ARGB32_Premultiplied);
   nothing.fill(Qt::transparent);
-  image_->setPicture(nothing);  // the renderer does not take textures without data
+  image_->setPicture(nothing);  // the renderer rejects textures without data
   auto* texture = new Qt3DRender::QTexture2D(this);
   texture->addTextureImage(image_);
   texture->setMinificationFilter(Qt3DRender::QAbstractTexture::Linear);
@@ -235,7 +235,7 @@ void Overlay::showDivider(const OverlayContent& content) {
   show_line(0, x);
   for (int i = 1; i + 1 < arrangement.panes; ++i)
     show_line(static_cast<std::size_t>(i), leftOf(paneOf(i + 1, arrangement.panes), content.view));
-  if (arrangement.panes > 1) return;  // it cannot be dragged
+  if (arrangement.panes > 1) return;  // only a wipe's divider can be dragged
   const QSizeF size(kGripSize, kGripSize);
   const QImage grip = painted(size, content.pixel_ratio, [&](QPainter& painter) {
     painter.setPen(QPen(colours_.text, kLineWidth));

@@ -19,7 +19,7 @@ namespace mocapress {
 
 class PaintedImage;
 
-/// A small picture over the scene: widgets cannot be laid over a 3D window.
+/// A small picture over the scene, since widgets cannot cover a 3D window.
 class SceneLabel : public Qt3DCore::QEntity {
  public:
   explicit SceneLabel(QNode* parent);
@@ -33,19 +33,19 @@ class SceneLabel : public Qt3DCore::QEntity {
   ShaderMaterial* material_;
 };
 
-/// What the overlay says.
+/// The texts of the overlay and the sizes they are drawn for.
 struct OverlayContent {
   Arrangement arrangement;
   bool has_original = false;
   bool has_compressed = false;
   std::vector<PinnedFigure> pinned;
-  std::optional<ErrorScale> scale;  // of the colours, where the figure is coloured by error
+  std::optional<ErrorScale> scale;  // scale of a figure coloured by error
   QSize view;                       // logical pixels
-  double pixel_ratio = 1;           // device pixels a logical one
+  double pixel_ratio = 1;           // device pixels per logical pixel
 };
 
-/// What is written over the scene: whose figure is where, the divider between them and the numbers
-/// of the error's colours.
+/// Draws over the scene: the titles of the figures, the divider between them and the scale of error
+/// colours.
 class Overlay : public Qt3DCore::QEntity {
  public:
   explicit Overlay(QNode* parent);
@@ -53,7 +53,7 @@ class Overlay : public Qt3DCore::QEntity {
   void setColours(const SceneColours& colours) { colours_ = colours; }
   void show(const OverlayContent& content);
 
-  /// For the frame graph: those drawn first, then those over them.
+  /// Labels for the frame graph, in drawing order.
   std::vector<std::vector<Qt3DCore::QEntity*>> labels() const;
 
  private:
@@ -62,7 +62,7 @@ class Overlay : public Qt3DCore::QEntity {
   void showDivider(const OverlayContent& content);
 
   SceneColours colours_;
-  std::array<SceneLabel*, kMostPanes> titles_;  // the original's, the compressed one's, the pinned
+  std::array<SceneLabel*, kMostPanes> titles_;  // original, compressed, pinned
   SceneLabel* legend_;
   std::array<SceneLabel*, kMostPanes - 1> lines_;  // between panes
   SceneLabel* grip_;

@@ -9,13 +9,13 @@
 
 namespace mocapress {
 
-/// A white ring that faces the eye, over all that is drawn: it marks a joint and leaves the colours
-/// of the joint as they are.
+/// A white ring that faces the eye, drawn over everything: it marks a joint without changing its
+/// colours.
 class Ring : public Qt3DCore::QEntity {
  public:
   explicit Ring(QNode* parent);
 
-  /// In the world, cm. From afar it stays as large as is seen well.
+  /// Takes world positions in cm. Its size on the screen has a minimum, so that it shows from afar.
   void show(const QVector3D& centre, float radius);
   void hide();
 

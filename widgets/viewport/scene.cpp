@@ -69,8 +69,8 @@ namespace {
 
 constexpr std::chrono::seconds kCaptureTimeout{5};
 
-// The first frame to begin after a change takes it over and renders it before the next one begins;
-// a frame may already be on its way when the change is made, hence one more.
+// A change is rendered by the first frame that begins after it. One frame may already be running,
+// hence 2.
 constexpr int kFramesUntilDrawn = 2;
 
 constexpr float kDiscFlatness = 0.05f;
@@ -158,7 +158,7 @@ void Scene::makeFrameGraph(Qt3DCore::QEntity* backdrop) {
   auto* clear = new Qt3DRender::QClearBuffers(camera_selector);
   clear->setBuffers(Qt3DRender::QClearBuffers::ColorDepthBuffer);
   new Qt3DRender::QNoDraw(clear);
-  // Steps are drawn in this order: what is translucent comes over what is solid.
+  // The frame graph draws in this order, so that translucent things come over solid ones.
   const auto step = [camera_selector](std::initializer_list<Qt3DCore::QEntity*> entities,
                                       const char* pass) {
     addStep(camera_selector, entities, QString::fromLatin1(pass));
@@ -167,7 +167,7 @@ void Scene::makeFrameGraph(Qt3DCore::QEntity* backdrop) {
   step({body_, body_skin_, body_path_, shell_path_, trails_, discs_}, "shade");
   step({body_shadow_, shell_shadow_}, "shade");
   addStep(camera_selector, grounds_, QStringLiteral("shade"));
-  // The nearest of several pinned figures alone is seen: colours over each other would be neither.
+  // Among overlapping pinned figures only the nearest shows: blended colours would match neither.
   std::vector<Qt3DCore::QEntity*> pinned(pinned_.begin(), pinned_.end());
   pinned.insert(pinned.end(), pinned_skins_.begin(), pinned_skins_.end());
   for (const char* pass : {"depth", "shade"})
@@ -220,8 +220,8 @@ void Scene::frameBegins() {
   if (--frames_until_drawn_ == 0) emit drawn();
 }
 
-// What was set a moment ago is uploaded while the first frame is drawn, and seen in the second. The
-// first picture ever captured may be blank, too.
+// Changes are uploaded while the first frame is drawn and show in the second. The first captured
+// picture may be blank, too.
 void Scene::capture() {
   capture(2);
 }

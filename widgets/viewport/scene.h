@@ -18,11 +18,11 @@
 
 namespace mocapress {
 
-/// The distance (cm) between grid lines for a figure of that size: 50 for a human, a power of ten
-/// more or less for giants and dwarfs. Every second line is stronger.
+/// The distance (cm) between grid lines for a figure's size: 50 for a human, times powers of ten
+/// for giants and dwarfs. Every second line is stronger.
 float gridCell(float figure_size);
 
-/// The grid on y = 0 with its axes, fading with the distance from what the camera looks at.
+/// The grid on y = 0 with its axes, which fades with the distance from the camera's target.
 class Ground : public Qt3DCore::QEntity {
  public:
   explicit Ground(QNode* parent);
@@ -37,20 +37,20 @@ class Ground : public Qt3DCore::QEntity {
   float cell_ = 50;  // cm
 };
 
-/// What can draw a 3D window here.
+/// The kind of OpenGL that can draw here.
 enum class OpenGl { None, Software, Hardware };
 OpenGl findOpenGl();
 
-/// The window Qt3D renders into, and what stands in it. Renders when something changes only.
+/// The window that Qt3D renders into, with its entities. Renders only when something changes.
 class Scene : public Qt3DExtras::Qt3DWindow {
   Q_OBJECT
 
  public:
-  /// Requires findOpenGl() != OpenGl::None. Software draws without multisampling: three times as
-  /// fast.
+  /// Requires findOpenGl() != OpenGl::None. A software renderer draws without multisampling, three
+  /// times as fast.
   explicit Scene(OpenGl open_gl);
 
-  // After changing one of these, announce() it.
+  // Call announce() after a change to one of these.
   /// Drawn first; the shell, which can be translucent, comes over it.
   Figure& body() { return *body_; }
   Figure& shell() { return *shell_; }
@@ -64,26 +64,27 @@ class Scene : public Qt3DExtras::Qt3DWindow {
   Ring& shellRing() { return *shell_ring_; }
   Figure& trails() { return *trails_; }
   Figure& discs() { return *discs_; }
-  Figure& ghosts() { return *ghosts_; }  // poses before and after now
+  Figure& ghosts() { return *ghosts_; }  // poses before and after the current frame
   Figure& pinned(std::size_t index) { return *pinned_[index]; }
   SkinFigure& pinnedSkin(std::size_t index) { return *pinned_skins_[index]; }
   Overlay& overlay() { return *overlay_; }
-  void setCell(float cell);  // cm, of the ground
+  void setCell(float cell);  // Sets the grid's distance between lines, cm.
 
-  /// `panes`: equal parts of the window, each seen by the camera.
+  /// Splits the window into `panes` equal parts, each with the same camera.
   void setCamera(const OrbitCamera& camera, int panes);
   void setColours(const SceneColours& colours);
 
   /// Starts the wait for drawn() anew.
   void announce();
 
-  /// Delivers a picture of all that was set before, a null one after five seconds without.
+  /// Delivers a picture of everything set before, or a null picture after five seconds without a
+  /// frame.
   void capture();
 
  signals:
   void captured(const QImage& image);
 
-  /// A picture with everything announced has been rendered and shown.
+  /// A picture with all announced changes has been rendered and shown.
   void drawn();
 
  private:
@@ -106,7 +107,7 @@ class Scene : public Qt3DExtras::Qt3DWindow {
   Figure* ghosts_;
   std::array<Figure*, kMostPinned> pinned_;
   std::array<SkinFigure*, kMostPinned> pinned_skins_;
-  std::array<Ground*, kMostPanes> grounds_;  // one a pane
+  std::array<Ground*, kMostPanes> grounds_;  // one for each pane
   Overlay* overlay_;
   ShaderMaterial* backdrop_;
   Qt3DRender::QRenderCapture* capture_;

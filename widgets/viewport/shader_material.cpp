@@ -22,7 +22,7 @@ Qt3DRender::QShaderProgram* makeProgram(const QString& vertex, const QString& fr
                                         const QByteArray& defined) {
   const auto source = [&defined](const QString& file) {
     QByteArray text = Qt3DRender::QShaderProgram::loadSource(QUrl("qrc:/shaders/" + file));
-    if (!defined.isEmpty())  // after the line with the version
+    if (!defined.isEmpty())  // the #version line must come first
       text.insert(text.indexOf('\n') + 1, "#define " + defined + '\n');
     return text;
   };

@@ -10,17 +10,17 @@
 
 namespace mocapress {
 
-/// A step of drawing a material; the frame graph picks steps by name and so orders them.
+/// A step of drawing a material; the frame graph orders steps by name.
 struct ShaderPass {
   QString name;
-  std::vector<Qt3DRender::QRenderState*> states;  // the material takes them over
+  std::vector<Qt3DRender::QRenderState*> states;  // owned by the material
 };
 
-/// What is solid is shaded at once.
+/// The single pass of solid things.
 std::vector<ShaderPass> solidPasses();
 
-/// A ghost's depth goes first, so that its nearest surface alone is blended and what overlaps in it
-/// looks like one body.
+/// Writes a ghost's depth first, so that only its nearest surface is blended and overlapping parts
+/// look like one body.
 std::vector<ShaderPass> ghostPasses();
 
 inline constexpr float kGhostOpacity = 0.26f;
@@ -28,23 +28,23 @@ inline constexpr float kGhostOpacity = 0.26f;
 /// A material for OpenGL 3 of `:/shaders/<vertex>.vert` and `<fragment>.frag`.
 class ShaderMaterial : public Qt3DRender::QMaterial {
  public:
-  /// `defined`: what #ifdef asks there; empty: nothing.
+  /// `defined` is the macro for #ifdef in the shaders; empty: none.
   ShaderMaterial(const QString& vertex, const QString& fragment,
                  const std::vector<ShaderPass>& passes, QNode* parent,
                  const QByteArray& defined = {});
   ShaderMaterial(const QString& both, const std::vector<ShaderPass>& passes, QNode* parent)
       : ShaderMaterial(both, both, passes, parent) {}
 
-  /// Sets a uniform, a colour as its vec3.
+  /// Sets a uniform; a colour becomes a vec3.
   void set(const QString& uniform, const QVariant& value);
   void setColour(const QString& uniform, const QColor& colour);
 };
 
-/// Blending over what is there, which leaves an opaque target opaque (captures keep their colours),
-/// and leaves the depth buffer alone.
+/// Blends over the target, keeps an opaque target opaque (for captures), and leaves the depth
+/// buffer alone.
 std::vector<Qt3DRender::QRenderState*> translucent();
 
-/// Pass and filter keys share this name.
+/// The key that passes and filters share.
 inline const QString kPassKey = QStringLiteral("pass");
 
 }  // namespace mocapress

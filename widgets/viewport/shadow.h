@@ -12,8 +12,8 @@
 
 namespace mocapress {
 
-/// What a body keeps of the sky's light from the ground, y = 0: dark and sharp where it stands,
-/// faint and wide below what is high. Each capsule of it is one soft spot.
+/// Soft shadow of a body on the ground, y = 0: dark and sharp under what stands, faint and wide
+/// under what is high. Each capsule casts one soft spot.
 class Shadow : public Qt3DCore::QEntity {
  public:
   explicit Shadow(QNode* parent);
@@ -22,7 +22,7 @@ class Shadow : public Qt3DCore::QEntity {
   void hide();
   void setPane(const Pane& pane);
 
-  /// Draws everything that far (cm) from where it is.
+  /// Moves everything drawn by this offset (cm).
   void setOffset(const QVector3D& offset);
 
  private:

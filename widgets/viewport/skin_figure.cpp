@@ -12,20 +12,21 @@
 namespace mocapress {
 namespace {
 
-/// As the shader takes it. Its integers are slow and its attributes few: indices are floats.
+/// A vertex as the shader takes it. Its integers are slow and its attributes few: indices are
+/// floats.
 struct SkinVertex {
   std::array<float, 3> position;
   std::array<float, 3> normal;
   std::array<float, 3> colour;
   std::array<float, 4> bones;
   std::array<float, 4> weights;
-  std::array<float, 3> place;  // in which of the pictures, the last; -1: in none
+  std::array<float, 3> place;  // texture coordinates and the picture; -1: none
 };
 static_assert(sizeof(SkinVertex) == 20 * sizeof(float));
 
-/// Four vectors of the uniform block `Bones`.
+/// A bone's four vectors in the uniform block `Bones`.
 struct BoneRows {
-  std::array<float, 12> world_from_bind;  // row by row
+  std::array<float, 12> world_from_bind;  // in row-major order
   std::array<float, 4> cover;
 };
 static_assert(sizeof(BoneRows) == 64);

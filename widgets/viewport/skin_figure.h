@@ -17,38 +17,38 @@
 
 namespace mocapress {
 
-/// What is marked on a figure, as a colour for each joint and how much of it covers the skin there.
+/// Turns a figure's marks into a colour for each joint, with its opacity on the skin.
 std::vector<QVector4D> jointCovers(const FigureMarks& marks, int joints, const QColor& alert);
 
-/// A character in the scene: its mesh, which the graphics card bends. A new pose replaces one small
-/// buffer, that of its bones.
+/// A character's mesh in the scene, skinned on the graphics card. A new pose replaces the small
+/// buffer of bones.
 class SkinFigure : public Qt3DCore::QEntity {
  public:
   SkinFigure(bool may_be_ghost, QNode* parent);
 
   void setSkin(std::shared_ptr<const Skin> skin);
 
-  /// `covers`: of each joint; empty: none.
+  /// `covers` has a colour for each joint; empty: none.
   void show(const Pose& pose, const std::vector<QVector4D>& covers);
   void hide();
 
   void setGhost(bool ghost);
 
-  /// As Figure's.
+  /// As Figure::setBehind().
   void setBehind(float behind);
   void setPane(const Pane& pane);
 
-  /// Draws everything that far (cm) from where it is.
+  /// Moves everything drawn by this offset (cm).
   void setOffset(const QVector3D& offset);
 
-  /// Invalid: the colours of the skin itself.
+  /// An invalid colour keeps the skin's own.
   void setColour(const QColor& colour);
 
  private:
   void upload();
 
   std::shared_ptr<const Skin> skin_;
-  bool is_uploaded_ = false;  // which waits until it is shown: of pinned results few are
+  bool is_uploaded_ = false;  // uploaded when first shown: most pinned results never are
   Qt3DCore::QBuffer* vertices_;
   Qt3DCore::QBuffer* triangles_;
   Qt3DCore::QBuffer* bones_;

@@ -12,8 +12,8 @@
 namespace mocapress {
 namespace {
 
-constexpr int kSide = 1024;         // pixels of a picture
-constexpr int kMostStacked = 8192;  // pixels, which every graphics driver takes
+constexpr int kSide = 1024;         // pixels a side of a picture
+constexpr int kMostStacked = 8192;  // pixels: every graphics driver accepts this height
 constexpr int kMostDecodedMiB = 256;
 
 QImage decoded(const SkinPicture& picture, int side) {
@@ -30,7 +30,7 @@ QImage decoded(const SkinPicture& picture, int side) {
   return reader.read();
 }
 
-/// What a texture asks for its bytes.
+/// Makes the image data for a texture.
 class PicturesGenerator : public Qt3DRender::QTextureImageDataGenerator {
  public:
   explicit PicturesGenerator(std::shared_ptr<const Skin> skin) : skin_(std::move(skin)) {}

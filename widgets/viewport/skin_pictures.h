@@ -8,14 +8,14 @@
 
 namespace mocapress {
 
-/// All pictures of a skin, one below the other, each as high as the others, and not repeated. One
-/// that cannot be decoded is grey.
+/// All pictures of a skin, scaled to equal squares and stacked. A picture that cannot be decoded is
+/// grey.
 QImage stackedPictures(const Skin& skin);
 
-/// A texture for them, of one grey point at first.
+/// Makes a texture for them that starts as one grey point.
 Qt3DRender::QTexture2D* makePictureTexture(Qt3DCore::QNode* parent);
 
-/// Decodes them on a thread of the renderer.
+/// Decodes the pictures on a renderer thread and shows them.
 void showPictures(Qt3DRender::QTexture2D* texture, std::shared_ptr<const Skin> skin);
 
 }  // namespace mocapress

@@ -11,7 +11,7 @@ namespace mocapress {
 
 namespace {
 
-constexpr int kMostPieces = 30;  // to either side: long reaches are drawn in longer pieces
+constexpr int kMostPieces = 30;  // for each side: a longer reach has longer pieces
 constexpr float kThinnestTrail = 0.35f;
 
 }  // namespace
@@ -48,7 +48,7 @@ QColor between(const QColor& a, const QColor& b, float share) {
 
 std::vector<int> TrailPoses::frames(int clip_frames) const {
   std::vector<int> at;
-  const int before = (frame + step - 1) / step - 1;  // the last multiple before now
+  const int before = (frame + step - 1) / step - 1;  // last multiple of the step before the frame
   for (int k = before - count + 1; k <= before; ++k)
     if (k >= 0) at.push_back(k * step);
   const int after = frame / step + 1;
@@ -79,7 +79,7 @@ std::vector<Capsule> ghostTrail(const FigureShape& shape, const Eigen::MatrixXd&
 
 namespace {
 
-constexpr float kStepPerRadius = 0.5f;  // shorter ways are drawn with the next
+constexpr float kStepPerRadius = 0.5f;  // shorter pieces are joined with the next
 
 QVector3D onGround(const Eigen::MatrixXd& tracks, int frame, int landmark) {
   QVector3D point = landmarkAt(tracks, frame, landmark);

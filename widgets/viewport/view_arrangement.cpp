@@ -7,7 +7,7 @@
 namespace mocapress {
 namespace {
 
-constexpr double kLeastShare = 0.02;  // of the view on either side of the divider, to drag it back
+constexpr double kLeastShare = 0.02;  // kept on both sides, so that the divider can be dragged back
 
 }  // namespace
 

@@ -12,34 +12,34 @@ namespace mocapress {
 
 struct Pose;
 
-/// How the original and the compressed figure are set against each other.
+/// Ways to compare the original and the compressed figure.
 enum class ViewMode {
-  Overlay,     // one over the other, the original as a ghost
-  SideBySide,  // each in its half
-  Wipe,        // one picture, the original to the left of a divider
+  Overlay,     // one figure over the other, the original as a ghost
+  SideBySide,  // each figure in one half
+  Wipe,        // one picture, with the original to the left of a divider
 };
 
-/// What the user chose to see.
+/// The user's choices for the view.
 struct ViewOptions {
   ViewMode mode = ViewMode::Overlay;
-  bool swapped = false;   // the figures have changed places
-  bool blinking = false;  // they take turns in one place
-  bool by_error = false;  // the compressed figure is coloured by its distance from the original
-  bool skin = true;       // figures are their skin, where they have one
-  bool path = false;      // the way of the chosen joint, or of the root
-  bool in_place = false;  // the root does not move over the ground
-  double divider = 0.5;   // of the wipe, share of the view's width
-  int trail = 0;          // faded poses of the compressed figure before now, and as many after
+  bool swapped = false;   // the figures change places
+  bool blinking = false;  // the figures take turns in one place
+  bool by_error = false;  // colours the compressed figure by its distance from the original
+  bool skin = true;       // shows figures with their skin, if they have one
+  bool path = false;      // shows the path of the chosen joint, or of the root
+  bool in_place = false;  // keeps the root in place over the ground
+  double divider = 0.5;   // share of the view's width left of the wipe's divider
+  int trail = 0;          // number of faded poses before the current frame, and as many after
 
   bool operator==(const ViewOptions&) const = default;
 };
 
-/// Further results of the same clip that are seen beside the current one.
+/// The largest number of pinned results beside the current one.
 inline constexpr int kMostPinned = 4;
 inline constexpr int kMostPanes = 2 + kMostPinned;
 
-/// An upright strip of the view, in normalised device coordinates: what is drawn moves sideways by
-/// `shift` and is seen between `from` and `to` only.
+/// An upright strip of the view in normalised device coordinates: its content moves sideways by
+/// `shift` and is clipped to `from` and `to`.
 struct Pane {
   float shift = 0;
   float from = -1;
@@ -49,7 +49,7 @@ struct Pane {
   bool operator==(const Pane&) const = default;
 };
 
-/// One of so many equal strips, from the left; what is drawn is moved to its middle.
+/// The strip `index` of `count` equal ones, from the left, with its content moved to its middle.
 Pane paneOf(int index, int count);
 
 struct Placement {
@@ -60,29 +60,29 @@ struct Placement {
   bool operator==(const Placement&) const = default;
 };
 
-/// Where and how each figure is drawn.
+/// The place and style of each figure.
 struct Arrangement {
   Placement original;
   Placement compressed;
   std::vector<Placement> pinned;
-  int panes = 1;             // equal parts of the view with a ground each
-  bool has_divider = false;  // between the figures, at the end of the left one's pane
+  int panes = 1;             // number of equal parts of the view, each with a ground
+  bool has_divider = false;  // at the right end of the left figure's pane
 
   const Placement& left() const;
   float dividerAt() const { return left().pane.to; }
 };
 
-/// `both`: there are two figures to arrange, else one stands alone. `turn` of a blinking view: the
-/// compressed figure's. Those that are `pinned` are ghosts where the others are or stand each in a
-/// pane of its own; a wipe and a blinking view have no place for them.
+/// Arranges the figures. `both`: original and compressed are there, else one stands alone. `turn`:
+/// a blinking view shows the compressed one. `pinned` results are ghosts over the others or stand
+/// each in a pane of its own; wipes and blinking views hide them.
 Arrangement arrange(const ViewOptions& options, bool both, bool turn, int pinned = 0);
 
-/// Another result of the clip, seen beside the current one.
+/// Another result of the clip, shown beside the current one.
 struct PinnedFigure {
   std::shared_ptr<const Eigen::MatrixXd> tracks;  // frames x 3 * landmarks, cm
   QColor colour;
-  QStringList title;  // in one line where there is room, else one below the other
-  std::function<void(int frame, Pose& pose)> poses;  // as its skin needs them; empty: it has none
+  QStringList title;  // its lines are joined into one where there is room for it
+  std::function<void(int frame, Pose& pose)> poses;  // poses for its skin; empty: it has none
 };
 
 }  // namespace mocapress

@@ -19,18 +19,18 @@
 namespace mocapress {
 namespace {
 
-constexpr int kFramedPoses = 24;          // of the clip, that are in sight
-constexpr float kLeastRadius = 0.1f;      // of what is framed, per size of the figure
-constexpr float kTrailPerSize = 0.006f;   // radius of a trail, per size of the figure
+constexpr int kFramedPoses = 24;          // number of visible poses that the camera frames
+constexpr float kLeastRadius = 0.1f;      // smallest framed radius, per size of the figure
+constexpr float kTrailPerSize = 0.006f;   // radius per size of the figure
 constexpr float kPathPerSize = 0.006f;    // radius of a joint's path, likewise
 constexpr float kDiscPerSize = 0.055f;    // radius of a foot's disc, likewise
-constexpr float kBehindPerSize = 0.002f;  // how much further a ghost counts than another, likewise
-constexpr float kFarBehind = 2;           // and than a whole figure, in sizes of it
-constexpr double kTrailSeconds = 0.1;     // between the poses of the ghost trail
-constexpr double kPathSeconds = 0.5;      // to either side of now
+constexpr float kBehindPerSize = 0.002f;  // depth offset of a ghost, likewise
+constexpr float kFarBehind = 2;           // depth offset to get behind a whole figure, likewise
+constexpr double kTrailSeconds = 0.1;     // time between poses of the ghost trail
+constexpr double kPathSeconds = 0.5;      // time on each side of now
 constexpr auto kBlinkTime = std::chrono::milliseconds(400);
 constexpr double kWheelStep = 120;    // Qt's angle delta of one notch
-constexpr double kDividerReach = 10;  // pixels to either side at which it is taken
+constexpr double kDividerReach = 10;  // pixels on each side of the divider
 
 bool isEmpty(const Viewport::Tracks& tracks) {
   return !tracks || tracks->size() == 0;
@@ -39,7 +39,7 @@ bool isEmpty(const Viewport::Tracks& tracks) {
 }  // namespace
 
 void prepareViewport() {
-  // Qt's rhi renderer captures upside down and crashes where there is no OpenGL.
+  // Qt's rhi renderer captures upside down and crashes without OpenGL.
   if (!qEnvironmentVariableIsSet("QT3D_RENDERER")) qputenv("QT3D_RENDERER", "opengl");
   QSurfaceFormat format;
   format.setVersion(4, 3);

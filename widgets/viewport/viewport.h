@@ -33,11 +33,11 @@ class SkinFigure;
 /// Chooses Qt3D's OpenGL renderer and the surface format. Call before QApplication is made.
 void prepareViewport();
 
-/// The 3D view: ground grid, the original in grey and the compressed figure in red, both at the
-/// same frame, and other results in colours of their own; one over the other, side by side or with
-/// a divider to drag between them. It shows values and starts no work. Mouse: left drag orbits,
-/// right or middle drag pans, wheel zooms, a click on a joint selects it. Without OpenGL it says so
-/// in words, takes every call and never emits drawn().
+/// The 3D view: ground grid, the original in grey and the compressed figure in red at the same
+/// frame, and other results in colours of their own. Figures stand over each other, side by side,
+/// or with a divider to drag between them. The view shows values and starts no work. Mouse: left
+/// drag orbits, right or middle drag pans, wheel zooms, a click on a joint selects it. Without
+/// OpenGL it shows a text, accepts every call and never emits drawn().
 class Viewport : public QWidget {
   Q_OBJECT
 
@@ -48,35 +48,35 @@ class Viewport : public QWidget {
   explicit Viewport(QWidget* parent = nullptr);
   ~Viewport() override;
 
-  /// How all joints stand at a frame of a figure's motion, as its skin needs it.
+  /// Poses of all joints at a frame of a figure's motion, for its skin.
   using Poses = std::function<void(int frame, Pose& pose)>;
 
   /// A new skeleton hides both figures until their tracks are set, and frames the camera anew with
   /// the first of them. It has no skin.
   void setSkeleton(const Skeleton& skeleton);
 
-  /// What figures with poses look like; of that skeleton. Null: nobody knows.
+  /// The skin of figures that have poses, for that skeleton. Null: none.
   void setSkin(std::shared_ptr<const Skin> skin);
 
   /// Null hides the figure.
   void setOriginal(Tracks tracks, Poses poses = {});
   void setCompressed(Tracks tracks, Poses poses = {});
 
-  /// Other results of the clip, kMostPinned at most. A new skeleton has none.
+  /// Other results of the clip, kMostPinned at most. A new skeleton removes them.
   void setPinned(std::vector<PinnedFigure> pinned);
   const std::vector<PinnedFigure>& pinned() const { return pinned_; }
 
-  /// Feet of the compressed figure that slide: coloured, with their trails on the ground.
+  /// Colours the compressed figure's sliding feet and draws their trails on the ground.
   void setSlides(std::vector<SlideFinding> slides);
 
-  /// A disc under each foot that stands.
+  /// Draws a disc under each foot that stands.
   void setContacts(std::vector<ContactSpan> contacts);
 
   /// Distance of the compressed figure's landmarks from the original (frames x landmarks, cm), for
   /// ViewOptions::by_error. Null: unknown.
   void setErrors(std::shared_ptr<const Eigen::MatrixXf> errors, const ErrorScale& scale);
 
-  /// Frames a second, for the length of a path.
+  /// The frame rate, for the length of a path.
   void setSampleRate(double sample_rate_hz) { sample_rate_hz_ = sample_rate_hz; }
 
   void setOptions(const ViewOptions& options);
@@ -87,30 +87,30 @@ class Viewport : public QWidget {
   /// The joint with a ring around it; -1: none.
   void setSelectedJoint(int joint);
 
-  /// The camera moves with the root.
+  /// Moves the camera with the root.
   void setFollow(bool follow);
 
   /// Looks at the whole figure again.
   void resetCamera();
 
-  /// The floor as on a plan.
+  /// Looks at the floor from above, as on a plan.
   void lookDown();
 
-  /// Where a pane is seen from, in its logical pixels: a half of the view side by side, else all.
+  /// The camera of a pane, in the pane's logical pixels: a half of the view side by side, else all.
   const OrbitCamera& camera() const { return camera_; }
 
-  /// Renders the 3D scene and delivers it by captured(); null image when it could not.
+  /// Renders the 3D scene and delivers it by captured(); the image is null on failure.
   void capture();
 
  signals:
   void jointClicked(int joint);
 
-  /// The divider of the wipe was dragged; options() have it.
+  /// The wipe's divider was dragged; options() have its new place.
   void dividerMoved(double share);
   void captured(const QImage& image);
 
-  /// A picture with the newest tracks, frame and camera has been rendered and shown. A view that is
-  /// hidden says so once it is shown.
+  /// A picture with the newest tracks, frame and camera has been rendered and shown. A hidden view
+  /// emits this once it is shown.
   void drawn();
 
  protected:
@@ -118,16 +118,16 @@ class Viewport : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
-  /// One of the two figures.
+  /// Data of one of the two figures.
   struct Role {
     const Tracks& tracks;
     const Poses& poses;
     const Placement& placement;
     const QColor& colour;
-    QColor skin_colour;  // invalid: the skin's own
+    QColor skin_colour;  // invalid: the skin's own colour
   };
 
-  /// What draws one of them.
+  /// Entities that draw one figure.
   struct Parts {
     Figure& figure;
     SkinFigure& skin;
@@ -162,11 +162,11 @@ class Viewport : public QWidget {
   bool hasSkin(const Poses& poses) const { return skin_ && options_.skin && poses; }
   std::vector<QVector3D> leadingBody() const;
 
-  /// How far everything is moved so that the root stays in its place, cm.
+  /// The offset (cm) that keeps the root in its place.
   QVector3D offset() const;
 
-  /// The same for a character whose steps are longer or shorter than the clip's, and for what is
-  /// drawn around it where the clip has it: OwnLengths.
+  /// The offset for a character whose steps are longer or shorter than the clip's, and for things
+  /// drawn around it in the clip's own scale (see OwnLengths).
   QVector3D skinOffset() const;
   QVector3D aroundSkin() const;
 
@@ -187,15 +187,15 @@ class Viewport : public QWidget {
   Arrangement arrangement_;
   SceneColours colours_;
   QTimer blink_;
-  bool blink_turn_ = false;  // the compressed figure's
+  bool blink_turn_ = false;  // the compressed figure's turn
   int frame_ = 0;
   int selected_joint_ = -1;
   bool follow_ = false;
 
   OrbitCamera camera_;
-  bool camera_is_framed_ = false;     // on this skeleton
-  bool camera_is_as_framed_ = false;  // and nobody has turned, moved or zoomed it since
-  QVector3D root_;                    // of the leading figure when last shown, cm
+  bool camera_is_framed_ = false;     // the camera is framed for this skeleton
+  bool camera_is_as_framed_ = false;  // the user has not moved the camera since
+  QVector3D root_;                    // root of the leading figure when last shown, cm
 
   QPointF pressed_at_;
   QPointF dragged_to_;
