@@ -25,17 +25,17 @@
 namespace mocapress {
 namespace {
 
-constexpr auto kSettleTime = std::chrono::milliseconds(1500);  // for the 3D view to draw
+constexpr auto kSettleTime = std::chrono::milliseconds(1500);  // gives the 3D view time to draw
 constexpr int kBadInput = 3;
 constexpr int kCannotWrite = 5;
 
-/// The frame that says most: where the error is largest, or the middle.
+/// The frame with the largest error, or the middle one.
 int tellingFrame(MainWindow& window, const Session& session) {
   const DecodedPtr& decoded = session.document().decoded();
   return decoded->distortion ? decoded->distortion->max.frame : window.playback().frames() / 2;
 }
 
-/// Once all is computed and drawn.
+/// Takes the screenshot once everything is computed and drawn.
 void screenshotAndQuit(MainWindow& window, const QString& path) {
   Session* session = &window.session();
   QObject::connect(session, &Session::settled, &window, [&window, session, path] {
@@ -47,7 +47,7 @@ void screenshotAndQuit(MainWindow& window, const QString& path) {
   });
   const auto give_up = [](const QString& message) {
     std::fprintf(stderr, "%s\n", qPrintable(message));
-    QTimer::singleShot(0, [] { QCoreApplication::exit(kBadInput); });  // it may not run yet
+    QTimer::singleShot(0, [] { QCoreApplication::exit(kBadInput); });  // runs once the loop does
   };
   QObject::connect(session, &Session::openFailed, &window,
                    [=](const OpenRequest&, const QString& message) { give_up(message); });
@@ -68,7 +68,7 @@ void nameProgram() {
   QCoreApplication::setApplicationVersion(QStringLiteral(MOCAPRESS_VERSION));
 }
 
-/// --help and --version, where there need not be a display.
+/// Answers --help and --version without needing a display.
 void say(int argc, char** argv) {
   QCoreApplication application(argc, argv);
   nameProgram();

@@ -30,25 +30,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "key=value"
+/// Checks a "key=value" argument for CLI11.
 std::string wrong_pair(const std::string& text) {
   return text.find('=') == std::string::npos || text.front() == '='
              ? "'" + text + "' is not key=value"
              : std::string();
 }
 
-/// Counts clips on a line while they are done, until the user or the system asks to stop.
+/// Counts finished clips on one line until the user or the system asks to stop.
 class ClipCount {
  public:
   ~ClipCount() { end(); }
 
-  /// The same of a bank that is changed; what it warns of is said at once.
+  /// Counts the clips of a bank that is being changed, and prints its warnings at once.
   bool done(const BankProgress& progress) {
     if (progress.warning) print_warnings({*progress.warning});
     return done(progress.done, progress.clips);
   }
 
-  /// Of so many. False: to be stopped.
+  /// Counts `done` of `clips`. False: stop.
   bool done(std::size_t done, std::size_t clips) {
     done_ = done;
     clips_ = clips;
@@ -69,7 +69,7 @@ class ClipCount {
   std::size_t clips_ = 0;
 };
 
-/// Of a bank that was just written, and so found sound; or that it was not.
+/// Says that the bank just written is sound, or that it was not written.
 void tell_of(const std::string& path, bool is_whole, const ClipCount& count) {
   count.end();
   if (!is_whole) {
@@ -150,7 +150,7 @@ Json to_json(const BankClip& clip) {
           {"tags", clip.tags}};
 }
 
-/// One object, clip after clip: a document of them all would take 1.5 KB of memory each.
+/// Prints one JSON object for each clip: a single document would take 1.5 KB of memory per clip.
 void print_json(const BankFile& bank, const std::string& path) {
   Json texts = Json::object();
   for (const auto& [key, value] : bank.texts()) texts[key] = value;
@@ -200,7 +200,7 @@ struct Extraction {
     const BankFile file(bank);
     const std::vector<std::uint32_t> clips = asked(file);
     const std::vector<std::string> places = places_of(file, clips);
-    constexpr std::size_t kTogether = 256;  // files that wait for the disk at once
+    constexpr std::size_t kTogether = 256;  // number of files written to the disk together
     const auto existing = overwrite ? StagedFile::Existing::Replace : StagedFile::Existing::Refuse;
     std::vector<StagedFile> staged;
     std::size_t written = 0;
@@ -226,7 +226,7 @@ struct Extraction {
   }
 
  private:
-  /// Each once.
+  /// The requested clips, each once.
   std::vector<std::uint32_t> asked(const BankFile& file) const {
     std::vector<std::uint32_t> clips;
     for (const std::string& name : names) clips.push_back(file.find(name));
@@ -237,8 +237,8 @@ struct Extraction {
     return clips;
   }
 
-  /// Below the folder, however clips are named: none takes another's place, or that of a file which
-  /// is there.
+  /// Output paths below the folder, whatever the clips' names are. No two are equal, and none is an
+  /// existing file unless --overwrite is given.
   std::vector<std::string> places_of(const BankFile& file,
                                      const std::vector<std::uint32_t>& clips) const {
     std::vector<std::string> places;

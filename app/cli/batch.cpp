@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kQueueFile = "queue.json";
 
-/// For CLI11: empty when `text` can be parsed, else what is wrong.
+/// Validator for CLI11: empty when `text` can be parsed, else the error.
 template <typename Parse>
 CLI::Validator parsed_by(Parse parse) {
   return CLI::Validator(
@@ -70,7 +70,7 @@ struct BatchCommand {
   bool merge = false;
   std::string slurm_file;
   int slurm_tasks = 8;
-  std::vector<CLI::Option*> of_queue;  // what a queue file has settled already
+  std::vector<CLI::Option*> of_queue;  // options that a queue file has settled already
 
   void run() const {
     if (merge) return run_merge();
@@ -127,7 +127,7 @@ struct BatchCommand {
     return batch;
   }
 
-  /// Motion files in a folder that is an input, too, would be the clips of the next run.
+  /// Refuses output folders that are inputs too: the next run would take the outputs for clips.
   void check_folders() const {
     if (formats == std::vector<std::string>{"mcpr"}) return;
     const std::optional<FileIdentity> target = identity_of(folder);
@@ -152,7 +152,7 @@ struct BatchCommand {
 
     void look_at(const BatchRow& row) { refused += is_refused(row, gates); }
 
-    /// Throws EndedWith where it refused any.
+    /// Throws EndedWith if any clip was refused.
     void end() const {
       if (refused == 0) return;
       std::fprintf(stderr, "--fail-on refuses %s\n", counted(refused, "clip").c_str());
@@ -166,7 +166,7 @@ struct BatchCommand {
     return keeper;
   }
 
-  /// Reports are not written onto a queue, a project or a preset.
+  /// Refuses to write reports onto a queue, a project or a preset.
   void refuse_inputs_as_reports() const {
     std::vector<fs::path> read(inputs.begin(), inputs.end());
     if (fs::path(preset.preset).has_extension()) read.emplace_back(preset.preset);
@@ -185,7 +185,7 @@ struct BatchCommand {
                                   .take_over = take_over};
     refuse_inputs_as_reports();
     GateKeeper keeper = gate_keeper();
-    malloc_trim(0);  // the search for clips left the heap in pieces too small for them
+    malloc_trim(0);  // gives freed memory back: the search for clips has fragmented the heap
     const StopOnSignals signals;
     BatchReporter reporter(batch, json_progress);
     reporter.begin(folder, options.shard);
@@ -218,7 +218,7 @@ struct BatchCommand {
     keeper.end();
   }
 
-  /// The list is settled in a file, so that all tasks have the same one.
+  /// Writes the list of clips to a file, so that all tasks use the same list.
   void write_slurm(Batch batch) const {
     std::error_code error;
     const fs::path target = fs::absolute(folder).lexically_normal();

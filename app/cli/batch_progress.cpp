@@ -14,11 +14,11 @@
 namespace mocapress::cli {
 namespace {
 
-constexpr double kStepInterval = 0.25;  // s
+constexpr double kStepInterval = 0.25;  // seconds
 
 void print_line(const Json& json) {
   std::printf("%s\n", dumped(json).c_str());
-  std::fflush(stdout);  // for who reads along, and what a signal would cut off
+  std::fflush(stdout);  // shows lines at once, and keeps them if a signal ends the program
 }
 
 std::string described(const BatchRow& row) {

@@ -6,7 +6,7 @@
 
 namespace mocapress::cli {
 
-/// What a batch says while it runs: a line on standard error, or lines of JSON on standard output.
+/// Reports a running batch: a line on standard error, or lines of JSON on standard output.
 class BatchReporter {
  public:
   BatchReporter(const Batch& batch, bool json);
@@ -24,10 +24,10 @@ class BatchReporter {
   bool json_;
   ProgressLine line_;
   TimeLeft time_left_;
-  std::string last_;                // that ended
-  std::size_t warned_ = 0;          // clips whose reader repaired or guessed something
-  double next_step_ = 0;            // s, when steps within clips are told again
-  std::vector<std::size_t> begun_;  // clips that are being worked on
+  std::string last_;                // the clip that ended last
+  std::size_t warned_ = 0;          // clips with a warning from their reader
+  double next_step_ = 0;            // s, time of the next report within clips
+  std::vector<std::size_t> begun_;  // clips in progress
 };
 
 }  // namespace mocapress::cli

@@ -24,9 +24,9 @@
 namespace mocapress::cli {
 namespace {
 
-constexpr double kErrorCm = 0.5;             // of the clip that is decoded
-constexpr double kCoefficientRatio = 20;     // where the selections are measured
-constexpr double kRatioWithCorrection = 30;  // with IK, those of the paper's video
+constexpr double kErrorCm = 0.5;             // error of the decoded clip
+constexpr double kCoefficientRatio = 20;     // ratio at which selections are measured
+constexpr double kRatioWithCorrection = 30;  // ratios with IK, from the paper's video
 constexpr double kCorrectionRatio = 16;
 
 double seconds_of(const auto& work) {
@@ -35,7 +35,7 @@ double seconds_of(const auto& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The best of several runs: what the machine can do, not what else it was doing.
+/// The best of several runs, which other work on the machine disturbs least.
 double best_seconds_of(const auto& work) {
   constexpr int kRuns = 20;
   double best = seconds_of(work);
@@ -43,18 +43,18 @@ double best_seconds_of(const auto& work) {
   return best;
 }
 
-/// What the runtime decoder does with a closed-loop adaptive clip; microseconds.
+/// Times and sizes of the runtime decoder for a closed-loop adaptive clip; microseconds.
 struct Played {
   double open_us = 0;
   std::size_t resident_bytes = 0;  // without the skeleton
-  std::size_t motion_bytes = 0;    // of the file
+  std::size_t motion_bytes = 0;    // bytes of the motion in the file
   double clip_us_per_frame = 0;
   double window_us_per_frame = 0;
   double pose_us = 0;
   double positions_us_per_frame = 0;
 };
 
-/// A clip as an engine holds it.
+/// A clip opened as an engine would.
 class OpenClip {
  public:
   explicit OpenClip(const std::vector<std::byte>& file) {
@@ -80,7 +80,7 @@ class OpenClip {
     return info.resident_bytes - info.skeleton_bytes;
   }
 
-  /// The result stays in the same memory, where the next one replaces it.
+  /// Decodes into the same memory each time.
   void decode(const mcpr_request& request, std::uint32_t first, std::uint32_t count) {
     require(mcpr_decode_frames(clip_, &request, first, count, out_.data(), scratch_->data(),
                                scratch_->size()));
@@ -98,7 +98,7 @@ class OpenClip {
   const mcpr_clip* clip_ = nullptr;
 };
 
-/// Seconds of decoding `count` frames at random places, for each such window.
+/// Seconds to decode windows of `count` frames at random places, one time for each.
 double seconds_of_windows(OpenClip& clip, const mcpr_request& request, std::uint32_t count) {
   constexpr int kWindows = 200;
   Random random(1);
@@ -130,7 +130,7 @@ Played bench_decoder(const Encoding& encoding) {
   return played;
 }
 
-/// Solving an IK correction of the feet alone, microseconds a frame; unset where there are no feet.
+/// Microseconds a frame for the IK correction of the feet alone; unset without feet.
 std::optional<double> bench_correction(const Encoder& encoder, IkSolver solver) {
   if (find_feet(encoder.motion().skeleton).empty()) return std::nullopt;
   const Encoding encoding =
@@ -156,7 +156,7 @@ Annealed bench_annealing(const ClipAnalysis& analysis) {
   const Kept start =
       basis.standard.keep(static_cast<int>(basis.ranked.total() / kCoefficientRatio));
   AnnealingReport report;
-  // The error model is part of the price.
+  // The time includes building the error model.
   const double seconds = seconds_of([&] {
     const ErrorModel model(analysis.motion().skeleton, analysis.motion().clip,
                            Weighting::JointOrigins);
@@ -165,8 +165,8 @@ Annealed bench_annealing(const ClipAnalysis& analysis) {
   return {seconds, report.iterations};
 }
 
-/// One iteration as the paper has it: every channel gets the coefficients in turn, and full forward
-/// kinematics says what came of it.
+/// One iteration as in the paper: every channel in turn gets more coefficients, and full forward
+/// kinematics measures the result.
 double bench_reference_iteration(const ClipAnalysis& analysis) {
   const RankedCoefficients& ranked = analysis.in(Basis::Cubic).ranked;
   const Kept kept =
@@ -190,8 +190,8 @@ double bench_reference_iteration(const ClipAnalysis& analysis) {
   });
 }
 
-/// A draft of a clip that was analysed before, as a slider asks for one after another: shown with
-/// an estimate of its size, or with its bytes.
+/// The slowest draft of a series, as a moving slider asks for them, of a clip that is analysed
+/// already: with an estimated size, or with its bytes.
 double worst_draft_seconds(const Encoder& encoder, bool size_will_do) {
   double worst = 0;
   for (const double eps_cm : {0.1, 0.2, 0.3, 0.4, 0.5, 0.7, 1.0})
@@ -207,7 +207,7 @@ double worst_draft_seconds(const Encoder& encoder, bool size_will_do) {
 }
 
 Json bench(const Motion& motion) {
-  // One thread, so that figures compare with those of others.
+  // Runs on one thread, so that figures can be compared with published ones.
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   const ClipAnalysis analysis(motion);
   const Encoder encoder(motion);
@@ -226,7 +226,7 @@ Json bench(const Motion& motion) {
   Eigen::MatrixXf copy = raw;
   const double copy_seconds = best_seconds_of([&] {
     std::memcpy(copy.data(), raw.data(), static_cast<std::size_t>(raw.size()) * sizeof(float));
-    asm volatile("" : : "r"(copy.data()) : "memory");  // the copy is not optimised away
+    asm volatile("" : : "r"(copy.data()) : "memory");  // keeps the compiler from removing the copy
   });
   const Annealed annealed = bench_annealing(analysis);
   const double reference_seconds = bench_reference_iteration(analysis);

@@ -5,7 +5,7 @@
 
 namespace mocapress::cli {
 
-// Scripts depend on these.
+// Exit codes, which scripts depend on.
 enum ExitCode : int {
   kDone = 0,
   kInternal = 1,
@@ -16,12 +16,12 @@ enum ExitCode : int {
   kSomeFailed = 7
 };
 
-/// Thrown by a command that did not do all it was asked to and has said why.
+/// Thrown by a command that failed in part and has reported it already.
 struct EndedWith {
   int exit_code;
 };
 
-// Each adds its subcommand, whose callback does the work and throws what goes wrong.
+// Each function adds a subcommand. Its callback does the work and throws on errors.
 void add_info(CLI::App& app);
 void add_compress(CLI::App& app);
 void add_decompress(CLI::App& app);

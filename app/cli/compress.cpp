@@ -27,7 +27,7 @@
 namespace mocapress::cli {
 namespace {
 
-/// What Settings refuse is a mistake in the call.
+/// Reports settings that Settings refuses as usage errors.
 void or_usage_error(const std::function<void()>& check) {
   try {
     check();
@@ -38,10 +38,10 @@ void or_usage_error(const std::function<void()>& check) {
 
 struct Compress {
   std::string input;
-  std::string input_format;  // of standard input
+  std::string input_format;  // format of standard input
   MotionInput source;
   std::string output;
-  std::string review;  // a page to write
+  std::string review;  // path of the review page
   Settings settings{.target = {}};
   Effort effort = Effort::Default;
   CorrectionArguments correction;
@@ -49,7 +49,7 @@ struct Compress {
   ImportanceArguments importance;
   bool json = false;
 
-  /// What was asked for, as far as it does not depend on the clip.
+  /// The requested settings, as far as they do not depend on the clip.
   Settings asked() const {
     Settings asked = settings;
     if (!correction.ratio.empty()) asked.correction = correction.settings();
@@ -146,7 +146,7 @@ struct Compress {
     write_text(review, review_page(title, facts, script));
   }
 
-  /// Measures what the disk gives back, before that takes the place of anything.
+  /// Writes the file and measures it as read back from the disk, before it replaces an older one.
   Verification write(const std::vector<std::byte>& file, const Encoder& original,
                      const std::vector<ContactSpan>& spans) const {
     const VerificationRequest request{.contacts = spans, .motion = !review.empty()};

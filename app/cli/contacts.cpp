@@ -20,7 +20,7 @@ namespace mocapress::cli {
 
 namespace {
 
-/// The place in landmarks(skeleton), or -1.
+/// Index in landmarks(skeleton), or -1.
 int find_landmark(const std::vector<Landmark>& points, const std::string& name) {
   const auto found = std::find_if(points.begin(), points.end(),
                                   [&](const Landmark& point) { return point.name == name; });
@@ -125,7 +125,7 @@ struct Contacts {
     return files;
   }
 
-  /// What slid in each contact; 0 where the decoded foot slid no further than the original.
+  /// Adds the slide of each contact; 0 if the decoded foot slid no further than the original.
   void add_findings(Json& all, const std::vector<ContactSpan>& spans, const Eigen::MatrixXd& tracks,
                     const Motion& motion) const {
     const Clip decoded = open_mcpr(*compressed).decoded;

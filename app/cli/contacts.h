@@ -11,21 +11,21 @@
 
 namespace mocapress::cli {
 
-/// Where feet stand: found on the original by thresholds, or read from a file that was edited.
+/// Contacts of the feet: found on the original by thresholds, or read from an edited file.
 struct ContactInput {
-  std::vector<double> height;  // cm: begin, end; empty: the usual ones
+  std::vector<double> height;  // cm: begin, end; empty: the default
   std::vector<double> speed;   // cm/s
   std::optional<std::string> file;
 
   void add_options(CLI::App& command);
 
-  /// Of the original. Throws InputError for a file that is not valid, and
-  /// CLI::ValidationError for thresholds that are not.
+  /// Finds or reads the contacts of the original. Throws InputError for an invalid file, and
+  /// CLI::ValidationError for invalid thresholds.
   std::vector<ContactSpan> spans(const Motion& motion) const;
 };
 
-/// The spans as a file has them: an array of objects with joint, first_frame and last_frame, frames
-/// from 0 and both included.
+/// Contacts as JSON: an array of objects with joint, first_frame and last_frame. Frames count from
+/// 0, and both are included.
 Json contacts_json(const Skeleton& skeleton, const std::vector<ContactSpan>& contacts);
 
 }  // namespace mocapress::cli

@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 struct Decompress {
   std::string input;
   std::string output;
-  std::string output_format;  // of standard output
+  std::string output_format;  // format of standard output
   std::optional<std::string> skeleton_output;
   std::optional<std::string> onto;
   MotionOutput target;
@@ -82,7 +82,7 @@ struct Decompress {
     return files;
   }
 
-  /// The files that are written.
+  /// The paths of the output files.
   std::vector<fs::path> places() const {
     if (writes_stream()) return {};
     std::vector<fs::path> files = {output};
@@ -97,7 +97,7 @@ struct Decompress {
     const Motion motion{opened.compressed.skeleton, opened.decoded};
     const SourceFormat source = load_source(input);
     const ScalarTracks tracks = tracks_of(read_bytes(input));
-    // Also a file that has come since run() looked.
+    // Also refuses a file that appeared after run() looked.
     const auto existing = no_clobber ? StagedFile::Existing::Refuse : StagedFile::Existing::Replace;
     if (writes_stream())
       write_standard_output(

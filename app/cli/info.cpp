@@ -44,7 +44,7 @@ Json name_of(SourceFormat::Kind kind) {
   return {};
 }
 
-/// Null: not known.
+/// Null stands for unknown values.
 Json describe(const SourceFormat& source) {
   if (source.kind == SourceFormat::Kind::None) return {};
   return {{"format", name_of(source.kind)},
@@ -53,7 +53,7 @@ Json describe(const SourceFormat& source) {
           {"bvh_root", source.root ? Json(name(*source.root)) : Json()}};
 }
 
-/// The joints that a BVH has to name otherwise, by the word it has for them.
+/// The joints that BVH renames, with their names in the BVH file.
 Json describe_bvh_names(const Skeleton& skeleton) {
   const std::vector<std::string> words = bvh_names(skeleton);
   Json renamed = Json::object();
@@ -64,7 +64,7 @@ Json describe_bvh_names(const Skeleton& skeleton) {
   return renamed;
 }
 
-/// Every track by what has it and its name.
+/// Every track by its owner and name.
 Json describe_tracks(const ScalarTracks& tracks) {
   Json described = Json::array();
   for (const ScalarTrack& track : tracks)

@@ -27,7 +27,7 @@ ExitCode fail(ExitCode code, const std::exception& error) {
   return code;
 }
 
-/// Standard output may be a file on a full disk, and is written only now as a whole.
+/// Flushes standard output, which may be a file on a full disk.
 ExitCode written_out(ExitCode code) {
   errno = 0;
   const bool is_written =
@@ -37,7 +37,7 @@ ExitCode written_out(ExitCode code) {
   return fail(kCannotWrite, mocapress::WriteError("standard output: cannot be written" + why));
 }
 
-/// The first argument of the command, its input: what to name where nothing closer has.
+/// The command's first argument, its input: errors without a file of their own name this one.
 std::string first_input(const CLI::App& app) {
   const CLI::App* command = &app;
   while (!command->get_subcommands().empty()) command = command->get_subcommands().front();

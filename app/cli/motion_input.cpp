@@ -10,7 +10,7 @@
 namespace mocapress::cli {
 namespace {
 
-/// A number as large as one of a file may be; CLI::Range lets "nan" pass.
+/// Checks a number against the limits for numbers in files. CLI::Range would accept "nan".
 CLI::Validator possible_size() {
   return CLI::Validator(
       [](std::string& text) {
@@ -21,7 +21,7 @@ CLI::Validator possible_size() {
       "");
 }
 
-/// "--rate" and its kin, or "--out-rate" and its.
+/// Adds "--rate" and the like, or "--out-rate" and the like for another prefix.
 void add_format_options(CLI::App& command, const std::string& prefix, const std::string& of_file,
                         ReadOptions& options) {
   const auto flag = [&](const char* name) { return "--" + prefix + name; };

@@ -11,28 +11,28 @@
 
 namespace mocapress::cli {
 
-/// How to read the source motion of a command: the options several commands share.
+/// Options for reading the source motion, shared by several commands.
 struct MotionInput {
   std::optional<std::string> skeleton;
   ReadOptions options;
 
   void add_options(CLI::App& command);
 
-  /// Of commands that measure.
+  /// Adds the option of commands that measure.
   void add_character_option(CLI::App& command);
 
-  /// Of commands that look at tracks.
+  /// Adds the option of commands that use tracks.
   void add_tracks_option(CLI::App& command);
 
-  /// All files that reading `path` reads.
+  /// All files that are read along with `path`.
   std::vector<std::filesystem::path> files(const std::string& path) const;
 
-  /// Reads the file and says on standard error what was repaired or guessed.
+  /// Reads the file and reports repairs and guesses on standard error.
   MotionFile read_file(const std::string& path) const;
   Motion read(const std::string& path) const { return read_file(path).motion; }
 };
 
-/// How to write a motion file: what several commands ask of it in place of what its source had.
+/// Options for writing a motion file, which replace the values of its source.
 struct MotionOutput {
   WriteOptions options;
 

@@ -10,11 +10,11 @@
 
 namespace mocapress::cli {
 
-/// One of the values of an enum, by the words name() gives them.
+/// An option for the values of an enum, spelled as by name().
 template <typename Enum>
 CLI::CheckedTransformer one_of(std::initializer_list<Enum> values) {
   std::map<std::string, Enum> words;
-  std::string shown;  // in the help
+  std::string shown;  // list shown in the help
   for (const Enum value : values) {
     words.emplace(name(value), value);
     shown.append(shown.empty() ? "" : "|").append(name(value));
@@ -24,7 +24,7 @@ CLI::CheckedTransformer one_of(std::initializer_list<Enum> values) {
   return transformer;
 }
 
-/// The name of a method.
+/// Checks for a method's name.
 inline CLI::IsMember one_of_the_methods() {
   std::vector<std::string> names;
   for (const CompressionMethod& compression_method : compression_methods())

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kFound = "auto";
 
-/// For CLI11: empty when `text` is a number above 0 or "auto", else what is wrong.
+/// Validator for CLI11: empty when `text` is a number above 0 or "auto", else the error.
 std::string check_ratio(const std::string& text) {
   const bool fits = text == kFound || number_in(text).value_or(0) > 0;
   return fits ? "" : text + " is neither a number above 0 nor " + kFound;
@@ -43,7 +43,7 @@ void CorrectionArguments::add_options(CLI::App& command) {
 
 CorrectionSettings CorrectionArguments::settings() const {
   CorrectionSettings correction{.effectors = effectors, .solver = solver, .at = at};
-  correction.ratio = number_in(ratio);  // unset: to be found
+  correction.ratio = number_in(ratio);  // an unset ratio is found by the encoder
   return correction;
 }
 
@@ -162,7 +162,7 @@ Settings PresetArguments::read() const {
   if (weighting) read.weighting = *weighting;
   if (target) {
     read.target = *target;
-    read.promises = {};  // they belong to the preset's own
+    read.promises = {};  // promises apply only to the unchanged preset
   }
   if (seed) read.seed = *seed;
   if (!correction.ratio.empty()) read.correction = correction.settings();

@@ -12,7 +12,7 @@
 
 namespace mocapress::cli {
 
-/// What the user asks of the IK correction.
+/// Options of the IK correction.
 struct CorrectionArguments {
   std::string ratio;  // r_IK, "auto", or empty: no correction
   std::vector<std::string> effectors;
@@ -21,11 +21,11 @@ struct CorrectionArguments {
 
   void add_options(CLI::App& command);
 
-  /// Wants --ik.
+  /// Requires --ik.
   CorrectionSettings settings() const;
 };
 
-/// What the user wants more care taken of.
+/// Options of the importances.
 struct ImportanceArguments {
   std::vector<std::string> words;  // "NAME=FACTOR"
 
@@ -34,17 +34,17 @@ struct ImportanceArguments {
   /// Throws CLI::ValidationError when a factor is no number of 0 or more.
   NamedImportance named() const;
 
-  /// Throws as named(), and when a name is neither part, joint nor "contacts".
+  /// Throws like named(), and when a name is neither a body part, a joint nor "contacts".
   void require_names_of(const Skeleton& skeleton) const;
 };
 
-/// The options that set a target, of which a call may have one: `choose` gets it.
+/// Adds the options that set a target, at most one of which may be given; `choose` receives it.
 void add_target_options(CLI::App& command, const std::string& title,
                         const std::function<void(const Target&)>& choose);
 
-/// A preset, and what is to be different: the options of `compress`.
+/// A preset and changes to it: the options of `compress`.
 struct PresetArguments {
-  std::string preset = "gameplay";  // a name or a file
+  std::string preset = "gameplay";  // name or file
   std::string method;               // empty: the preset's
   std::optional<Coding> coding;
   std::optional<Weighting> weighting;
@@ -53,13 +53,13 @@ struct PresetArguments {
   std::optional<Effort> effort;
   std::optional<Ends> ends;
   std::optional<Loop> loop;
-  ImportanceArguments importance;  // instead of the preset's, where anything is named
+  ImportanceArguments importance;  // replaces the preset's importances if any is named
   CorrectionArguments correction;
 
   void add_options(CLI::App& command);
 
-  /// Throws InputError where the preset cannot be read, CLI::ValidationError on what does not go
-  /// together.
+  /// Throws InputError if the preset cannot be read, CLI::ValidationError for options that exclude
+  /// each other.
   Settings read() const;
 };
 

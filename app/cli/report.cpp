@@ -14,7 +14,7 @@
 namespace mocapress::cli {
 namespace {
 
-constexpr double kDegrees = 180 / std::numbers::pi;  // in a radian
+constexpr double kDegrees = 180 / std::numbers::pi;  // degrees in a radian
 
 std::string cm(double value) {
   return fixed_text(value, 3) + " cm";
@@ -42,7 +42,7 @@ void print(const Visibility& seen, const Skeleton& skeleton) {
   std::cerr << '\n';
 }
 
-/// Every figure by itself.
+/// Adds each figure under a key of its own.
 void add_visibility(const Visibility& seen, Json& json) {
   const auto worst = [&](Cue cue) {
     return seen.worst_of[static_cast<std::size_t>(cue)].times_noticed();

@@ -10,7 +10,7 @@
 namespace mocapress::cli {
 namespace {
 
-/// Options that take "-".
+/// True for options that accept "-".
 bool takes_stream(const std::string& command, const std::string& option) {
   return (command == "compress" && (option == "input" || option == "--output")) ||
          (command == "decompress" && option == "--output");

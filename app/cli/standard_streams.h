@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// "-" on the command line: standard input and standard output.
+// Standard input and standard output, named "-" on the command line.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,14 +10,14 @@ namespace mocapress::cli {
 
 inline constexpr std::string_view kStandardStream = "-";
 
-/// All of standard input. Throws InputError.
+/// Reads all of standard input. Throws InputError.
 std::string read_standard_input();
 
 /// Throws WriteError.
 void write_standard_output(std::string_view bytes);
 
-/// Refuses "-" for every option of the commands below `app` that does not read standard input or
-/// write standard output: it is never a file of that name.
+/// Refuses "-" for every option of `app`'s commands that cannot use standard input or output. It is
+/// never taken for the name of a file.
 void refuse_streams(CLI::App& app);
 
 }  // namespace mocapress::cli

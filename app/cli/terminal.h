@@ -9,17 +9,17 @@
 
 namespace mocapress::cli {
 
-/// "0:42", "1:05:10".
+/// Formats a duration: "0:42", "1:05:10".
 std::string clock_text(double seconds);
 
-/// Progress on standard error: one line that changes on a terminal, else one every few seconds.
+/// Progress on standard error: one changing line on a terminal, else a line every few seconds.
 class ProgressLine {
  public:
   explicit ProgressLine(bool quiet);
 
   double elapsed_seconds() const;
 
-  /// Whether the next one is due; what is done at once needs no progress.
+  /// True when the next report is due; quick work reports none.
   bool due() const;
   void show(std::string line);
   void clear() const;
@@ -35,7 +35,7 @@ class ProgressLine {
 /// The signal that asked the program to stop; 0: none.
 inline volatile std::sig_atomic_t stop_signal = 0;
 
-/// Asks long work to stop when the user or the system does; a second signal ends the program.
+/// Asks long work to stop on a signal; a second signal ends the program.
 class StopOnSignals {
  public:
   StopOnSignals() {

@@ -7,7 +7,7 @@
 namespace mocapress {
 namespace {
 
-/// Collects news, for clips tell of themselves by the thousand.
+/// Collects news, since thousands of clips may report at once.
 class BatchReporter {
  public:
   using Send = std::function<void(const BatchCounts&, std::vector<BatchStep>)>;
@@ -62,7 +62,7 @@ class BatchReporter {
 
 BatchRunner::BatchRunner(QObject* parent) : QObject(parent) {}
 
-/// A paused batch would never end.
+/// Resumes first, since a paused batch would never end.
 BatchRunner::~BatchRunner() {
   cancel();
 }

@@ -18,18 +18,18 @@ struct BatchTask {
   BatchRunOptions options;
 };
 
-/// News of one clip: that it ended, else how far it is.
+/// News about one clip: its end or its progress.
 struct BatchStep {
   std::size_t index = 0;
   bool ended = false;
   ClipProgress progress;
-  std::string source;  // hash of the files it was made from, once it ended
+  std::string source;  // hash of its input files; set at its end
   std::optional<Measurement> measured;
   std::string error;
   std::vector<std::string> warnings;
 };
 
-/// Runs a batch in the background and tells what becomes of its clips.
+/// Runs a batch in the background and reports on its clips.
 class BatchRunner : public QObject {
   Q_OBJECT
 
@@ -37,7 +37,7 @@ class BatchRunner : public QObject {
   explicit BatchRunner(QObject* parent = nullptr);
   ~BatchRunner() override;
 
-  /// Nothing while one runs.
+  /// Does nothing while a batch is running.
   void start(BatchTask task);
 
   void pause();
@@ -48,9 +48,9 @@ class BatchRunner : public QObject {
   bool busy() const { return runner_.busy(); }
 
  signals:
-  /// Since the last time; of each clip the newest.
+  /// Reports changes since the last time: the newest for each clip.
   void advanced(const BatchCounts& counts, const std::vector<BatchStep>& steps);
-  /// All clips have ended, and their bank is made.
+  /// All clips have ended and their bank is being made.
   void bankAdvanced(const BankProgress& bank);
   void ended(const BatchOutcome& outcome);
   void failed(const QString& message);

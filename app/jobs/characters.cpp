@@ -8,7 +8,7 @@
 namespace mocapress {
 namespace {
 
-/// The entry of the rig, else the one for all others.
+/// Finds the entry of the rig, else the one for all others.
 template <typename ByRig>
 auto entryOf(ByRig& characters, const std::string& rig) {
   const auto found = characters.find(rig);

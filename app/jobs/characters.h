@@ -9,29 +9,30 @@
 
 namespace mocapress {
 
-/// A character put on clips, and the file it came from.
+/// A character put on clips, and its file.
 struct PutCharacter {
-  Character character;  // without a skin: it was not read yet, or cannot be
-  QString path;         // empty: each clip has its own
-  QString trouble;      // why it cannot be read; empty: it can, or nobody tried
+  Character character;  // has no skin until it is read
+  QString path;         // empty: each clip keeps its own
+  QString trouble;      // why it cannot be read; empty: no error so far
 };
 
-/// By rig_of(): each is on all clips of its rig. The one of "" is on all clips of other rigs, where
-/// it fits: projects had one character for all.
+/// Characters by rig_of(): each is on all clips of its rig. The one under "" is on clips of all
+/// other rigs that it fits, for projects that have one character for all.
 using Characters = std::map<std::string, PutCharacter>;
 
-/// The character on clips of this skeleton.
+/// The character for clips of this skeleton.
 PutCharacter characterOn(const Characters& characters, const Skeleton& skeleton);
 
-/// The same, read now where it was not, which the map keeps.
+/// The same, and reads it on first use; the map keeps the result.
 PutCharacter readCharacterOn(Characters& characters, const Skeleton& skeleton);
 
-/// The files alone.
+/// Only the files of the characters.
 using CharacterFiles = std::map<std::string, QString>;
 CharacterFiles filesOf(const Characters& characters);
 
-/// The file of what is on clips of this rig; empty: each has its own. A clip whose rig is not known
-/// yet ("") gets the only one there is: where that does not fit it is left off, and that is said.
+/// The file of the character on clips of this rig; empty: each keeps its own. A clip whose rig is
+/// unknown ("") gets the only character there is. If that does not fit, it is left off with a
+/// warning.
 QString characterFile(const CharacterFiles& files, const std::string& rig);
 
 }  // namespace mocapress

@@ -18,7 +18,7 @@
 namespace mocapress {
 namespace {
 
-/// The direction on the ground in which the points reach furthest.
+/// The horizontal direction in which the points reach furthest.
 Eigen::Vector3d widest(const Eigen::MatrixX3d& points) {
   const Eigen::MatrixX3d centred = points.rowwise() - points.colwise().mean();
   const double xx = centred.col(0).squaredNorm();
@@ -30,10 +30,10 @@ Eigen::Vector3d widest(const Eigen::MatrixX3d& points) {
 
 constexpr int kSkinSide = 96;  // pixels
 
-/// From points to the square: rightwards, downwards, and towards who looks.
+/// Maps points to the square: right, down, and towards the viewer.
 struct View {
   Eigen::Vector3d right;
-  Eigen::Vector3d middle;  // right, down
+  Eigen::Vector3d middle;  // right and down
   double size;
 
   Eigen::Vector3d of(const Eigen::Vector3d& point) const {
@@ -53,7 +53,7 @@ View viewOf(const Eigen::MatrixX3d& points) {
   return view;
 }
 
-/// The mesh, lit from where it is looked at, the far triangles first.
+/// Draws the mesh lit from the viewer, the far triangles first.
 QImage pictureOf(const Skin& skin, const Pose& pose) {
   const std::vector<Eigen::Vector3d> places = skinned_positions(skin, pose);
   Eigen::MatrixX3d points(std::ssize(places), 3);
@@ -82,7 +82,7 @@ QImage pictureOf(const Skin& skin, const Pose& pose) {
     const double facing = normal.norm() > 0 ? std::abs(normal.normalized().dot(to_eye)) : 1;
     const Eigen::Vector3f lit = skin.vertices[a].colour * static_cast<float>(0.35 + 0.65 * facing);
     const QColor colour = QColor::fromRgbF(lit.x(), lit.y(), lit.z());
-    painter.setPen(QPen(colour, 0.5));  // lest the ground shine through between neighbours
+    painter.setPen(QPen(colour, 0.5));  // closes gaps between neighbouring triangles
     painter.setBrush(colour);
     const QPointF corners[] = {at(a), at(b), at(c)};
     painter.drawConvexPolygon(corners, 3);

@@ -12,20 +12,20 @@
 
 namespace mocapress {
 
-/// What a list shows of a clip.
+/// Summary of a clip for a list.
 struct ClipOutline {
   int frames = 0;
   double sample_rate_hz = 0;
   std::string rig;      // rig_of() its skeleton
-  QList<QLineF> bones;  // of a pose, in a square from 0 to 1, y down
-  QImage skin;          // of the same pose; null: the clip has none
+  QList<QLineF> bones;  // lines of a pose in a square from 0 to 1, y down
+  QImage skin;          // picture of the same pose; null: no skin
   QStringList notes;    // what the reader repaired or guessed
 };
 
-/// The pose in the middle, seen from where it is widest. `skin` may be null.
+/// Draws the middle frame from its widest side. `skin` may be null.
 ClipOutline outlineOf(const Motion& motion, const Skin* skin);
 
-/// Reads a motion or a compressed clip. Throws what the readers throw.
+/// Reads a motion or a compressed clip. Throws the readers' exceptions.
 ClipOutline readOutline(const QString& path, const QString& skeleton,
                         const ReadOptions& reading = {});
 

@@ -25,7 +25,7 @@ bool isGone(const QString& path) {
   return !there && !error;
 }
 
-/// Paths of the files below a folder, by name, as far as somebody looks for them.
+/// Paths of the files below a folder, by file name; only names that are looked for.
 using Places = QHash<QString, QStringList>;
 
 Places placesOf(Places wanted, const QString& folder, const Job& job) {
@@ -41,7 +41,7 @@ QString nameOf(const QString& path) {
   return QFileInfo(path).fileName();
 }
 
-/// All ways to put a clip's files together again.
+/// All ways to combine found files into the clip.
 std::vector<ClipSource> candidates(const ClipSource& clip, const Places& places) {
   QStringList skeletons{clip.skeleton};
   if (!clip.skeleton.isEmpty() && isGone(clip.skeleton)) skeletons = places[nameOf(clip.skeleton)];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The files that clips are read from, and whether they still are what they were.
+// The files of clips, and whether they have changed.
 
 #pragma once
 
@@ -12,31 +12,31 @@
 
 namespace mocapress {
 
-/// A clip's files, and what they were when they were looked at last.
+/// A clip's files and their stamp when last examined.
 struct ClipSource {
   QString path;
-  QString skeleton;  // for an .amc; empty: the one beside it
-  InputStamp stamp;  // no hash: they were never looked at
+  QString skeleton;  // for an .amc; empty: the one beside the clip
+  InputStamp stamp;  // no hash: never examined
 };
 
-/// The same files as they are now.
+/// The same files today.
 struct SourceNow {
   enum class State { Found, Missing, Unreadable };
 
   State state = State::Found;
-  InputStamp stamp;  // where they were found
-  QString trouble;   // where they cannot be read
+  InputStamp stamp;  // stamp of the files found
+  QString trouble;   // error if they cannot be read
 };
 
-/// Bytes are only read where sizes or times have changed.
+/// Reads bytes only if sizes or times have changed.
 SourceNow lookAt(const ClipSource& source);
 
-/// The same for many clips, in their order; fewer where the job is to stop.
+/// The same for many clips, in order; fewer if the job is stopped.
 std::vector<SourceNow> lookAt(const std::vector<ClipSource>& sources, const Job& job);
 
-/// Looks for clips below a folder, by the names of their files. Where several files have a name, it
-/// is the one with the bytes that the clip had; one with other bytes is taken only where it is the
-/// only one. By the paths of the clips that were found.
+/// Searches a folder for clips by their file names. Among several files of a name, the one with the
+/// clip's old bytes wins; a file with other bytes is taken only if it is the only one. The result
+/// is keyed by the paths of the missing clips.
 std::map<QString, ClipSource> findMoved(const QString& folder,
                                         const std::vector<ClipSource>& missing, const Job& job);
 

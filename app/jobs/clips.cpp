@@ -34,7 +34,7 @@ Tracks tracksOf(const Skeleton& skeleton, const Clip& clip) {
   return std::make_shared<const Eigen::MatrixXd>(landmark_tracks(skeleton, clip));
 }
 
-/// What follows from the bytes, or from how many there will be.
+/// Fills in figures that follow from the bytes, or from their estimated number.
 void completeSize(DecodedClip& decoded) {
   const std::size_t motion_bytes = decoded.compressed.motion_bytes();
   decoded.ratio = compression_ratio(decoded.clip, motion_bytes);
@@ -46,7 +46,7 @@ void completeSize(DecodedClip& decoded) {
                      : write_compared(*find_comparison_method(decoded.method), decoded.compressed);
 }
 
-/// What follows from the compressed clip and its decoded motion.
+/// Fills in figures that follow from the compressed clip and its decoded motion.
 void complete(DecodedClip& decoded) {
   completeSize(decoded);
   if (!decoded.tracks) decoded.tracks = tracksOf(decoded.compressed.skeleton, decoded.clip);
@@ -162,7 +162,7 @@ Warnings dress(Skeleton& skeleton, const PutCharacter& put, const Skin* own) {
     put_character(file, put.character, skeleton, warnings);
     return warnings;
   } catch (const Error& error) {
-    // The clip keeps its own.
+    // The clip keeps its own skin.
     return {{file.string(), 0, std::string("is not put on: ") + error.what()}};
   }
 }

@@ -12,21 +12,21 @@ using Clock = std::chrono::steady_clock;
 constexpr auto kStateInterval = std::chrono::milliseconds(40);
 constexpr auto kRefineDelay = std::chrono::milliseconds(80);
 constexpr double kSizeTolerance = 1.02;
-constexpr double kDraftIkRatio = 16;  // of the paper's video
+constexpr double kDraftIkRatio = 16;  // from the paper's video
 
-/// Those of the answer that comes at once.
+/// Options of the quick answer.
 EncodeSettings quickOptions(EncodeSettings wanted) {
   if (wanted.method == Method::Annealed) wanted.method = Method::Standard;
   if (wanted.method == Method::ClosedLoop) {
     wanted.effort = Effort::Draft;
     wanted.size_will_do = true;
   }
-  // To find what to spend on the feet takes many encodings.
+  // Auto would take many encodings to find the ratio, so the draft fixes it.
   if (wanted.correction && !wanted.correction->ratio) wanted.correction->ratio = kDraftIkRatio;
   return wanted;
 }
 
-/// encode(), and says of a missed target before it is thrown that it is one.
+/// Calls encode() and marks a missed target before rethrowing.
 template <typename Missed>
 Encoding encodeOrTell(const Encoder& encoder, const EncodeSettings& options,
                       const Observer<EncodeProgress>& observer, const Missed& missed) {
@@ -38,7 +38,8 @@ Encoding encodeOrTell(const Encoder& encoder, const EncodeSettings& options,
   }
 }
 
-/// What ended early need not have met its target: worth keeping if it is better at no more bytes.
+/// True if a refinement that was stopped early, and may miss its target, is better at no more
+/// bytes.
 bool worthKeeping(const DecodedClip& refined, const DecodedClip& quick) {
   const Weighting weighting = refined.compressed.provenance.weighting;
   return refined.distortion->eps(weighting) < quick.distortion->eps(weighting) &&
@@ -116,7 +117,7 @@ void Compressor::startQuick() {
         if (newer_wanted_)
           startQuick();
         else if (refines())
-          refine_later_.start();  // it may reach what the quick answer does not
+          refine_later_.start();  // refinement may reach a target that the quick answer misses
         else
           fail(message);
       });

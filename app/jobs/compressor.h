@@ -12,23 +12,23 @@
 
 namespace mocapress {
 
-/// Turns settings into answers, the newest settings only. The quick answer (a closed loop's draft,
-/// or the standard selection where annealing is asked for) comes at once and is refined then. That
-/// of a draft whose size is estimated comes again with its bytes, before it is refined. New
-/// settings abandon a running refinement at once, but let a quick answer finish: while a slider is
-/// dragged pictures keep coming. Settings answered before are answered at once.
+/// Answers the newest settings. A quick answer (a closed loop's draft, or standard selection
+/// instead of annealing) comes at once and is refined afterwards. A draft with an estimated size is
+/// repeated with its bytes before the refinement. New settings abandon a running refinement at
+/// once, but let a quick answer finish, so that pictures keep coming during a drag. Settings that
+/// were answered before are answered from the cache.
 class Compressor : public QObject {
   Q_OBJECT
 
  public:
   explicit Compressor(QObject* parent = nullptr);
 
-  /// Whose clip to compress. Abandons everything; null: nothing to compress.
+  /// Sets the clip to compress and abandons all work; null: nothing to compress.
   void setEncoder(std::shared_ptr<const Encoder> encoder);
 
   void request(const EncodeSettings& options);
 
-  /// Ends the refinement: the best so far is kept where it beats the quick answer.
+  /// Ends the refinement and keeps its best result if that beats the quick answer.
   void stopEarly();
 
   void abandon();
@@ -37,11 +37,11 @@ class Compressor : public QObject {
   bool refining() const { return refine_.busy(); }
 
  signals:
-  /// An answer to the newest request, or to the one before while a quick answer is on its way.
-  /// `final`: no better one will follow.
+  /// Answers the newest request, or the one before it while a quick answer is under way. `final`:
+  /// no better answer will follow.
   void answered(const DecodedPtr& decoded, bool final);
 
-  /// What the refinement reached since the last report.
+  /// Progress of the refinement since the last report.
   void progressed(const std::vector<EncodeProgress>& states);
 
   void refiningChanged(bool refining);
@@ -62,16 +62,16 @@ class Compressor : public QObject {
   void fail(const QString& message);
 
   JobRunner quick_;
-  JobRunner code_;  // the quick answer's bytes
+  JobRunner code_;  // codes the quick answer's bytes
   JobRunner refine_;
-  QTimer refine_later_;  // so that a drag does not start them only to abandon them
+  QTimer refine_later_;  // delays refinements, so that a drag does not start and abandon them
   std::shared_ptr<const Encoder> encoder_;
   EncodeSettings wanted_;
-  bool newer_wanted_ = false;   // than what the quick job answers
-  bool out_of_reach_ = false;   // what the newest job found
+  bool newer_wanted_ = false;   // newer settings wait for the quick job
+  bool out_of_reach_ = false;   // the newest job found the target out of reach
   bool coded_will_do_ = false;  // no refinement is wanted any more
-  DecodedPtr quick_answer_;     // null: there is none to these settings
-  ResultCache results_;         // of the encoder's clip
+  DecodedPtr quick_answer_;     // null: these settings have none
+  ResultCache results_;         // results for the encoder's clip
 };
 
 }  // namespace mocapress

@@ -25,7 +25,7 @@ void CurveFiller::start(const CurveTask& task) {
               encoding.distortion.eps(options.weighting)};
           job.post([this, ratio, point] { emit measured(ratio, point); });
         } catch (const Error&) {
-          // A ratio that this clip cannot have is no point of its curve.
+          // A ratio out of this clip's reach gives no point.
         }
       });
     }

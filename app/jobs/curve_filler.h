@@ -14,24 +14,24 @@ namespace mocapress {
 /// Points of a rate-distortion curve to measure.
 struct CurveTask {
   std::shared_ptr<const Encoder> encoder;
-  EncodeSettings options;      // but for the target
-  std::vector<double> ratios;  // in the order in which they are wanted
+  EncodeSettings options;       // the target in it is ignored
+  std::vector<double> ratios;  // in order of priority
 };
 
-/// Measures a clip at several ratios in the background: on one thread that gives way to all others.
+/// Measures a clip at several ratios in the background, on one thread of the lowest priority.
 class CurveFiller : public QObject {
   Q_OBJECT
 
  public:
   explicit CurveFiller(QObject* parent = nullptr);
 
-  /// Abandons a running one.
+  /// Starts a task and abandons a running one.
   void start(const CurveTask& task);
   void abandon() { runner_.abandon(); }
   bool busy() const { return runner_.busy(); }
 
  signals:
-  /// `asked` is the ratio of the task that gave the point.
+  /// `asked` is the task's ratio that led to the point.
   void measured(double asked, const CurvePoint& point);
   void ended();
 

@@ -57,7 +57,7 @@ void JobRunner::launch(Work work, Failed failed) {
   setBusy(true);
 }
 
-/// On a thread of the pool.
+/// Runs on a thread of the pool.
 void JobRunner::lookAfter(const std::shared_ptr<Queue>& queue) {
   std::unique_lock lock(queue->mutex);
   while (queue->waiting) {
@@ -66,7 +66,7 @@ void JobRunner::lookAfter(const std::shared_ptr<Queue>& queue) {
     queue->running = true;
     lock.unlock();
     run(*next);
-    next.reset();  // with what the job used
+    next.reset();  // frees what the job holds
     lock.lock();
     queue->running = false;
     queue->idle.notify_all();

@@ -20,10 +20,10 @@ namespace mocapress {
 
 class JobRunner;
 
-/// Who works through thousands tells of them this often at most.
+/// The shortest interval between reports of a job that handles thousands of items.
 inline constexpr auto kReportInterval = std::chrono::milliseconds(60);
 
-/// What running work sees of the outside.
+/// A running job's link to its runner.
 class Job {
  public:
   bool stopRequested() const { return stop_.stop_requested(); }
@@ -38,10 +38,9 @@ class Job {
   std::stop_token stop_;
 };
 
-/// Runs jobs of one purpose, one at a time, on a thread of a pool, and delivers what they return or
-/// throw on the thread it lives in. A newer job asks the running one to stop and makes it void:
-/// nothing of a void job is delivered any more. Destruction asks for a stop and waits, so that no
-/// job outlives what it uses.
+/// Runs jobs of one purpose, one at a time, on a pool's thread, and delivers results and errors on
+/// its own thread. A newer job asks the running one to stop and makes it void: a void job delivers
+/// nothing. The destructor asks for a stop and waits, so that no job outlives the data it uses.
 class JobRunner : public QObject {
   Q_OBJECT
 
@@ -51,8 +50,8 @@ class JobRunner : public QObject {
   explicit JobRunner(Workers workers = Workers::WaitedFor, QObject* parent = nullptr);
   ~JobRunner() override;
 
-  /// `work(const Job&)` runs off this thread; then either `done(its result)` or `failed(message)`
-  /// runs on it. Values in, values out: `work` must not touch what others can change.
+  /// Runs `work(const Job&)` on another thread, then `done(result)` or `failed(message)` on this
+  /// one. `work` must own its data or share only constant data.
   template <typename Work, typename Done>
   void start(Work work, Done done, Failed failed) {
     using Result = std::invoke_result_t<Work, const Job&>;
@@ -64,14 +63,14 @@ class JobRunner : public QObject {
         std::move(failed));
   }
 
-  /// Asks the running job to end soon; its result is delivered.
+  /// Asks the running job to end soon, and still delivers its result.
   void stopEarly();
 
   /// Asks the running job to stop and makes it void.
   void abandon();
 
-  /// Waits until the last job that was started has run: for what must not be lost, when the program
-  /// ends.
+  /// Waits until the last started job has run, for work that must not be lost at the end of the
+  /// program.
   void finish();
 
   bool busy() const { return busy_; }
@@ -79,7 +78,7 @@ class JobRunner : public QObject {
  signals:
   void busyChanged(bool busy);
 
-  /// From the job's thread: posted_ has one more.
+  /// Emitted from the job's thread: posted_ has a new entry.
   void posted(QPrivateSignal);
 
  private:
@@ -92,12 +91,12 @@ class JobRunner : public QObject {
     Failed failed;
   };
 
-  /// What the threads of the pool see: one of them may look here after the runner is gone.
+  /// State shared with the pool, whose threads may use it after the runner is gone.
   struct Queue {
-    std::mutex mutex;  // guards the rest
+    std::mutex mutex;  // guards the members below
     std::condition_variable idle;
     std::optional<Waiting> waiting;
-    bool looked_after = false;  // a thread of the pool will look for what waits, or does
+    bool looked_after = false;  // a pool thread handles the queue or is about to
     bool running = false;
   };
 
@@ -109,12 +108,13 @@ class JobRunner : public QObject {
   void setBusy(bool busy);
 
   Workers workers_;
-  std::uint64_t current_id_ = 0;  // jobs with another id are void
+  std::uint64_t current_id_ = 0;  // other jobs are void
   bool busy_ = false;
-  std::stop_source stop_;  // of the newest job
+  std::stop_source stop_;  // stops the newest job
   std::shared_ptr<Queue> queue_ = std::make_shared<Queue>();
 
-  // Qt's events only say that there is something here: a thread sanitizer does not see into Qt.
+  // Qt's events only signal that posted_ has entries: a thread sanitizer cannot follow data through
+  // Qt.
   std::mutex mutex_;  // guards posted_
   std::deque<std::pair<std::uint64_t, Delivery>> posted_;
 };

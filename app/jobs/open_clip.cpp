@@ -56,7 +56,7 @@ OriginalPtr readOriginal(OpenRequest& request) {
   original.skin = std::move(file.skin);
   original.takes = std::move(file.takes);
   original.scalars = std::move(file.tracks);
-  // Here, off the GUI thread, and not where they are first shown.
+  // The outline is made here, off the GUI thread, before it is first shown.
   original.outline = outlineOf(file.motion, original.skin.get());
   const PutCharacter put = readCharacterOn(request.characters, file.motion.skeleton);
   original.character = put.path;
@@ -81,7 +81,7 @@ OpenedClip openOriginal(OpenRequest& request) {
   return {original, together ? measured(*request.decoded, *original) : nullptr};
 }
 
-/// The clip as a comparison method leaves it.
+/// Opens the clip as a comparison method leaves it.
 OpenedClip openCompared(OpenRequest& request, const Job& job) {
   const OriginalPtr original = readOriginal(request);
   const CompressionMethod* compression_method = find_compression_method(request.comparison);
@@ -93,7 +93,7 @@ OpenedClip openCompared(OpenRequest& request, const Job& job) {
   return {original, decodedClip(read_mcpr(made.file), original.get())};
 }
 
-/// The studio does not ask for coefficient ratios: they become the ratio they came to.
+/// The studio has no target for coefficient ratios, so the achieved file ratio replaces it.
 Target targetOf(const StudyRow& row) {
   if (row.settings.target.kind != Target::Kind::CoefficientRatio || !row.measured)
     return row.settings.target;

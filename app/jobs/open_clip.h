@@ -12,36 +12,36 @@ namespace mocapress {
 
 struct StudyRow;
 
-/// What to open, with what is open now: a .mcpr and its original are shown together, in whichever
-/// order they are opened.
+/// A file to open, together with the open clip: a .mcpr and its original are shown together,
+/// whichever is opened first.
 struct OpenRequest {
   QString path;          // .bvh, .amc or .mcpr
   QString skeleton;      // .asf; empty: the reader looks beside the .amc
-  OriginalPtr original;  // open now, or null
-  DecodedPtr decoded;    // open now from a .mcpr, or null
-  bool compare = false;  // refuse what does not belong to `decoded`
+  OriginalPtr original;  // open original, or null
+  DecodedPtr decoded;    // open .mcpr, or null
+  bool compare = false;  // refuse a clip that does not belong to `decoded`
 
-  /// By what to compress it; unset: as the last clip was.
+  /// Options to compress with; unset: those of the last clip.
   std::optional<EncodeSettings> options;
-  Characters characters;               // one of them is put on it, and read where it was not
-  std::optional<ReadOptions> reading;  // of a motion; unset: as the clip was read last
-  std::string comparison;  // of a motion: the comparison method to show, by `options`; else empty
+  Characters characters;               // choices; one that fits is put on
+  std::optional<ReadOptions> reading;  // for a motion; unset: as it was read last
+  std::string comparison;  // for a motion: comparison method to show with `options`, or empty
 };
 
-/// Either may be null, not both.
+/// At least one of the two is set.
 struct OpenedClip {
   OriginalPtr original;
   DecodedPtr decoded;
-  Characters characters = {};  // of the request, with what was read of them
+  Characters characters = {};  // the request's, with the ones read meanwhile
 };
 
-/// What opens the clip of a row of a study as it is compressed there.
+/// A request that opens the clip of a study's row as compressed there.
 OpenRequest requestOf(const StudyRow& row);
 
 bool isCompressedFile(const QString& path);
 
-/// Reads and prepares. Throws what the readers throw, Error where `compare` finds two clips that do
-/// not belong together, and what the comparison method throws.
+/// Reads and prepares a clip. Throws the exceptions of readers and of the comparison method, and
+/// Error if `compare` is set and the clips do not belong together.
 OpenedClip openClip(const OpenRequest& request, const Job& job);
 
 }  // namespace mocapress

@@ -45,7 +45,7 @@ std::size_t bytesOf(const Matrix& matrix) {
   return static_cast<std::size_t>(matrix.size()) * sizeof(typename Matrix::Scalar);
 }
 
-/// What counts: the arrays with a value a frame.
+/// The size of the arrays with a value for each frame, which dominate.
 std::size_t bytesOf(const DecodedClip& decoded) {
   std::size_t bytes = decoded.file.size() + bytesOf(decoded.clip.channels);
   for (const Tracks& tracks : {decoded.tracks, decoded.uncorrected_tracks})

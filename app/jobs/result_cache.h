@@ -11,16 +11,16 @@ namespace mocapress {
 
 struct EncodeSettings;
 
-/// Equal for settings that give the same bytes and measures of the same clip.
+/// A key that is equal for settings which give a clip the same bytes and measures.
 std::string settingsKey(const EncodeSettings& options);
 
-/// Finished answers by their settings, so that going back and forth between settings waits for
-/// nothing. Those not asked for longest go first when it holds too much.
+/// Final answers by their settings, so that returning to earlier settings takes no time. When it
+/// holds too much, it drops the least recently used.
 class ResultCache {
  public:
   static constexpr std::size_t kMostBytes = 256 << 20;
 
-  /// Null: not there.
+  /// Null if absent.
   DecodedPtr find(const std::string& key);
   void add(const std::string& key, DecodedPtr decoded);
   void clear();
@@ -35,7 +35,7 @@ class ResultCache {
     std::size_t bytes;
   };
 
-  std::list<Entry> entries_;  // asked for last first
+  std::list<Entry> entries_;  // most recently used first
   std::size_t bytes_ = 0;
 };
 

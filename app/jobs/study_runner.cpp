@@ -8,7 +8,7 @@
 namespace mocapress {
 namespace {
 
-/// Collects rows, for rows of an earlier run come by the thousand.
+/// Collects rows, since an earlier run may deliver thousands at once.
 class RowReporter {
  public:
   using Send = std::function<void(const StudyCounts&, std::vector<StudyRow>)>;

@@ -10,43 +10,43 @@
 
 namespace mocapress {
 
-/// How far a study has come.
+/// Progress of a study.
 struct StudyCounts {
   int jobs = 0;
   int done = 0;
-  int kept = 0;  // of those, measured by an earlier run
+  int kept = 0;  // number of those that an earlier run measured
 };
 
 /// A study to run.
 struct StudyTask {
   StudyPlan plan;
-  QString folder;           // where its rows are kept
-  bool with_files = false;  // write the tables and the report there as well
+  QString folder;           // folder of its rows
+  bool with_files = false;  // writes tables and report there too
 };
 
-/// Runs a study in the background, the newest only, and hands over its rows as they are measured.
+/// Runs the newest study in the background and hands over its rows as they are measured.
 class StudyRunner : public QObject {
   Q_OBJECT
 
  public:
   explicit StudyRunner(QObject* parent = nullptr);
 
-  /// Abandons a running one.
+  /// Starts a study and abandons a running one.
   void start(const StudyTask& task);
 
-  /// What is done by then is handed over, and kept for the next run.
+  /// Stops the study; finished rows are handed over and kept for the next run.
   void cancel() { runner_.stopEarly(); }
 
-  /// As cancel(), and nothing is handed over any more.
+  /// Like cancel(), but hands over nothing more.
   void abandon() { runner_.abandon(); }
 
   bool busy() const { return runner_.busy(); }
 
  signals:
-  /// `rows` since the last time, in the order in which they were done.
+  /// `rows` are new since the last time, in the order of completion.
   void advanced(const StudyCounts& counts, const std::vector<StudyRow>& rows);
 
-  /// With all rows, in the order of the plan.
+  /// Has all rows in the order of the plan.
   void ended(const StudyOutcome& outcome);
   void failed(const QString& message);
 

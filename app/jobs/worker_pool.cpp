@@ -12,12 +12,12 @@
 namespace mocapress {
 namespace {
 
-constexpr std::size_t kMostThreads = 8;  // as many jobs of a kind as the studio has at a time
+constexpr std::size_t kMostThreads = 8;  // the studio runs at most this many jobs of a kind
 
-/// Of the calling thread.
+/// Applies to the calling thread.
 void lowerPriority([[maybe_unused]] LowerPriority how) {
 #ifdef Q_OS_LINUX
-  // On Linux a thread has a niceness of its own, and threads take over that of their maker.
+  // Linux has a niceness for each thread, and a new thread inherits it.
   constexpr int kNice = 10;
   constexpr int kNicest = 19;
   setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()),

@@ -12,30 +12,30 @@
 
 namespace mocapress {
 
-/// How much the threads of a pool, and those that they start, give way to others: the window comes
-/// before all work, and work that is waited for before what is not. No effect but on Linux.
+/// Priority of a pool's threads and of those that they start: below the window's, or below all
+/// other work. Works on Linux only.
 enum class LowerPriority { ToTheWindow, ToEverything };
 
-/// What a job is for, which decides what threads it is done by.
+/// Kinds of jobs, each with its own threads.
 enum class Workers {
-  WaitedFor,    // the answer to a slider, a file to open or to save
-  LongRunning,  // a batch, a study, the reading of a library: for hours, and it may be paused
-  Idle          // what nobody waits for: it gives way to everything
+  WaitedFor,    // answers to sliders, opening and saving files
+  LongRunning,  // batches, studies and reading a library: they run for hours and may be paused
+  Idle          // work that nobody waits for, at the lowest priority
 };
 
-/// Threads that jobs share. They are started when they are needed, and stay.
+/// Threads that jobs share. They start on demand and stay.
 ///
-/// There is a pool for each kind of work, so that a slider never waits behind a batch. Each has
-/// threads for as many jobs as there can be at a time, so that no job waits because another is
-/// paused: the pools bound threads, not work, which the parallel loops of core share anyway. Made
-/// of the standard library's parts, unlike QThreadPool, for the thread sanitizer to follow.
+/// Each kind of work has its own pool, so that a slider never waits behind a batch. A pool has a
+/// thread for every job that can exist at once, so that no job waits for a paused one: pools limit
+/// threads, and core's parallel loops share the processors anyway. It uses standard threads instead
+/// of QThreadPool because the thread sanitizer can follow those.
 class WorkerPool {
  public:
   static WorkerPool& of(Workers workers);
 
   WorkerPool(std::size_t most_threads, LowerPriority priority);
 
-  /// Waits for what has begun. What has not is dropped.
+  /// Waits for jobs that have begun and drops the others.
   ~WorkerPool();
 
   void run(std::function<void()> work);
@@ -45,10 +45,10 @@ class WorkerPool {
 
   std::size_t most_threads_;
   LowerPriority priority_;
-  std::mutex mutex_;  // guards what follows
+  std::mutex mutex_;  // guards the members below
   std::condition_variable_any wake_;
   std::deque<std::function<void()>> waiting_;
-  std::size_t free_threads_ = 0;  // that wait for work
+  std::size_t free_threads_ = 0;  // number of idle threads
   std::vector<std::jthread> threads_;
 };
 

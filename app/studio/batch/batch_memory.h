@@ -10,18 +10,18 @@
 
 namespace mocapress {
 
-/// The batch of a project, as its file keeps it. Of the clips, what they are and their own
-/// settings; what became of them is in the journal of the batch's folder.
+/// A project's batch as its file keeps it: clips and their own settings. Their results are in the
+/// journal in the batch's folder.
 struct RememberedBatch {
   BatchSettings settings;
   Settings common = built_in_presets()[1];
   std::vector<QueuedClip> clips;
 };
 
-/// With paths relative to the folder of the project.
+/// Writes paths relative to the project's folder.
 Json toJson(const RememberedBatch& batch, const QDir& folder);
 
-/// The inverse. Throws Error, or like the JSON library does.
+/// The inverse of toJson(). Throws Error, or the JSON library's exceptions.
 RememberedBatch batchFrom(const Json& json, const QDir& folder);
 
 }  // namespace mocapress

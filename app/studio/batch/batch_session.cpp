@@ -20,7 +20,7 @@ namespace mocapress {
 namespace {
 
 constexpr int kRememberDelay = 300;       // ms
-constexpr const char* kNoPreset = "own";  // the name of settings that come of no preset
+constexpr const char* kNoPreset = "own";  // name of settings without a preset
 
 std::filesystem::path pathOf(const QString& text) {
   return text.toStdU16String();
@@ -38,7 +38,7 @@ Motion motionOf(const TunedClip& clip) {
   return read_motion_of_many(pathOf(clip.path), skeleton, clip.reading).motion;
 }
 
-/// As it waits in the queue. A clip that cannot be read is found out by the batch.
+/// The clip as it waits in the queue. If it cannot be read, the batch will report that.
 QueuedClip queuedClip(const TunedClip& clip) {
   QueuedClip queued{
       .source = {clip.path.toStdString(), QFileInfo(clip.path).dir().dirName().toStdString(), {}},
@@ -53,7 +53,7 @@ QueuedClip queuedClip(const TunedClip& clip) {
     queued.own = fitting(*clip.settings, motionOf(clip)).preset;
     queued.own->name = name;
   } catch (const Error&) {
-    // The batch will say what is wrong with it.
+    // The batch will report the error.
   }
   return queued;
 }
@@ -92,7 +92,7 @@ void BatchSession::recall(const RememberedBatch& batch) {
   bank_.reset();
   queue_.replace(batch.common, batch.clips);
   queue_.setReviews(reviews_);
-  remember_later_.stop();  // it is as the project has it
+  remember_later_.stop();  // the project has this state already
   emit settingsChanged();
   setState(State::Idle);
 }
@@ -114,7 +114,7 @@ void BatchSession::apply(const BatchSettings& settings) {
   setState(State::Idle);
 }
 
-/// The queue of a batch that runs is not added to, and the user is told.
+/// Refuses changes to the queue of a running batch and tells the user.
 bool BatchSession::refused() {
   if (running()) emit noted(tr("Clips can be added when the batch has ended."));
   return running();
@@ -147,7 +147,7 @@ void BatchSession::addClips(const QStringList& paths) {
       });
 }
 
-/// What settings name may not be in the files any more.
+/// Names in the settings may no longer occur in the files.
 void BatchSession::addTuned(const std::vector<TunedClip>& clips) {
   if (refused()) return;
   to_fit_.insert(to_fit_.end(), clips.begin(), clips.end());
@@ -171,7 +171,7 @@ void BatchSession::setSettings(const BatchSettings& settings) {
   if (settings == settings_ || running()) return;
   BatchSettings renamed = settings_;
   renamed.names = settings.names;
-  const QString kind = renamed == settings ? QStringLiteral("names") : QString();  // as typed
+  const QString kind = renamed == settings ? QStringLiteral("names") : QString();  // merges typing
   const bool dresses = settings.character != settings_.character;
   history_.push(new EditStep(
       dresses ? tr("Character") : tr("Output"), [this, settings] { apply(settings); },
@@ -224,7 +224,7 @@ void BatchSession::setLeftOut(const std::vector<int>& rows, bool left_out) {
       [this, others, left_out] { queue_.setLeftOut(others, !left_out); }));
 }
 
-/// Those that are not there yet, at the end.
+/// Adds the clips that are not in the queue yet at its end.
 void BatchSession::add(const std::vector<QueuedClip>& clips) {
   std::set<std::string> there;
   for (const QueuedClip& clip : queue_.clips()) there.insert(clip.source.path);
@@ -247,7 +247,7 @@ void BatchSession::redo() {
   if (!running()) history_.redo();
 }
 
-/// Those that are there already get the settings.
+/// Gives clips that are in the queue already their new settings.
 void BatchSession::take(const std::vector<QueuedClip>& clips) {
   const bool new_settings = std::any_of(clips.begin(), clips.end(), [this](const auto& clip) {
     const auto& queued = queue_.clips();
@@ -280,7 +280,7 @@ void BatchSession::setReviews(const ClipReviews& reviews) {
   if (!running()) queue_.setReviews(reviews_);
 }
 
-/// With what the library says about it.
+/// The clip with the library's review.
 QueuedClip BatchSession::reviewed(QueuedClip clip) const {
   const auto found = reviews_.find(QString::fromStdString(clip.source.path));
   if (found == reviews_.end()) return clip;
@@ -298,7 +298,7 @@ std::vector<int> BatchSession::includedRows() const {
   return rows;
 }
 
-/// The common preset first, then those of locked clips.
+/// The common preset comes first, then those of locked clips.
 Batch BatchSession::batch() const {
   Batch batch{.presets = {queue_.common()},
               .formats = settings_.formats,
@@ -428,7 +428,7 @@ void BatchSession::end(const BatchOutcome& outcome) {
   for (const Warning& warning : outcome.warnings)
     emit noted(QString::fromStdString(warning.text()));
   setState(outcome.complete ? State::Complete : State::Stopped);
-  queue_.setReviews(reviews_);  // what was said meanwhile
+  queue_.setReviews(reviews_);  // reviews that changed during the run
 }
 
 void BatchSession::setState(State state, const QString& failure) {

@@ -20,23 +20,23 @@ namespace mocapress {
 
 class PresetShelf;
 
-/// The queue of a batch export, its settings and its run. No widgets.
+/// A batch export: its queue, settings and run. Uses no widgets.
 class BatchSession : public QObject {
   Q_OBJECT
 
  public:
   enum class State { Idle, Running, Paused, Stopping, Cancelling, Stopped, Complete, Failed };
 
-  /// `presets` outlive it.
+  /// `presets` must outlive it.
   explicit BatchSession(PresetShelf* presets, QObject* parent = nullptr);
 
-  /// Takes up the batch of a project; nothing is left of the one before. Not while it runs.
+  /// Loads a project's batch and drops the previous one. Not allowed while a batch runs.
   void recall(const RememberedBatch& batch);
 
-  /// The state that the project keeps; keep() follows soon after each change.
+  /// The state that the project saves; keep() follows soon after each change.
   RememberedBatch remembered() const { return {settings_, queue_.common(), queue_.clips()}; }
 
-  /// Says keep() now where it still waits to be said.
+  /// Emits keep() now if it is still pending.
   void rememberNow();
 
   BatchQueueModel* queue() { return &queue_; }
@@ -44,41 +44,41 @@ class BatchSession : public QObject {
 
   const BatchSettings& settings() const { return settings_; }
 
-  /// These change nothing while it runs, and are steps of history(), as adding clips is.
+  /// Changes settings, as steps of history(). Does nothing while a batch runs.
   void setSettings(const BatchSettings& settings);
   void setCommon(const Settings& preset);
   void setOwn(const std::vector<int>& rows, const std::optional<Settings>& preset);
   void remove(const std::vector<int>& rows);
   void setLeftOut(const std::vector<int>& rows, bool left_out);
 
-  /// What the library says, of clips that are added later too.
+  /// Sets the library's reviews, which apply to clips added later too.
   void setReviews(const ClipReviews& reviews);
 
-  /// What was done to the queue and its settings.
+  /// The undo history of the queue and its settings.
   const QUndoStack& history() const { return history_; }
   QUndoStack& history() { return history_; }
 
-  /// Nothing while it runs.
+  /// Does nothing while a batch runs.
   void undo();
   void redo();
 
-  /// Files, and folders for all clips below them. While it runs, none: noted().
+  /// Adds files, and all clips below folders. A running batch refuses with noted().
   void addClips(const QStringList& paths);
 
-  /// Clips with the settings they were tuned by, which lock them; without any: as all others. Each
-  /// keeps the character it was tuned on, unless the batch has one for all. While it runs, none:
-  /// noted().
+  /// Adds clips locked to the settings they were tuned with; clips without any use the common
+  /// preset. Each keeps its character, unless the batch has one for all. A running batch refuses
+  /// with noted().
   void addTuned(const std::vector<TunedClip>& clips);
 
   PresetShelf* presets() const { return presets_; }
 
-  /// The output of one of the clips; what is wrong with the names where `wrong` is set.
+  /// The output name of one of the clips, or the fault of the pattern, which sets `wrong`.
   QString exampleName(bool* wrong) const;
 
-  /// Why it cannot start; empty: it can.
+  /// The reason why the batch cannot start; empty: it can.
   QString obstacle() const;
 
-  /// Does what is waiting and what failed; what was done before and has not changed is kept.
+  /// Exports waiting and failed clips. Finished clips that have not changed are kept.
   void start();
   void pause();
   void goOn();
@@ -90,32 +90,33 @@ class BatchSession : public QObject {
   const QString& failure() const { return failure_; }
   const BatchCounts& counts() const { return counts_; }
 
-  /// The bank that is made when all clips have ended; unset before.
+  /// Progress of the bank, which is made after all clips have ended; unset before.
   const std::optional<BankProgress>& bank() const { return bank_; }
 
-  /// 0 to 1, by the length of the clips.
+  /// Share done, 0 to 1, by the clips' lengths.
   double fraction() const;
   const std::optional<double>& secondsLeft() const { return time_left_.seconds(); }
 
-  /// Of the last run that ended with nothing waiting; empty: none is there.
+  /// Report of the last run that completed; empty if there is none.
   QString report() const;
 
-  /// A script for Slurm that does this queue in so many tasks, and the queue's file beside it.
+  /// Writes a Slurm script that exports this queue in `tasks` tasks, with the queue's file beside
+  /// it.
   void writeSlurm(const QString& path, int tasks);
 
  signals:
-  /// The state that is remembered() has changed.
+  /// The state in remembered() has changed.
   void keep();
 
   void settingsChanged();
 
-  /// The clip of this row, with what it came to.
+  /// The clip of this row was exported with this result.
   void exported(int row, const BatchStep& step);
 
-  /// State, counts, or what may be started.
+  /// The state, the counts or obstacle() has changed.
   void progressed();
 
-  /// Worth telling, and no more than that.
+  /// A message for the user that needs no answer.
   void noted(const QString& message);
 
  private:
@@ -133,7 +134,7 @@ class BatchSession : public QObject {
 
   BatchQueueModel queue_;
   ClipReviews reviews_;
-  std::vector<int> running_rows_;  // by their indices in the batch that runs
+  std::vector<int> running_rows_;  // queue rows of the running batch's clips
   BatchSettings settings_;
   QUndoStack history_;
   PresetShelf* presets_;
@@ -143,7 +144,7 @@ class BatchSession : public QObject {
   std::optional<BankProgress> bank_;
   TimeLeft time_left_;
   QElapsedTimer clock_;
-  double worked_seconds_ = 0;  // before the last pause
+  double worked_seconds_ = 0;  // time worked before the last pause
   QTimer remember_later_;
   QStringList to_find_;
   JobRunner finding_{Workers::LongRunning};

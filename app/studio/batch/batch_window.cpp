@@ -140,7 +140,7 @@ namespace {
 
 constexpr QSize kFirstSize(1180, 660);
 constexpr int kSettingsWidth = 320;
-constexpr int kSteps = 1000;  // of the progress bar
+constexpr int kSteps = 1000;  // resolution of the progress bar
 const QString kGeometry = QStringLiteral("batch/geometry");
 
 QLabel* makeHeading(const QString& text, QWidget* parent) {
@@ -250,7 +250,7 @@ QWidget* BatchWindow::makeSettings() {
   column->addWidget(makeHeading(tr("Output"), this));
   column->addWidget(output_);
   column->addStretch(1);
-  auto* scroll = new QScrollArea(this);  // where the screen is low
+  auto* scroll = new QScrollArea(this);  // for low screens
   scroll->setWidget(settings_);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
@@ -406,7 +406,8 @@ void BatchWindow::writeSlurm() {
   if (!path.isEmpty()) session_->writeSlurm(path, tasks);
 }
 
-/// The selected clips get it, and keep it; without a selection all that are not locked.
+/// Locks the selected clips to the preset. Without a selection, all clips that are not locked get
+/// it.
 void BatchWindow::changePreset(const Settings& preset) {
   const std::vector<int> rows = view_->selectedRows();
   if (rows.empty())
@@ -467,7 +468,7 @@ void BatchWindow::closeEvent(QCloseEvent* event) {
   event->accept();
 }
 
-/// Back to the settings of all clips.
+/// Escape returns to the settings of all clips.
 void BatchWindow::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape) view_->clearSelection();
   QWidget::keyPressEvent(event);

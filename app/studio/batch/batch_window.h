@@ -20,21 +20,21 @@ class BatchSession;
 class CharacterChoice;
 class PresetEditor;
 
-/// How far a batch is, in one line.
+/// The batch's progress in one line.
 QString statusOf(const BatchSession& session);
 
-/// Of the button that starts, pauses and goes on.
+/// Text of the button that starts, pauses and resumes.
 QString startText(const BatchSession& session);
 
-/// A window beside the studio's: a queue of clips, by what they are compressed, where they go, and
-/// how far they are. Closing it lets the batch run on.
+/// The window of the batch: its queue, presets, output and progress. The batch goes on when it is
+/// closed.
 class BatchWindow : public QWidget {
   Q_OBJECT
 
  public:
   BatchWindow(BatchSession* session, QWidget* parent);
 
-  /// The one that is open, to be exported unless the user chose others.
+  /// Offers the open clip for export, unless the user chose others.
   void offerClip(const QString& path);
 
   BatchSession* session() { return session_; }
@@ -48,7 +48,7 @@ class BatchWindow : public QWidget {
   QPushButton* reportButton() { return report_; }
 
  signals:
-  /// The studio is asked to open a clip.
+  /// Asks the studio to open a clip.
   void openRequested(const QString& path);
 
  protected:

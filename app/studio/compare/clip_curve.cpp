@@ -13,18 +13,18 @@
 namespace mocapress {
 namespace {
 
-// Standard selection takes moments; others are asked for less, the middle first.
+// Standard selection takes moments; slower methods get fewer ratios, the middle ones first.
 constexpr std::array kStandardRatios = {25.0, 10.0, 60.0, 5.0, 40.0, 15.0, 90.0, 130.0, 7.5};
 constexpr std::array kRatios = {25.0, 60.0, 10.0, 40.0, 90.0};
 
-/// The settings but for target and method.
+/// A key of all settings except target and method.
 std::string sharedKey(EncodeSettings options) {
   options.target = {};
   options.method = Method::Standard;
   return settingsKey(options);
 }
 
-/// All that errors are measured on: files, how they were read, and the character.
+/// A key of everything that errors are measured on: files, reading options and the character.
 std::string clipKey(const OriginalPtr& clip) {
   return clip ? clip->stamp.hash + settings_hash({}, clip->reading) + clip->character.toStdString()
               : std::string();
@@ -46,7 +46,7 @@ ClipCurve::ClipCurve(Session* session, QObject* parent) : QObject(parent), sessi
     emit changed();
   });
   connect(&filler_, &CurveFiller::ended, this, [this] {
-    // A ratio without a point is out of this clip's reach: it is not asked for again.
+    // A ratio without a point is out of this clip's reach and is not tried again.
     curve_->done[task_.options.method].insert(task_.ratios.begin(), task_.ratios.end());
     fill();
   });
@@ -59,7 +59,7 @@ void ClipCurve::takeUp() {
   emit changed();
 }
 
-/// What the user asked for is a point of the curve as well.
+/// Adds the result that the user asked for to the curve.
 void ClipCurve::addOwn() {
   const Document& document = session_->document();
   if (!document.original() || !document.decoded() || !document.decoded()->distortion) return;

@@ -14,19 +14,19 @@ namespace mocapress {
 
 class Session;
 
-/// The rate-distortion curves of the clip that is open: standard selection, and the method that is
-/// chosen. Filled while nothing else is to be done; what was measured stays while only the target
-/// changes, and is there again with its clip.
+/// Rate-distortion curves of the open clip, for standard selection and the chosen method. They are
+/// filled while the studio is idle; points stay while only the target changes, and come back with
+/// their clip.
 class ClipCurve : public QObject {
   Q_OBJECT
 
  public:
   explicit ClipCurve(Session* session, QObject* parent = nullptr);
 
-  /// The points' rows are the places of their ratios among ratios().
+  /// The row of a point is the index of its ratio in ratios().
   std::vector<RateCurve> curves() const;
 
-  /// Of all points.
+  /// The ratios of all points.
   std::vector<double> ratios() const;
 
   bool busy() const { return filler_.busy(); }
@@ -35,14 +35,14 @@ class ClipCurve : public QObject {
   void changed();
 
  private:
-  /// Points of one method, by the ratio that was asked for.
+  /// Points of one method, by the requested ratio.
   using Points = std::map<double, CurvePoint>;
 
-  /// The points that one clip has so far.
+  /// The points of one clip so far.
   struct Curve {
-    std::string key;  // of the settings that all points share
+    std::string key;  // key of the settings that all points share
     std::map<Method, Points> points;
-    std::map<Method, std::set<double>> done;  // ratios that need not be asked for again
+    std::map<Method, std::set<double>> done;  // ratios that are done
   };
 
   void takeUp();
@@ -51,9 +51,9 @@ class ClipCurve : public QObject {
 
   Session* session_;
   CurveFiller filler_;
-  CurveTask task_;                       // started last
-  std::map<std::string, Curve> curves_;  // by the clip they were measured on
-  Curve* curve_ = nullptr;               // of the clip that is open
+  CurveTask task_;                       // the last one started
+  std::map<std::string, Curve> curves_;  // by clip
+  Curve* curve_ = nullptr;               // curve of the open clip
 };
 
 }  // namespace mocapress

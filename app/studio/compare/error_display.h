@@ -11,15 +11,15 @@ class QAction;
 
 namespace mocapress {
 
-/// The one scale by which all views colour errors of a quantity: a fixed one, by which clips and
-/// settings compare, or one that fits what is shown. Remembered from run to run.
+/// The scale by which all views colour errors of a quantity: a fixed one, by which clips and
+/// settings can be compared, or one that fits the shown clip. Kept from run to run.
 class ErrorScaleChoice : public QActionGroup {
   Q_OBJECT
 
  public:
   explicit ErrorScaleChoice(ErrorQuantity quantity, QObject* parent = nullptr);
 
-  /// For what is shown; null: nothing is.
+  /// The scale for a result; null: nothing is shown.
   ErrorScale scaleFor(const DecodedPtr& decoded) const;
 
  signals:
@@ -29,26 +29,25 @@ class ErrorScaleChoice : public QActionGroup {
   ErrorQuantity quantity_;
 };
 
-/// How errors are shown: by which scale of distances and which of angles, whether heat map and
-/// graph tell distances or angles, and whether the heat map tells what is seen instead. Remembered
-/// from run to run.
+/// The display of errors: the scales of distances and angles, the quantity in heat map and graph,
+/// and the heat map's switch to visibility. Kept from run to run.
 class ErrorDisplay : public QObject {
   Q_OBJECT
 
  public:
   explicit ErrorDisplay(QObject* parent = nullptr);
 
-  /// Of heat map and graph. Strip and figure always tell distances.
+  /// The quantity in heat map and graph. Strip and figure always show distances.
   ErrorQuantity quantity() const;
 
   ErrorScaleChoice* scales(ErrorQuantity quantity) const {
     return quantity == ErrorQuantity::Angle ? angles_ : distances_;
   }
 
-  /// Of the heat map.
+  /// True when the heat map shows visibility.
   bool tellsSight() const;
 
-  /// The switches to angles and to what is seen: one at most is on.
+  /// The switches to angles and to visibility: at most one is on.
   QAction* inDegrees() const { return in_degrees_; }
   QAction* asSeen() const { return as_seen_; }
 

@@ -9,14 +9,13 @@
 
 namespace mocapress {
 
-/// The figures of what is shown; measured where the original is there, else as the file records
-/// them.
+/// Figures of the shown clip: measured if the original is there, else as its file states them.
 std::optional<ResultFigures> figuresOf(const Document& document);
 
-/// How those figures came about.
+/// A few words on the origin of those figures.
 QString stateOf(const Document& document);
 
-/// Footskate in a line: how much, and of how many contacts.
+/// Footskate in a line: its amount and the number of contacts.
 QString footskateSummary(const Document& document);
 
 }  // namespace mocapress

@@ -25,16 +25,17 @@
 namespace mocapress {
 namespace {
 
-constexpr double kWorstApart = 0.25;  // s between frames that are worst
+constexpr double kWorstApart = 0.25;  // s between worst frames
 constexpr int kMostWorst = 20;
-constexpr double kContactSeconds = 0.25;  // of a contact that is added
+constexpr double kContactSeconds = 0.25;  // length of an added contact
 
 /// The current joint, or the root.
 int shownJoint(const Document& document) {
   return std::max(document.currentJoint(), 0);
 }
 
-/// Degrees or cm. Whole turns between the two move nothing and would hide what does.
+/// Moves `values` (degrees or cm) by whole turns towards `model`. Whole turns move nothing and
+/// would hide the real difference.
 void likeOf(const Eigen::VectorXd& model, Eigen::VectorXd& values) {
   constexpr double kTurn = 2 * std::numbers::pi;
   if (model.size() != values.size()) return;
@@ -126,7 +127,7 @@ void Inspector::connectViews() {
   views_.curve->setHint(tr("The curve of this clip is drawn once it is compressed."));
 }
 
-/// In the heat map's menu: those of what it shows.
+/// Puts the scales of the shown quantity into the heat map's menu.
 void Inspector::showErrorScales() {
   HeatMap* map = views_.heat_map;
   for (QAction* action : map->actions()) map->removeAction(action);
@@ -240,7 +241,7 @@ void Inspector::chooseCell(int frame, int landmark) {
   views_.heat_map->setCurrentLandmark(landmark);
 }
 
-/// A point of the curve becomes what is asked for.
+/// A chosen point of the curve becomes the target.
 void Inspector::chooseRatio(int point) {
   const std::vector<double> ratios = curve_->ratios();
   if (point < 0 || point >= static_cast<int>(ratios.size())) return;
@@ -251,7 +252,7 @@ void Inspector::chooseRatio(int point) {
 
 void Inspector::showNextWorst(int step) {
   if (worst_.empty()) return;
-  // From anywhere else the worst comes first, though the playhead may stand on one by chance.
+  // From any other frame the worst comes first, even if the playhead stands on one by chance.
   const bool goes_on = playback_->frame() == shown_worst_;
   const int frame = goes_on ? nextWorst(worst_, shown_worst_, step) : worst_.front();
   shown_worst_ = frame;

@@ -20,7 +20,7 @@ class RatePlot;
 class Session;
 class Timeline;
 
-/// The views that say when, where and how much.
+/// The views that show time, place and size of the errors.
 struct InspectionViews {
   Timeline* timeline = nullptr;
   HeatMap* heat_map = nullptr;
@@ -29,7 +29,7 @@ struct InspectionViews {
   FiguresBar* figures = nullptr;
 };
 
-/// Keeps those views showing what the session's document holds, and passes on what is done in them.
+/// Shows the session's document in those views, and passes the user's actions on.
 class Inspector : public QObject {
   Q_OBJECT
 
@@ -37,7 +37,7 @@ class Inspector : public QObject {
   Inspector(Session* session, Playback* playback, const InspectionViews& views,
             ErrorDisplay* error_display, QObject* parent = nullptr);
 
-  /// Plays from the worst frame to the next worst, or back.
+  /// Moves the playhead to the next worst frame, or back.
   void showNextWorst(int step);
 
   const ClipCurve& curve() const { return *curve_; }
@@ -45,7 +45,7 @@ class Inspector : public QObject {
  private:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
-  /// Runs `show` now where `view` is seen, else once it is: hidden plots cost nothing.
+  /// Runs `show` now if `view` is visible, else once it is, so that hidden plots cost nothing.
   void whenSeen(QWidget* view, std::function<void()> show);
 
   void connectViews();
@@ -66,9 +66,9 @@ class Inspector : public QObject {
   ErrorDisplay* error_display_;
   ClipCurve* curve_;
   std::map<QObject*, std::function<void()>> waiting_;
-  std::vector<int> worst_;  // frames, the worst first
-  int shown_worst_ = -1;    // the one gone to last
-  int channel_ = 0;         // among those of the current joint
+  std::vector<int> worst_;  // frames, worst first
+  int shown_worst_ = -1;    // last one visited
+  int channel_ = 0;         // index among the current joint's channels
 };
 
 }  // namespace mocapress

@@ -17,7 +17,7 @@
 namespace mocapress {
 namespace {
 
-/// Told apart from each other, from the red of the current result and from the grey original.
+/// Colours that differ from each other, from the red current result and from the grey original.
 constexpr std::array<QRgb, kMostPinned> kColours = {kCurveColours[0], kCurveColours[2],
                                                     kCurveColours[4], kCurveColours[5]};
 
@@ -37,7 +37,7 @@ PinnedResults::PinnedResults(Session* session, PinnedModel* model, PinnedPanel* 
   connect(session, &Session::settled, this, [this] { setFinal(true); });
   connect(document, &Document::decodedChanged, this, &PinnedResults::showWhetherToPin);
   connect(document, &Document::optionsChanged, this, [this] {
-    if (!pins_.empty()) show();  // the weighting may be another
+    if (!pins_.empty()) show();  // the weighting may have changed
   });
   connect(panel, &PinnedPanel::pinRequested, this, &PinnedResults::pinCurrent);
   connect(panel, &PinnedPanel::unpinRequested, this, &PinnedResults::unpin);
@@ -121,7 +121,7 @@ void PinnedResults::recall() {
   makeNext();
 }
 
-/// One after the other; one that cannot be made any more is left out.
+/// Makes one pin after the other and leaves out those that can no longer be made.
 void PinnedResults::makeNext() {
   if (unmade_.empty()) return;
   const auto take = [this](const DecodedPtr& decoded) {
@@ -130,7 +130,7 @@ void PinnedResults::makeNext() {
     if (decoded) pins_.push_back({pin, decoded});
     if (!pin.colour.isValid() && decoded) pins_.back().pin.colour = freeColour();
     show();
-    // The runner is busy until its delivery has returned.
+    // The runner is still busy inside its delivery.
     QMetaObject::invokeMethod(this, &PinnedResults::makeNext, Qt::QueuedConnection);
   };
   const auto encoder = session_->document().original()->encoder;
@@ -161,7 +161,7 @@ void PinnedResults::setFinal(bool final) {
   showWhetherToPin();
 }
 
-/// Two of one name would be told apart by their colours alone.
+/// Makes a name unique, since equal names would differ by colour only.
 QString PinnedResults::freeName(const QString& wanted) const {
   const std::vector<Pin> taken = all();
   QString name = wanted;

@@ -18,8 +18,8 @@ class PinnedPanel;
 class Session;
 class Viewport;
 
-/// Results of the open clip that stay in view while other settings are tried. They go with the
-/// clip, and are there again with it, made anew in the background.
+/// Results of the open clip that stay in view while other settings are tried. They leave with the
+/// clip and come back with it, encoded again in the background.
 class PinnedResults : public QObject {
   Q_OBJECT
 
@@ -27,25 +27,25 @@ class PinnedResults : public QObject {
   PinnedResults(Session* session, PinnedModel* model, PinnedPanel* panel, Viewport* viewport,
                 QObject* parent = nullptr);
 
-  /// There is a final result to the settings, measured, that is not pinned yet, and room for it.
+  /// True if the current result is final, measured and not pinned yet, and there is room for it.
   bool canPin() const;
 
-  /// What was pinned of a clip before.
+  /// Returns the pins that a clip had before.
   using Memory = std::function<std::vector<Pin>(const QString& path)>;
   void setMemory(Memory memory) { memory_ = std::move(memory); }
 
-  /// These are steps of the clip's history.
+  /// Both functions are steps of the clip's history.
   void pinCurrent();
   void unpin(int row);
   void rename(int row, const QString& name);
 
-  /// Its settings become the document's, which can be undone.
+  /// Copies its settings to the document, as a step that can be undone.
   void makeCurrent(int row);
 
  signals:
   void canPinChanged(bool can);
 
-  /// By the user: all that is pinned of the clip now.
+  /// The user changed the pins: these are all pins of the clip now.
   void edited(const QString& path, const std::vector<Pin>& pins);
 
  private:
@@ -54,7 +54,7 @@ class PinnedResults : public QObject {
     DecodedPtr decoded;
   };
 
-  // Each pin of a clip has a colour of its own, however often it is made anew.
+  // A pin keeps its colour however often it is encoded again.
   void put(const Result& result, std::size_t row);
   void drop(const QColor& colour);
   void name(const QColor& colour, const QString& name);
@@ -74,9 +74,9 @@ class PinnedResults : public QObject {
   Viewport* viewport_;
   Memory memory_;
   std::vector<Result> pins_;
-  std::deque<Pin> unmade_;  // of those kept, not made anew yet
+  std::deque<Pin> unmade_;  // pins still to be encoded
   JobRunner making_{Workers::LongRunning};
-  bool final_ = false;  // the result is that of the document's options
+  bool final_ = false;  // the result answers the document's options
 };
 
 }  // namespace mocapress

@@ -54,7 +54,7 @@ Presenter::Presenter(Session* session, Playback* playback, const Models& models,
 void Presenter::connectDocument() {
   Document* document = &session_->document();
   connect(document, &Document::clipChanged, this, &Presenter::showClip);
-  // What was chosen and could not be read is not what is there.
+  // A take that could not be read is not the one shown.
   connect(session_, &Session::openFailed, this, &Presenter::showTakes);
   connect(document, &Document::decodedChanged, this, &Presenter::showDecoded);
   connect(document, &Document::shownChanged, this, &Presenter::showShown);
@@ -141,7 +141,7 @@ void Presenter::showWarnings() {
   views_.warnings->setWarnings(original ? original->path : QString(), all);
 }
 
-/// With what a character that was put on lets be chosen.
+/// Shows the skeleton and the choices that a character offers.
 void Presenter::showSkeleton() {
   const Document& document = session_->document();
   const OriginalPtr& original = document.original();
@@ -192,7 +192,7 @@ void Presenter::showErrors() {
   views_.graph->setQuantity(error_display_->quantity());
 }
 
-/// What came of the target, where the user goes on from it.
+/// Shows the result of the target beside it.
 void Presenter::showTarget() {
   const Document& document = session_->document();
   const DecodedPtr& decoded = document.decoded();
@@ -225,7 +225,7 @@ void Presenter::showSkin() {
   views_.viewport->setSkin(session_->document().skin());
 }
 
-/// The playhead goes where the foot slides worst, and its curve is drawn.
+/// Moves the playhead to the finding's worst frame and draws the foot's curve.
 void Presenter::showFinding(int frame, int landmark) {
   playback_->seek(frame);
   const std::vector<QString> names = session_->document().landmarkNames();
@@ -253,7 +253,7 @@ void Presenter::setChecked(const QString& name, bool checked) {
   session_->document().setCurves(curves);
 }
 
-/// A first click makes a joint current and draws its curve, a click on the current one hides it.
+/// A first click makes a joint current and draws its curve; a click on the current joint hides it.
 void Presenter::toggleJoint(int joint) {
   Document& document = session_->document();
   const QString name = QString::fromStdString(document.skeleton()->joint(joint).name);

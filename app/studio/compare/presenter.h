@@ -22,7 +22,7 @@ class TransportBar;
 class Viewport;
 class WarningsPanel;
 
-/// The widgets that show a document.
+/// Widgets that show a document.
 struct Views {
   Viewport* viewport = nullptr;
   CompressionPanel* compression = nullptr;
@@ -36,13 +36,13 @@ struct Views {
   TransportBar* transport = nullptr;
 };
 
-/// What lists and tables show.
+/// Data of lists and tables.
 struct Models {
   JointErrorModel* joints = nullptr;
   SlideModel* slides = nullptr;
 };
 
-/// Keeps the views showing what the session's document holds, and passes on what is done in them.
+/// Shows the session's document in the views, and passes the user's actions on.
 class Presenter : public QObject {
   Q_OBJECT
 

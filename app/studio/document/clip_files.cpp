@@ -69,7 +69,7 @@ QString fileName(const QString& path) {
   return QFileInfo(path).fileName();
 }
 
-/// What an open clip can be written as; the first is the one it can be opened from again.
+/// Formats that an open clip can be written in; the first one keeps all of it.
 const QStringList kExtensions = {QStringLiteral("mcpr"), QStringLiteral("bvh"),
                                  QStringLiteral("fbx"),  QStringLiteral("glb"),
                                  QStringLiteral("amc"),  QStringLiteral("csv")};
@@ -133,7 +133,7 @@ void ClipFiles::open(const QString& path, const QString& skeleton) {
 
 void ClipFiles::openRow(const StudyRow& row) {
   const QString path = QString::fromStdString(row.clip);
-  // Other settings for the clip that is open are no more than a slider does.
+  // A row of the open clip only changes settings, as a slider does.
   if (session_->isOpen(path) && !find_comparison_method(row.settings.method))
     return session_->openRow(row);
   leave([=, this] { session_->openRow(row, rememberedSkeleton(path)); });
@@ -179,7 +179,7 @@ void ClipFiles::save() {
 }
 
 void ClipFiles::saveAs() {
-  // Before the clip is left, what is asked for is the file that it can be opened from again.
+  // Before the clip is left, only the format that keeps all of it is offered.
   choosePlace(tr("Save Clip"), QStringLiteral("mcpr"),
               after_saving_ ? QStringList{QStringLiteral("mcpr")} : kExtensions);
 }
@@ -203,7 +203,7 @@ void ClipFiles::choosePlace(const QString& title, const QString& extension,
   dialog->selectNameFilter(filterOf(extension));
   dialog->setDefaultSuffix(extension);
   dialog->selectFile(fileName(suggestedPath(extension)));
-  // A name without one of them gets the chosen one, and so does a name that has another.
+  // Gives names the chosen extension, also those that have another one.
   connect(dialog, &QFileDialog::filterSelected, this, [=](const QString& filter) {
     const QString chosen = extensions.value(static_cast<int>(filters.indexOf(filter)));
     dialog->setDefaultSuffix(chosen);
@@ -221,13 +221,13 @@ void ClipFiles::write(const QString& path) {
   const QFileInfo file(path);
   const QString kind = file.suffix().toLower();
   if (kind == QLatin1String("mcpr")) return session_->save(path);
-  // The name may have been typed into any of the dialogs, and the clip may be another by now.
+  // The name may have been typed in any dialog, and the clip may have changed since.
   if (const OriginalPtr& original = session_->document().original();
       kind == QLatin1String("html") && original)
     return session_->exportReview(path, remarks_(original->path));
   const QString skeleton =
       file.path() + QLatin1Char('/') + file.completeBaseName() + QLatin1String(".asf");
-  // The dialog asked about a file that is there, not about which it is, nor about the skeleton.
+  // The dialog asked about replacing `path`, but not about the original or a skeleton beside it.
   QString doubt;
   if (session_->isOpen(path))
     doubt = tr("%1 is the original that is open. Replace it by its compressed motion?")

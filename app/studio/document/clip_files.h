@@ -18,74 +18,74 @@ namespace mocapress {
 
 struct RecentFile {
   QString path;
-  QString skeleton;  // chosen by hand; empty: found beside the clip
+  QString skeleton;  // chosen by hand; empty: the one beside the clip
   bool operator==(const RecentFile&) const = default;
 };
 
-/// Newest first, those that still exist, kept in the user's settings.
+/// Recent files that still exist, newest first. They are kept in the user's settings.
 QList<RecentFile> recentFiles();
 
-/// The .asf that was chosen by hand for this clip; empty: none.
+/// The .asf chosen by hand for this clip; empty: none.
 QString rememberedSkeleton(const QString& path);
 
 void rememberRecentFile(const RecentFile& file);
 
 class Session;
 
-/// The motions that can be read, for a file dialog: "*.bvh *.amc *.fbx".
+/// Patterns of readable motions for a file dialog: "*.bvh *.amc *.fbx".
 QString motionPatterns();
 
-/// The bundled walk: from the installed share directory, or from the source tree where the program
-/// runs out of its build directory. Empty: neither is there.
+/// The bundled walk, from the installed share directory, or from the source tree if the program
+/// runs in its build directory. Empty: neither is there.
 QString sampleClip();
 
-/// Opening and saving as the user meets them: dialogs, recent files, and the one question that is
-/// asked, about unsaved work.
+/// Opening and saving with their dialogs, recent files, and the question about unsaved work.
 class ClipFiles : public QObject {
   Q_OBJECT
 
  public:
   ClipFiles(Session* session, QWidget* window);
 
-  /// Of what was open last, what is still there; else the bundled walk.
+  /// Opens the newest recent file that still exists, else the bundled walk.
   void openFirst();
 
   void open(const QString& path, const QString& skeleton = {});
   void chooseClip();
 
-  /// A row of a study, see Session::openRow().
+  /// Opens a row of a study, see Session::openRow().
   void openRow(const StudyRow& row);
 
-  /// For what could not be opened last.
+  /// Asks for the skeleton of the file that could not be opened.
   void chooseSkeleton();
 
-  /// What to read the open motion as, where its file says it wrongly or not at all.
+  /// Asks for unit, axes and rate of the open motion, if its file states them wrongly or not at
+  /// all.
   void chooseImportOptions();
 
-  /// Whose looks the open clip takes on.
+  /// Asks for the file whose character the open clip gets.
   void chooseCharacter();
 
   void chooseOriginal();
   void save();
 
-  /// Compressed, or the motion that comes of it in any format that is written.
+  /// Saves the compressed clip, or exports its motion in another format.
   void saveAs();
   void exportMotion();
 
-  /// A page on which a browser shows the clip and its original.
+  /// Writes a page that shows the clip and its original in a browser.
   void exportReview();
 
-  /// Remarks about a clip on its page: the library's verdict and note.
+  /// Returns remarks for a clip's page: the library's verdict and note.
   using Remarks = std::function<std::vector<std::string>(const QString& path)>;
   void setRemarks(Remarks remarks) { remarks_ = std::move(remarks); }
 
-  /// Runs `then` once nothing would be lost by it: at once, after saving, or never.
+  /// Runs `then` unless unsaved work would be lost: at once, after saving, or never.
   void leave(std::function<void()> then);
 
   void fillRecentMenu(QMenu* menu);
 
  signals:
-  /// `wants_skeleton`: choosing one may help.
+  /// `wants_skeleton`: choosing a skeleton may help.
   void openFailed(const QString& message, bool wants_skeleton);
   void saved(const QString& name);
   void exported(const QString& name);
@@ -100,8 +100,8 @@ class ClipFiles : public QObject {
   Session* session_;
   QWidget* window_;
   Remarks remarks_ = [](const QString&) { return std::vector<std::string>(); };
-  OpenRequest unread_;                  // what could not be opened last
-  std::function<void()> after_saving_;  // what waits for it, see leave()
+  OpenRequest unread_;                  // request that failed last
+  std::function<void()> after_saving_;  // runs after saving, see leave()
 };
 
 }  // namespace mocapress

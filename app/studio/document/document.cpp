@@ -12,7 +12,7 @@
 namespace mocapress {
 namespace {
 
-/// What would make that clip again.
+/// Options that would make that clip again.
 EncodeSettings optionsOf(const DecodedClip& decoded) {
   const CompressedClip& clip = decoded.compressed;
   EncodeSettings options;
@@ -30,7 +30,7 @@ EncodeSettings optionsOf(const DecodedClip& decoded) {
   return options;
 }
 
-/// As far as another skeleton has joints of the same names.
+/// Carries factors over to joints of the same names.
 Importance carriedOver(const Importance& importance, const Skeleton* from, const Skeleton& to) {
   if (!from || std::ssize(importance.joints) != from->joint_count())
     return {.joints = {}, .contacts = importance.contacts};
@@ -96,7 +96,7 @@ int Document::currentJoint() const {
   return skeleton() ? skeleton()->find(current_joint_.toStdString()) : -1;
 }
 
-/// What a preset says of hands is of the hands of every skeleton, also after one that has none.
+/// A preset's factors for hands apply to every skeleton with hands, even after one without.
 Importance Document::importanceIn(const Skeleton& next) const {
   const Settings& usual = usualPreset();
   if (isAsPreset(settings(), usual, skeleton() ? *skeleton() : Skeleton()))
@@ -110,7 +110,7 @@ void Document::setClip(OriginalPtr original, DecodedPtr decoded, const QString& 
     if (const auto found = read.find(rig); found != read.end() && found->second.path == put.path)
       put = found->second;
   ClipSettings& now = tuning_.now();
-  // Without a clip it names no joint: nobody would know whose these are.
+  // Without any clip, factors of single joints are dropped, since they would have no skeleton.
   if (original || !decoded)
     now.encode.importance = importanceIn(original ? original->motion().skeleton : Skeleton());
   original_ = std::move(original);
@@ -126,7 +126,7 @@ void Document::setClip(OriginalPtr original, DecodedPtr decoded, const QString& 
     now.preset.clear();
   }
   if (!decoded_ && now.encode.correction)
-    now.encode.correction->joints.clear();  // they were another skeleton's
+    now.encode.correction->joints.clear();  // indices of another skeleton's joints
   for (ClipSettings& each : tuning_.both) each.encode.contacts = contactsBy(each.contacts);
   leaveMissingSkin();
   findSkin();
@@ -137,7 +137,7 @@ void Document::setClip(OriginalPtr original, DecodedPtr decoded, const QString& 
   emit titleChanged();
 }
 
-/// The clip before had a mesh, or a character that was taken off.
+/// Leaves a weighting by skin that the clip no longer has.
 void Document::leaveMissingSkin() {
   if (!skeleton() || skeleton()->skin()) return;
   for (ClipSettings& each : tuning_.both)
@@ -248,11 +248,11 @@ void Document::findSkin() {
     bound.lengths.centre = start();
     skin_ = std::make_shared<const Skin>(std::move(bound));
   } catch (const Error&) {
-    // It is of other joints: the clip keeps its own.
+    // The character has other joints: the clip keeps its own skin.
   }
 }
 
-/// Where the clip begins, on the floor.
+/// The start of the clip on the floor.
 Eigen::Vector3d Document::start() const {
   const Clip& clip = original_ ? original_->motion().clip : decoded_->clip;
   Pose pose;

@@ -10,16 +10,15 @@
 
 namespace mocapress {
 
-/// By what a clip is compressed, and by what its contacts are found. NamedSettings are the same by
-/// the names of joints, as a project keeps them.
+/// Settings of a clip: its compression and the detection of its contacts.
 struct ClipSettings {
   EncodeSettings encode;
   ContactSettings contacts;
-  QString preset;                         // they come of, with changes or without; empty: of none
-  double track_error = kUsualTrackError;  // no value of a scalar track is further off
+  QString preset;                         // preset they came from; empty: none
+  double track_error = kUsualTrackError;  // largest error of a scalar track's value
 };
 
-/// Two settings of a clip to choose from.
+/// The two settings of a clip, and the active one.
 struct Tuning {
   std::array<ClipSettings, 2> both;  // A and B
   int active = 0;
@@ -29,125 +28,124 @@ struct Tuning {
   const ClipSettings& other() const { return both[static_cast<std::size_t>(1 - active)]; }
 };
 
-/// What is open: values and their changes, no work and no widgets. Curves, current joint and
-/// options outlive the clip.
+/// The open clip with its settings: values and change signals, without jobs or widgets. Curves,
+/// current joint and options survive a change of clip.
 class Document : public QObject {
   Q_OBJECT
 
  public:
   explicit Document(QObject* parent = nullptr);
 
-  /// Either may be null: a .mcpr without its original, or a motion not compressed yet.
+  /// Either may be null: a .mcpr without its original, or a motion that is not compressed yet.
   const OriginalPtr& original() const { return original_; }
   const DecodedPtr& decoded() const { return decoded_; }
 
-  /// No better answer to these options is on its way, nor a first one.
+  /// True when no better answer, and no first one, is on its way.
   bool final() const { return final_; }
 
-  /// There is none: what is shown was made by other settings, or is a draft.
+  /// True when nothing answers the options: the shown clip has other settings or is a draft.
   bool unanswered() const { return unanswered_; }
 
-  /// The .mcpr that was opened or saved last; empty: none.
+  /// The last .mcpr opened or saved; empty: none.
   const QString& savedPath() const { return saved_path_; }
 
-  /// The .mcpr that saving writes; wants a decoded().
+  /// The .mcpr that saving writes; requires decoded().
   std::vector<std::byte> file() const {
     return savedFile(*decoded_, original_.get(), codedTracks());
   }
 
-  /// Those of the original, by the bound of the settings.
+  /// The original's tracks, coded within the settings' error.
   const CodedTracks& codedTracks() const;
 
-  /// How the file that the clip was read from puts motion into numbers.
+  /// Units and axes of the file that the clip was read from.
   SourceFormat source() const;
 
   /// The file name for the window title.
   QString title() const;
 
-  /// The file that saving writes: what was saved, or will be beside the original.
+  /// Name of the file that saving writes: the last saved one, or one beside the original.
   QString fileTitle() const;
 
-  /// The user changed or saved something, and what is shown now is not in the file.
+  /// True when the user changed something and the shown clip is in no file.
   bool modified() const;
 
-  /// Null: nothing is open.
+  /// Null: no clip is open.
   const Skeleton* skeleton() const;
   std::vector<QString> landmarkNames() const;
   int frames() const;
   double sampleRate() const;  // Hz
 
-  /// Two settings to compare, A and B; what follows is of the active one. Kept nowhere else.
+  /// Both settings, A and B; the functions below concern the active one. No file keeps the pair.
   const Tuning& tuning() const { return tuning_; }
   const ClipSettings& settings() const { return tuning_.now(); }
   const EncodeSettings& options() const { return settings().encode; }
-  /// By which contacts are found on the original.
+  /// Thresholds of contact detection on the original.
   const ContactSettings& contactSettings() const { return settings().contacts; }
 
-  /// On the original; none without it.
+  /// Contacts of the original; empty without it.
   std::vector<ContactSpan> contacts() const;
 
-  /// Those found by other settings, as EncodeSettings takes them.
+  /// Contacts found with other thresholds, as EncodeSettings takes them.
   std::optional<std::vector<ContactSpan>> contactsBy(const ContactSettings& settings) const;
 
-  /// The user looks at the motion without its IK correction, to compare.
+  /// True when the user looks at the motion without its IK correction.
   bool uncorrected() const { return uncorrected_ && decoded_ && decoded_->uncorrected_tracks; }
 
-  /// What is to be seen of the compressed clip: with its correction or without. Null: nothing.
+  /// Positions of the compressed clip, with or without its correction. Null: nothing to show.
   Tracks shownTracks() const;
   Poses shownPoses() const;
   const Footskate* shownFootskate() const;
 
-  /// What the figures look like: the character that was put on them where it fits their joints,
-  /// else that of the clip. Null: nobody knows.
+  /// The skin of the figures: of the character if it fits the joints, else of the clip. Null: none.
   const std::shared_ptr<const Skin>& skin() const { return skin_; }
 
   const CurveSelection& curves() const { return curves_; }
   int currentJoint() const;  // -1: none, or not in this skeleton
 
-  /// Another clip, or the same with its other half, and what was read of characters for it.
+  /// Sets a new clip, or the other half of the open one, and the characters read for it.
   void setClip(OriginalPtr original, DecodedPtr decoded, const QString& saved_path,
                const Characters& read = {});
 
   void setDecoded(DecodedPtr decoded, bool final);
 
-  /// The clip that is open, with another character on it. It was decoded and measured on that.
+  /// Sets the open clip again, decoded and measured on another character.
   void setDressed(OriginalPtr original, DecodedPtr decoded);
 
-  /// To these options no answer will come.
+  /// Says that these options will get no answer.
   void setUnanswered();
 
-  /// By the user.
+  /// Sets options chosen by the user.
   void setOptions(const EncodeSettings& options);
   void setTuning(const Tuning& tuning);
 
-  /// From elsewhere: nothing of the user's that would be lost.
+  /// Sets options from elsewhere, which do not count as the user's unsaved work.
   void loadOptions(EncodeSettings options);
   void loadSettings(const ClipSettings& settings);
   void loadTuning(const Tuning& tuning);
 
-  /// Both slots begin with the settings that stand.
+  /// Gives both slots the current settings.
   void beginSlots();
 
   void setUncorrected(bool uncorrected);
 
-  /// Each is on all clips of its rig, now and to come.
+  /// Sets the characters; each is on all present and future clips of its rig.
   void setCharacters(const Characters& characters);
   const Characters& characters() const { return characters_; }
 
-  /// The character put on the clip that is open.
+  /// The character on the open clip.
   PutCharacter character() const;
 
   void setCurves(const CurveSelection& curves);
   void setCurrentJoint(int joint);
 
-  /// `decoded` is in the file `path` now.
+  /// Says that `decoded` has been saved to `path`.
   void setSaved(const DecodedPtr& decoded, const QString& path);
 
  signals:
   void clipChanged();
   void decodedChanged();
 
-  /// Among them that it is to be seen with or without its correction.
+  /// The shown motion changed, also by switching its correction on or off.
   void shownChanged();
   void skinChanged();
   void optionsChanged();
@@ -170,7 +168,7 @@ class Document : public QObject {
   QString saved_path_;
   DecodedPtr saved_;
   double saved_track_error_ = kUsualTrackError;
-  mutable CodedTracks coded_tracks_;  // of coded_original_, by coded_error_
+  mutable CodedTracks coded_tracks_;  // made from coded_original_ within coded_error_
   mutable OriginalPtr coded_original_;
   mutable double coded_error_ = 0;
   bool touched_ = false;

@@ -9,15 +9,14 @@
 
 namespace mocapress {
 
-inline constexpr int kOneStepMs = 1000;  // between changes that are one step
-inline constexpr int kOneNoteMs = 1500;  // between keys that are one text
+inline constexpr int kOneStepMs = 1000;  // longest pause within a step made of changes
+inline constexpr int kOneNoteMs = 1500;  // longest pause within a step made of typing
 
-/// The one kind of step there is in every undo history: two functions. redo() is called once when
-/// the step is pushed.
+/// A step of any undo history, made of two functions. redo() is called once when it is pushed.
 class EditStep : public QUndoCommand {
  public:
-  /// Steps of the same `kind` that follow each other within `pause_ms`, as while a slider is
-  /// dragged or a text is typed, are one. An empty kind: the step is always its own.
+  /// Steps of the same `kind` that follow each other within `pause_ms` merge, as during a drag or
+  /// while typing. An empty kind never merges.
   EditStep(const QString& text, std::function<void()> redo, std::function<void()> undo,
            QString kind = {}, int pause_ms = kOneStepMs)
       : QUndoCommand(text),
@@ -28,7 +27,7 @@ class EditStep : public QUndoCommand {
     made_.start();
   }
 
-  int id() const override { return 1; }  // all may ask each other; the kind decides
+  int id() const override { return 1; }  // equal for all steps: mergeWith() decides by kind
   bool mergeWith(const QUndoCommand* newer) override {
     const auto* step = static_cast<const EditStep*>(newer);
     if (kind_.isEmpty() || kind_ != step->kind_ || made_.elapsed() > pause_ms_) return false;

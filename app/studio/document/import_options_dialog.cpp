@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kAutomatic = 0;  // the first entry of each chooser
 
-/// A chooser whose last entry is a number of one's own, in the field beside it.
+/// A chooser whose last entry is a number that is typed in the field beside it.
 QWidget* withField(QComboBox* chooser, QDoubleSpinBox* field) {
   auto* row = new QWidget;
   auto* layout = new QHBoxLayout(row);
@@ -32,7 +32,7 @@ QWidget* withField(QComboBox* chooser, QDoubleSpinBox* field) {
   return row;
 }
 
-/// The value of the chosen entry; none for the first, the field's for the last.
+/// The value of the chosen entry: none for the first, the field's number for the last.
 std::optional<double> valueOf(const QComboBox* chooser, const QDoubleSpinBox* field) {
   if (chooser->currentIndex() == kAutomatic) return std::nullopt;
   if (chooser->currentIndex() == chooser->count() - 1) return field->value();

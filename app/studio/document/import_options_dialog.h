@@ -13,14 +13,13 @@ namespace mocapress {
 struct OriginalClip;
 struct ReadOptions;
 
-/// What to read a motion as where its file says it wrongly or not at all: unit, up axis, rate, and
-/// how a BVH root goes with its OFFSET. Each is as the file says, or as the reader guesses, unless
-/// it is chosen.
+/// Asks for properties that a motion's file states wrongly or not at all: unit, up axis, rate, and
+/// the use of a BVH root's OFFSET. By default each is as the file states or as the reader guesses.
 class ImportOptionsDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// Begins with what the clip was read by, and shows what that came to.
+  /// Starts with the options that the clip was read with, and shows their effect.
   explicit ImportOptionsDialog(const OriginalClip& clip, QWidget* parent = nullptr);
 
   ReadOptions options() const;
@@ -33,7 +32,7 @@ class ImportOptionsDialog : public QDialog {
   QComboBox* root_;
   QComboBox* rate_;
   QDoubleSpinBox* rate_hz_;
-  std::optional<std::string> take_;  // kept as it is
+  std::optional<std::string> take_;  // kept unchanged
 };
 
 }  // namespace mocapress

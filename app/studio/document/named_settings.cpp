@@ -16,7 +16,7 @@ namespace mocapress {
 
 namespace {
 
-/// The method of compression_methods() that is that one in that basis.
+/// The name in compression_methods() of that method with that basis.
 std::string methodOf(const EncodeSettings& options) {
   for (const CompressionMethod& compression_method : compression_methods()) {
     EncodeSettings chosen;
@@ -109,7 +109,7 @@ namespace {
 
 constexpr const char* kName = "name";
 constexpr const char* kContactSettings = "contact_settings";
-constexpr const char* kNone = "none";  // a preset file asks for a name
+constexpr const char* kNone = "none";  // name in the file, which needs one
 
 struct ContactKey {
   const char* key;

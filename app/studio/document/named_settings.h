@@ -11,61 +11,61 @@
 
 namespace mocapress {
 
-/// What a clip begins with where nothing else is known of it: "Gameplay".
+/// The initial settings of a clip: "Gameplay".
 const Settings& usualPreset();
 ClipSettings usualSettings(const Skeleton& skeleton = {});
 
-/// The settings by names, so that other clips can take them. Edited contacts are left out.
+/// The settings with joints by name, for use on other clips. Edited contacts are left out.
 Settings presetOf(const ClipSettings& settings, const Skeleton& skeleton);
 
-/// With the edited contacts: for this clip alone.
+/// The same with the edited contacts, for this clip only.
 Settings ownPresetOf(const ClipSettings& settings, const Skeleton& skeleton);
 
-/// The settings as a preset has them; contacts stay. Throws Error where it names a joint that the
+/// Replaces the settings by a preset's; contacts stay. Throws Error if it names a joint that the
 /// skeleton lacks.
 ClipSettings withPreset(const ClipSettings& settings, const Settings& preset,
                         const Skeleton& skeleton);
 
-/// Whether the preset would change nothing.
+/// True if the preset would change nothing.
 bool isAsPreset(const ClipSettings& settings, const Settings& preset, const Skeleton& skeleton);
 
-/// Whether clips can be tuned by it, and not only measured: wavelets, by a target of the studio.
+/// True if clips can be edited with it in the studio: a wavelet method with a target of the studio.
 bool isTunable(const Settings& preset);
 
-/// A clip's settings as a project keeps them: joints by their names, so that they can be read
-/// before the clip is, and stand when its file is another.
+/// A clip's settings as a project keeps them. Joints have names, so that the settings can be read
+/// before the clip and survive a change of its file.
 struct NamedSettings {
-  Settings preset;  // has the name of the preset they come of; empty: of none
+  Settings preset;  // named after the preset they came from; empty: none
   ContactSettings contacts;
 };
 
 NamedSettings namedSettings(const ClipSettings& settings, const Skeleton& skeleton);
 
-/// Without what a clip does not have: its file may be another than when the settings were kept.
+/// Removes settings for things that the clip lacks, since its file may have changed.
 NamedSettings fitting(NamedSettings settings, const Motion& motion);
 
-/// Those that fit.
+/// The settings that fit the motion.
 ClipSettings settingsFor(const NamedSettings& settings, const Motion& motion);
 
-/// The form of a preset file, with "contact_settings" beside its keys where they are not as usual.
+/// Writes a preset file's form, with "contact_settings" added if they are not the default.
 Json toJson(const NamedSettings& settings);
 
-/// What is left out is as usual. Throws Error, which says what is wrong with which key.
+/// Missing keys get defaults. Throws Error that names the wrong key.
 NamedSettings namedSettingsFrom(Json json);
 
-/// A pinned result, as it is kept: by what it is made, not what was made.
+/// A pinned result as it is kept: its settings, not its bytes.
 struct Pin {
   QString name;
   QColor colour;
   NamedSettings settings;
 };
 
-/// A clip of the library, and what was decided about it.
+/// A clip of the library with its settings.
 struct TunedClip {
   QString path;
-  QString skeleton;                       // for an .amc; empty: the one beside it
-  std::optional<NamedSettings> settings;  // unset: never tuned
-  ReadOptions reading = {};               // of its import options
+  QString skeleton;                       // for an .amc; empty: the one beside the clip
+  std::optional<NamedSettings> settings;  // unset: no settings of its own
+  ReadOptions reading = {};               // import options
 };
 
 }  // namespace mocapress

@@ -28,7 +28,7 @@ PresetShelf::PresetShelf(const QString& file, QObject* parent) : QObject(parent)
     if (!is_there(pathOf(file_))) return;
     own_ = parse_presets(file_.toStdString(), read_text(pathOf(file_)));
   } catch (const Error&) {
-    unreadable_ = true;  // and stays as it is, see write()
+    unreadable_ = true;  // the file stays as it is until write()
   }
 }
 
@@ -111,7 +111,7 @@ void PresetShelf::exportTo(const QString& path, const Settings& preset) {
 
 void PresetShelf::change(const QString& text, const std::vector<Edit>& edits) {
   if (!history_) return apply(edits, false);
-  const QPointer<PresetShelf> shelf(this);  // a history may outlive it
+  const QPointer<PresetShelf> shelf(this);  // the history may outlive the shelf
   const auto applied = [shelf, edits](bool backwards) {
     return [shelf, edits, backwards] {
       if (shelf) shelf->apply(edits, backwards);
@@ -120,8 +120,8 @@ void PresetShelf::change(const QString& text, const std::vector<Edit>& edits) {
   history_()->push(new EditStep(text, applied(false), applied(true)));
 }
 
-/// In its place where there was one of that name. What was changed since, in the history of another
-/// clip, stays.
+/// Applies edits in place of presets of the same names. Changes made since by another clip's
+/// history stay.
 void PresetShelf::apply(const std::vector<Edit>& edits, bool backwards) {
   for (const Edit& edit : edits) {
     const std::optional<Settings>& from = backwards ? edit.after : edit.before;
@@ -144,8 +144,7 @@ void PresetShelf::apply(const std::vector<Edit>& edits, bool backwards) {
   emit changed();
 }
 
-/// Keeps a file that could not be read beside the new one. False: it cannot be kept.
-/// Throws InputError.
+/// Keeps an unreadable file under another name. False: that is impossible. Throws InputError.
 bool PresetShelf::setAside() {
   if (!unreadable_) return true;
   QString kept = file_ + QStringLiteral(".unreadable");

@@ -12,29 +12,29 @@ class QUndoStack;
 
 namespace mocapress {
 
-/// The presets there are: built-in ones and the user's own, which are kept in a file that the
-/// command line takes too.
+/// All presets: built-in ones and the user's own, kept in a file that the command line reads too.
 class PresetShelf : public QObject {
   Q_OBJECT
 
  public:
-  /// A file that cannot be read is kept under another name once there is something to write.
+  /// An unreadable file is renamed before the first write.
   explicit PresetShelf(const QString& file, QObject* parent = nullptr);
 
-  /// In the folder of the settings.
+  /// The file in the settings folder.
   static QString usualFile();
 
-  /// Built-in ones first.
+  /// All presets, built-in ones first.
   std::vector<Settings> all() const;
 
-  /// Where changes go that the user can undo; unset: they cannot.
+  /// Returns the undo history for changes; unset: they cannot be undone.
   void setHistory(std::function<QUndoStack*()> history) { history_ = std::move(history); }
 
-  /// Whether a preset of the user's may have this name; if not, noted().
+  /// True if one of the user's presets may have this name; otherwise emits noted().
   bool isFree(const std::string& name);
   static bool isBuiltIn(const std::string& name);
 
-  /// Takes the place of an own one of that name. False, and noted(): a built-in one has that name.
+  /// Saves a preset in place of the user's own of that name. False, with noted(), for the name of a
+  /// built-in one.
   bool save(const Settings& preset);
   bool rename(const QString& name, const QString& to);
   void remove(const QString& name);
@@ -44,11 +44,11 @@ class PresetShelf : public QObject {
  signals:
   void changed();
 
-  /// Worth telling, and no more than that.
+  /// A message for the user that needs no answer.
   void noted(const QString& message);
 
  private:
-  /// What becomes of one preset; either may be unset.
+  /// A change of one preset; unset means absent.
   struct Edit {
     std::optional<Settings> before, after;
   };
@@ -60,7 +60,7 @@ class PresetShelf : public QObject {
   void write();
 
   QString file_;
-  bool unreadable_ = false;  // what is in the file
+  bool unreadable_ = false;  // the file could not be read
   std::vector<Settings> own_;
   std::function<QUndoStack*()> history_;
 };

@@ -18,7 +18,7 @@ struct PresetTexts {
   Q_DECLARE_TR_FUNCTIONS(mocapress::PresetViews)
 };
 
-/// Empty: the user thought better of it.
+/// Asks for a text; empty if the user cancelled.
 QString askForText(const QString& title, const QString& text, QWidget* window) {
   bool accepted = false;
   const QString name = QInputDialog::getText(window, title, PresetTexts::tr("Name"),
@@ -80,14 +80,14 @@ PresetViews::PresetViews(Session* session, PresetShelf* shelf, PresetChooser* ch
 }
 
 void PresetViews::save(const Settings& preset) {
-  if (!shelf_->isFree(preset.name)) return;  // before there is a step to undo
+  if (!shelf_->isFree(preset.name)) return;  // checked before a step is pushed
   QUndoStack* history = session_->history();
   history->beginMacro(tr("Save Preset"));
   if (shelf_->save(preset)) session_->namePreset(QString::fromStdString(preset.name));
   history->endMacro();
 }
 
-/// Only those by which a clip can be tuned: others are for comparing, in a batch.
+/// Offers presets for the studio; the others serve comparisons in a batch.
 void PresetViews::showPresets() {
   std::vector<Settings> presets = shelf_->all();
   std::erase_if(presets, [](const Settings& preset) { return !isTunable(preset); });
@@ -101,7 +101,7 @@ void PresetViews::showSettings() {
   const Skeleton none;
   const Skeleton& skeleton = document.skeleton() ? *document.skeleton() : none;
   const std::vector<Settings> presets = shelf_->all();
-  // Two presets may say the same: then the name tells which was chosen.
+  // Two presets may have the same settings: then the name decides.
   const auto is_it = [&](const Settings& one, bool by_name) {
     return (!by_name || settings.preset.toStdString() == one.name) &&
            isAsPreset(settings, one, skeleton);

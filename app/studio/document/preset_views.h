@@ -13,21 +13,21 @@ class PresetChooser;
 class PresetShelf;
 class Session;
 
-/// Connects what is common to every chooser of presets: renaming, removing, import and export, with
-/// their dialogs over `window`. Choosing and saving are its owner's.
+/// Connects the actions common to all preset choosers: renaming, removing, import and export, with
+/// dialogs over `window`. The owner handles choosing and saving.
 void connectShelf(PresetChooser* chooser, PresetShelf* shelf, QWidget* window);
 
-/// The preset under a name that is asked for; without a name: the user thought better of it.
+/// Asks for a name for the preset; the name is empty if the user cancelled.
 Settings askForName(const Settings& preset, QWidget* window);
 
-/// Keeps a chooser showing what preset the clip's settings are, and passes on what is done in it.
+/// Shows the preset of the clip's settings in a chooser, and passes the user's actions on.
 class PresetViews : public QObject {
   Q_OBJECT
 
  public:
   PresetViews(Session* session, PresetShelf* shelf, PresetChooser* chooser, QWidget* window);
 
-  /// The settings of the clip, kept under a name which they have from then on.
+  /// Saves the clip's settings under a name, which becomes theirs.
   void save(const Settings& preset);
 
  private:

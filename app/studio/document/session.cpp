@@ -54,7 +54,7 @@ Session::Session(QObject* parent) : QObject(parent) {
 }
 
 void Session::open(const QString& path, const QString& skeleton) {
-  // Only a .mcpr still waiting for its original takes one in.
+  // Only a .mcpr without its original accepts one.
   const bool waits = document_.decoded() && !document_.original();
   start({absolute(path), skeleton, document_.original(), waits ? document_.decoded() : nullptr,
          false});
@@ -113,7 +113,7 @@ void Session::chooseTake(int take) {
 void Session::readAs(const QString& step, const ReadOptions& reading) {
   const OriginalPtr& original = document_.original();
   if (!original || original->reading == reading) return;
-  // A step only once it is read: it may turn out that the file is gone.
+  // A step is pushed only after reading succeeds, since the file may be gone.
   readBy(reading, [this, step, reading, before = original->reading] {
     history()->push(new EditStep(
         step, [this, reading] { readBy(reading); }, [this, before] { readBy(before); }));
@@ -150,13 +150,13 @@ void Session::show(const OpenedClip& opened, const OpenRequest& request) {
   const QString saved_path = isCompressedFile(request.path) ? request.path
                              : together                     ? document_.savedPath()
                                                             : QString();
-  // The file that is open, read by other options: steps before that one can still be undone.
+  // The open file read with other options: earlier steps can still be undone.
   const bool again =
       opened.original && opened.original != document_.original() && isOpen(opened.original->path);
   leave();
   compressor_.setEncoder(opened.original ? opened.original->encoder : nullptr);
   if (request.options) document_.loadOptions(*request.options);
-  // Asked before the clip is there: from then on its settings are those of the document.
+  // Asked before the document changes, since its settings then count as those of the clip.
   const std::optional<NamedSettings> remembered = rememberedOf(opened, request);
   const Characters before = document_.characters();
   document_.setClip(opened.original, opened.decoded, saved_path, opened.characters);
@@ -183,7 +183,7 @@ void Session::show(const OpenedClip& opened, const OpenRequest& request) {
       emit characterFailed(put.trouble);
 }
 
-/// What was done to the clip that is open is there again when it is opened again.
+/// Keeps the clip's history and settings for when it is opened again.
 void Session::leave() {
   if (!document_.original()) return;
   const Motion& motion = document_.original()->motion();
@@ -192,7 +192,8 @@ void Session::leave() {
   past_->joints = motion.skeleton.joint_count();
 }
 
-/// Goes on from where a clip was left, if it comes `by_itself` and its settings are still those.
+/// Restores the settings of a clip opened again `by_itself`, if its settings have not changed
+/// since.
 void Session::takeUp(const QString& path, bool by_itself) {
   past_ = &pasts_[path];
   emit historyChanged();
@@ -244,7 +245,7 @@ void Session::choosePreset(const Settings& preset) {
     change(withPreset(document_.settings(), preset, *document_.skeleton()));
   } catch (const Error& error) {
     emit compressFailed(QString::fromStdString(error.what()));
-    emit document_.optionsChanged();  // what stands is shown again
+    emit document_.optionsChanged();  // shows the current options again
   }
 }
 
@@ -274,7 +275,7 @@ void Session::setContacts(const std::vector<ContactSpan>& contacts) {
 }
 
 void Session::change(const ClipSettings& settings) {
-  // What stands already is no step.
+  // Settings that change nothing are no step.
   if (firstDifference(document_.settings(), settings) == SettingsField::None) return;
   Tuning tuning = document_.tuning();
   tuning.now() = settings;
@@ -308,8 +309,8 @@ void Session::apply(const Tuning& tuning) {
   emit slotsChanged();
   if (!document_.original()) return;
   emit recompressing();
-  // Contacts may be those of the take that is being read: it is compressed once it is there.
-  // Its skin may be that of a character that is being put on.
+  // Waits for a take that is being read, since contacts may belong to it, and for a character that
+  // is being put on, since the skin may be its.
   if (!opening_.busy() && !wearing_.busy()) compressor_.request(document_.options());
 }
 
@@ -333,7 +334,8 @@ std::optional<SlotFigures> Session::slotFigures(int slot) const {
   return found == past_->figures.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// A graph without a curve explains nothing: the worst joints, unless chosen ones are there.
+/// Chooses the worst joints if none of the chosen ones exist: a graph without a curve explains
+/// nothing.
 void Session::chooseCurves() {
   const DecodedPtr& decoded = document_.decoded();
   if (!decoded || !decoded->distortion) return;
@@ -397,7 +399,7 @@ void Session::putCharacter(const QString& path) {
         return PutCharacter{read_character(path.toStdU16String()), path, {}};
       },
       [this](const PutCharacter& put) {
-        if (!document_.skeleton()) return;  // it was closed meanwhile
+        if (!document_.skeleton()) return;  // the clip was closed meanwhile
         try {
           bound_to(*put.character.skin, put.character.skeleton, *document_.skeleton());
         } catch (const Error& error) {
@@ -419,7 +421,7 @@ void Session::changeCharacter(const PutCharacter& character) {
   std::optional<PutCharacter> before;
   if (const auto found = document_.characters().find(rig); found != document_.characters().end())
     before = found->second;
-  // Other clips of the rig have steps of their own: what one of those put on since stays.
+  // Characters put on clips of other rigs since have steps of their own, so this one leaves them.
   const auto change = [this, rig](const std::optional<PutCharacter>& from,
                                   const std::optional<PutCharacter>& to) {
     const auto now = document_.characters().find(rig);
@@ -428,7 +430,7 @@ void Session::changeCharacter(const PutCharacter& character) {
     if (stands) setCharacter(rig, to);
     return stands;
   };
-  // Without a mesh, settings that weigh by it change.
+  // Without a mesh, settings weighted by it change too.
   history()->push(new EditStep(
       tr("Character"), [=] { change(before, character); },
       [=, this, tuning = document_.tuning()] {
@@ -456,7 +458,7 @@ void Session::wear() {
   wearing_.abandon();
   const OriginalPtr original = document_.original();
   const PutCharacter character = document_.character();
-  // What is being opened gets it there, or once it is open.
+  // A clip that is being opened gets its character there, or once it is open.
   if (!original || opening_.busy() || original->wears(character)) return;
   struct Worn {
     OriginalPtr original;
@@ -470,8 +472,8 @@ void Session::wear() {
         return worn;
       },
       [this, original, decoded, key = settingsKey(document_.options())](const Worn& worn) {
-        // Only errors on the skin are others, unless that is what was compressed by, or the surface
-        // is the mesh somewhere.
+        // A character changes only errors on the skin, unless the clip was compressed by those or
+        // the mesh is the surface somewhere.
         const bool stands = decoded && document_.final() && document_.decoded() == decoded &&
                             document_.options().weighting != Weighting::Skin &&
                             far_meshes(original->motion().skeleton).empty() &&

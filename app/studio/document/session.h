@@ -20,13 +20,13 @@
 
 namespace mocapress {
 
-/// The figures of an answer to one of a clip's two settings.
+/// Figures of the answer to one of a clip's two settings.
 struct SlotFigures {
   double ratio = 0;
   double eps_cm = 0;
 };
 
-/// What the user wants of the document, done by jobs. No widgets.
+/// Carries out the user's wishes for the document by jobs. Uses no widgets.
 class Session : public QObject {
   Q_OBJECT
 
@@ -36,97 +36,96 @@ class Session : public QObject {
   Document& document() { return document_; }
   const Document& document() const { return document_; }
 
-  /// A motion is compressed with the options of the document at once. A .mcpr is shown; with its
-  /// original, where that is open or is opened next.
+  /// Opens a motion and compresses it with the document's options, or opens a .mcpr. A .mcpr is
+  /// shown with its original if that is open or opened next.
   void open(const QString& path, const QString& skeleton = {});
 
-  /// Nothing is open any more, nor on its way.
+  /// Closes the clip and abandons one that is being opened.
   void closeClip();
 
-  /// And no character is on anything.
+  /// Also removes all characters.
   void close();
 
-  /// Whether this is the motion that is open.
+  /// True if this motion is open.
   bool isOpen(const QString& path) const;
 
-  /// Reads the motion that is open again, by other options. Its settings stand. Can be undone.
+  /// Reads the open motion again with other options and keeps its settings. Can be undone.
   void readAgain(const ReadOptions& reading);
 
-  /// Likewise: another animation of its file, by its place among OriginalClip::takes.
+  /// The same for another animation of its file, an index into OriginalClip::takes.
   void chooseTake(int take);
 
-  /// Opens the original of the .mcpr shown, and refuses another.
+  /// Opens the original of the shown .mcpr; refuses any other motion.
   void compareWith(const QString& path, const QString& skeleton = {});
 
-  /// Opens a clip as it is compressed in a study: by its options, which then stand, or by a
-  /// comparison method. Its clip may be open already.
+  /// Opens a clip as it is compressed in a study: with the row's options, which the document takes
+  /// over, or with a comparison method. The clip may be open already.
   void openRow(const StudyRow& row, const QString& skeleton = {});
 
-  /// Each of these can be undone.
+  /// The functions below can be undone.
   void setOptions(const EncodeSettings& options);
   void setContactSettings(const ContactSettings& settings);
   void setContacts(const std::vector<ContactSpan>& contacts);
   void setTrackError(double track_error);
   void setImportance(const Importance& importance);
 
-  /// compressFailed() where it names a joint that the clip lacks.
+  /// Emits compressFailed() if the preset names a joint that the clip lacks.
   void choosePreset(const Settings& preset);
 
-  /// The same, as a step of somebody else.
+  /// Sets the settings as part of another object's step.
   void takeSettings(const ClipSettings& settings);
 
-  /// The settings are those of a preset of that name from now on.
+  /// Names the preset that the settings come from.
   void namePreset(const QString& name);
 
-  /// Of the clip that is open. Each clip has one of its own, there again when it is opened again.
+  /// History of the open clip. Each clip has its own, kept until it is opened again.
   QUndoStack* history() { return &past_->steps; }
 
-  /// Of all clips, which are another project's.
+  /// Forgets the histories of all clips when the project changes.
   void forgetHistories();
 
-  /// Between the two settings of the document, A and B.
+  /// Switches between the document's settings A and B.
   void switchSlot();
   void copyToOtherSlot();
 
-  /// The figures of a slot's last answer; unset: not known.
+  /// Figures of a slot's last answer; unset: unknown.
   std::optional<SlotFigures> slotFigures(int slot) const;
 
-  /// By what a clip was compressed before; what is unset is compressed as the last one was.
+  /// Returns a clip's earlier settings; unset: it is compressed like the last one.
   using Memory = std::function<std::optional<NamedSettings>(const QString& path)>;
   void setMemory(Memory memory) { memory_ = std::move(memory); }
 
-  /// By which options a clip was read before.
+  /// Returns the options that a clip was read with before.
   using ReadingMemory = std::function<ReadOptions(const QString& path)>;
   void setReadingMemory(ReadingMemory memory) { reading_memory_ = std::move(memory); }
 
   void cancelAnnealing() { compressor_.stopEarly(); }
 
-  /// Saves what is shown now.
+  /// Saves the shown clip.
   void save(const QString& path);
 
-  /// Writes the motion as it comes out of the compressed clip, by the extension of `path`, in the
-  /// unit and axes of its source.
+  /// Writes the decoded motion in the format of `path`'s extension, in the unit and axes of its
+  /// source.
   void exportMotion(const QString& path);
 
-  /// Writes a page that shows the clip and its original in a browser, with remarks about it.
+  /// Writes a page that shows the clip and its original in a browser, with remarks.
   void exportReview(const QString& path, const std::vector<std::string>& remarks);
 
-  /// Puts what another file's figure looks like on the joints of this clip, and on all clips of its
-  /// rig. Can be undone.
+  /// Puts the character of another file on this clip and all clips of its rig. Can be undone.
   void putCharacter(const QString& path);
 
-  /// These clips look as their files say. Can be undone.
+  /// Removes the character from clips of the rig. Can be undone.
   void takeCharacterOff();
 
-  /// Has them again as a project has them. They are read once a clip needs them.
+  /// Sets the characters of a project. They are read when a clip needs them.
   void recallCharacters(const CharacterFiles& files);
 
-  /// An answer is on its way, or a better one.
+  /// True while an answer, or a better one, is on its way.
   bool busy() const { return compressor_.busy() || wearing_.busy(); }
   bool refining() const { return compressor_.refining(); }
 
  signals:
-  /// The file is being read; opened() or openFailed() follows, unless another takes its place.
+  /// A file is being read; opened() or openFailed() follows, unless another file replaces it.
   void opening(const QString& path);
   void opened(const OpenRequest& request);
   void openFailed(const OpenRequest& request, const QString& message);
@@ -134,14 +133,14 @@ class Session : public QObject {
   void exported(const QString& path);
   void saveFailed(const QString& message);
 
-  /// The character is on the clip now, or why not.
+  /// The character is on the clip, or has a warning.
   void characterPut(const QString& path);
   void characterFailed(const QString& message);
 
-  /// The user changed the options; an answer to them follows, or compressFailed().
+  /// The user changed the options; an answer or compressFailed() follows.
   void recompressing();
 
-  /// `out_of_reach`: the method cannot meet the target with any settings.
+  /// `out_of_reach`: no settings of the method meet the target.
   void compressFailed(const QString& message, bool out_of_reach = false);
 
   void annealed(const std::vector<EncodeProgress>& states);
@@ -149,33 +148,33 @@ class Session : public QObject {
 
   void slotsChanged();
 
-  /// It is another clip's.
+  /// Another clip's history is current.
   void historyChanged();
 
-  /// All that was asked for is done and in the document.
+  /// All requested work is done and in the document.
   void settled();
 
  private:
-  /// What was done to a clip, and where that led when it was left.
+  /// A clip's undo history, and its settings when it was left.
   struct Past {
     QUndoStack steps;
-    std::optional<Tuning> tuning;  // unset: it was never left
-    int frames = 0;                // of the clip they were done to
+    std::optional<Tuning> tuning;  // unset: never left
+    int frames = 0;                // length of that clip
     int joints = 0;
-    std::map<std::string, SlotFigures> figures;  // by settingsKey() of what came to them
+    std::map<std::string, SlotFigures> figures;  // by settingsKey() of the settings
   };
 
   void readAs(const QString& step, const ReadOptions& reading);
   void readBy(const ReadOptions& reading, std::function<void()> then = {});
 
-  /// Unset: the rig has none of its own.
+  /// Unset removes the rig's own character.
   void setCharacter(const std::string& rig, const std::optional<PutCharacter>& character);
   void changeCharacter(const PutCharacter& character);
 
-  /// Measures on the document's character what is open; sees to it that nothing else is.
+  /// Measures the open clip on the document's character, and no other clip.
   void wear();
 
-  /// `then`: once it is open.
+  /// `then` runs once the clip is open.
   void start(OpenRequest request, std::function<void()> then = {});
   void change(const ClipSettings& settings);
   void changeTuning(const Tuning& before, const Tuning& after);
@@ -189,9 +188,9 @@ class Session : public QObject {
                                             const OpenRequest& request) const;
 
   Document document_;
-  std::map<QString, Past> pasts_;  // by path; of no clip: ""
-  Past* past_ = nullptr;           // of the clip that is open
-  int shown_slot_ = 0;             // whose settings made what is decoded
+  std::map<QString, Past> pasts_;  // by path; "" for no clip
+  Past* past_ = nullptr;           // entry of the open clip
+  int shown_slot_ = 0;             // slot with the settings of the decoded clip
   Memory memory_;
   ReadingMemory reading_memory_;
   Compressor compressor_;

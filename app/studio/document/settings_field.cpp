@@ -12,7 +12,7 @@ struct FieldTexts {
   Q_DECLARE_TR_FUNCTIONS(mocapress::SettingsField)
 };
 
-/// Whether one is the other but for what `copy` takes over.
+/// True if two settings differ only in fields that `copy` transfers.
 template <typename Copy>
 bool differIn(const EncodeSettings& a, EncodeSettings b, const Copy& copy) {
   if (settingsKey(a) == settingsKey(b)) return false;

@@ -7,7 +7,7 @@
 
 namespace mocapress {
 
-/// The first setting in which two differ, as a person would name it.
+/// The first setting that differs, as a person would name it.
 enum class SettingsField {
   None,
   Preset,
@@ -26,11 +26,11 @@ enum class SettingsField {
 };
 SettingsField firstDifference(const ClipSettings& a, const ClipSettings& b);
 
-/// As the undo history names a change of it: "Target".
+/// The name of a field in the undo history: "Target".
 QString nameOf(SettingsField field);
 
-/// By which steps of a drag are merged: changes of one number, whose target stays of one kind.
-/// Empty: every change is a step of its own, however quickly it is made.
+/// A key for merging the steps of a drag: changes of one number without a change of the target's
+/// kind. Empty: the change is always a step of its own.
 QString dragOf(const ClipSettings& before, const ClipSettings& after);
 
 }  // namespace mocapress

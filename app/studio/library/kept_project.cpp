@@ -17,13 +17,13 @@ namespace mocapress {
 
 namespace {
 
-constexpr int kHalfMade = 1000;  // ms after which a lock that names nobody was left behind
+constexpr int kHalfMade = 1000;  // ms after which a lock without an owner counts as abandoned
 
 }  // namespace
 
 ProjectLock::ProjectLock(const QString& project)
     : existed_(QFile::exists(fileOf(project))), lock_(fileOf(project)) {
-  // However old: only a process that is gone has left it behind.
+  // Age does not matter: a lock is abandoned only when its process is gone.
   lock_.setStaleLockTime(0);
   if (lock_.tryLock(0) || !inUse()) return;
   qint64 process = 0;
@@ -40,19 +40,19 @@ QString ProjectLock::fileOf(const QString& project) {
 
 namespace {
 
-// A change is written at once, unless one was just before: then after this. With the write itself,
-// a crash loses less than two seconds.
+// A change is written at once, or this long after the previous write. Including the time of the
+// write itself, a crash loses less than two seconds.
 constexpr std::chrono::milliseconds kWriteInterval{500};
-constexpr std::chrono::milliseconds kRetryDelay{5000};  // after a write that failed
+constexpr std::chrono::milliseconds kRetryDelay{5000};  // delay after a failed write
 constexpr std::size_t kMostFormer = 20;
 
-/// By which a project is known and locked, whatever way led to it.
+/// The path by which a project is known and locked, however it was reached.
 QString fileOf(const QString& path) {
   const QFileInfo file(path);
   return file.exists() ? file.canonicalFilePath() : file.absoluteFilePath();
 }
 
-/// Whether there is no such file. Where the system cannot say, there may be one: opening it tells.
+/// True if the file certainly does not exist. If the system cannot tell, opening the file will.
 bool isAbsent(const QString& path) {
   try {
     return !is_there(path.toStdU16String());
@@ -61,8 +61,8 @@ bool isAbsent(const QString& path) {
   }
 }
 
-/// What goes wrong; empty: nothing. What is worked on last is what the next start opens, whichever
-/// of two windows it is in.
+/// Writes the project and returns the error; empty: none. The next start opens the project that was
+/// written last, in whichever window.
 QString keep(const Project& project, const QString& path,
              const std::optional<ProjectShelf>& shelf) {
   try {
@@ -92,7 +92,7 @@ QString KeptProject::name() const {
   return unnamed ? QString() : QFileInfo(path_).completeBaseName();
 }
 
-/// The shelf is not told before there is something in it.
+/// The shelf learns of the project once something is in it.
 void KeptProject::beginEmpty(const QString& folder) {
   shelf_.emplace(folder);
   path_ = shelf_->unnamedPath();
@@ -111,7 +111,7 @@ bool KeptProject::begin(const QString& folder) {
                                                 : QDir::toNativeSeparators(last)));
     return true;
   }
-  // One that was left before there was anything in it has no file.
+  // An unnamed project that was left empty has no file.
   if (shelf_->isUnnamed(last) && isAbsent(last)) {
     enter(last, std::move(lock), {});
     return true;
@@ -187,7 +187,7 @@ bool KeptProject::startNew() {
   return enter(path, std::make_unique<ProjectLock>(path), {});
 }
 
-/// All of the project before is in its file.
+/// The previous project is in its file by now.
 bool KeptProject::enter(const QString& path, std::unique_ptr<ProjectLock> lock, Project project) {
   try {
     if (shelf_) shelf_->use(path);
@@ -220,7 +220,8 @@ bool KeptProject::saveAs(const QString& path) {
         tr("%1 is open in another window of Mocapress.").arg(QDir::toNativeSeparators(file)));
     return false;
   }
-  // Where the file before cannot be written, which is said, the new one still has everything.
+  // If the previous file cannot be written, an error says so, and the new file still has
+  // everything.
   flush();
   if (const QString trouble = keep(project_, file, shelf_); !trouble.isEmpty()) {
     emit failed(trouble);
@@ -246,7 +247,7 @@ std::vector<FormerProject> KeptProject::formerProjects() const {
     try {
       one.clips = static_cast<int>(readProject(path).clips.size());
     } catch (const Error&) {
-      // Its file is there all the same.
+      // The project is in its file all the same.
     }
     former.push_back(one);
   }
@@ -266,7 +267,8 @@ void KeptProject::writeSoon() {
   write_later_.start(std::max(kWriteInterval - passed, std::chrono::milliseconds(0)));
 }
 
-/// On a thread that does not give way, unlike a JobRunner's: it works little and is waited for.
+/// Writes on a thread of normal priority, unlike a JobRunner's: it works little and may be waited
+/// for.
 void KeptProject::write() {
   if (path_.isEmpty() || !changed_ || writing_.valid()) return;
   changed_ = false;
@@ -280,7 +282,7 @@ void KeptProject::write() {
 }
 
 void KeptProject::noteWritten() {
-  if (!writing_.valid()) return;  // flush() has seen to it
+  if (!writing_.valid()) return;  // flush() has handled it
   const QString trouble = writing_.get();
   setTrouble(trouble);
   if (!trouble.isEmpty()) {
@@ -300,14 +302,14 @@ bool KeptProject::mayLeave() {
   return obstacle.isEmpty() && flush();
 }
 
-/// Leaves nothing that waits to be written: where it goes wrong, all still waits, and that is said.
+/// Writes everything that is pending. On failure it stays pending, and an error says so.
 bool KeptProject::flush() {
   write_later_.stop();
   if (writing_.valid()) writing_.get();
   if (path_.isEmpty() || !unwritten_) return true;
   const QString trouble = keep(project_, path_, shelf_);
   changed_ = unwritten_ = !trouble.isEmpty();
-  if (changed_) trouble_.clear();  // said again: it was asked for
+  if (changed_) trouble_.clear();  // reports an error again, since the user asked to save
   setTrouble(trouble);
   if (changed_)
     write_later_.start(kRetryDelay);
@@ -316,7 +318,7 @@ bool KeptProject::flush() {
   return !changed_;
 }
 
-/// Said once, not with every try.
+/// Reports an error once, not with every attempt.
 void KeptProject::setTrouble(const QString& message) {
   if (message == std::exchange(trouble_, message)) return;
   if (!message.isEmpty()) emit failed(tr("The project was not saved: %1").arg(message));

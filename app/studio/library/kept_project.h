@@ -18,40 +18,41 @@
 
 namespace mocapress {
 
-/// Keeps a project for one studio: two that wrote the same file would undo each other's work. The
-/// lock is a hidden file beside the project. It names its process, so that a lock left behind by a
-/// crash is known as one; it holds in network folders without file locks too.
+/// Reserves a project for one studio, since two would overwrite each other's work. The lock is a
+/// hidden file beside the project with the id of its process, so that a lock left by a crash is
+/// recognised. It also works in network folders without file locks.
 class ProjectLock {
  public:
   explicit ProjectLock(const QString& project);
 
   bool held() const { return lock_.isLocked(); }
 
-  /// Another studio holds it. Neither held nor in use: the folder takes no files.
+  /// Another studio holds the lock. If the lock is neither held nor in use, the folder cannot be
+  /// written.
   bool inUse() const { return !held() && lock_.error() == QLockFile::LockFailedError; }
 
-  /// Held now, but the studio that held it last never let it go.
+  /// Held now, after a studio that ended without releasing it.
   bool wasLeftBehind() const { return held() && existed_; }
 
-  /// The file beside `project`.
+  /// The path of the lock for `project`.
   static QString fileOf(const QString& project);
 
  private:
-  bool existed_;  // before this one asked for it
+  bool existed_;  // a lock file existed before
   QLockFile lock_;
 };
 
-/// A project that can be gone on with.
+/// A project that can be opened again.
 struct FormerProject {
   QString path;
   bool named = false;
   QDateTime written;
-  std::optional<int> clips;  // unset: it cannot be read
+  std::optional<int> clips;  // unset: its file cannot be read
 };
 
-/// A project in its file: which file that is, who else has it, and when it is written. Every change
-/// is in the file within two seconds, whether the project has a name or not: a crash loses no more
-/// than that, and nobody is asked to save.
+/// A project in its file: its path, its lock and its writing. Every change is in the file within
+/// two seconds, also in a project without a name: a crash loses no more than that, and nobody is
+/// asked to save.
 class KeptProject : public QObject {
   Q_OBJECT
 
@@ -61,78 +62,79 @@ class KeptProject : public QObject {
 
   const Project& project() const { return project_; }
 
-  /// The project file; empty: nothing is kept.
+  /// The project file; empty: nothing is saved.
   const QString& path() const { return path_; }
 
-  /// Empty: the user has not named it.
+  /// Empty until the user names the project.
   QString name() const;
 
-  /// It would have no name where there is something to name.
+  /// True for a project without a name that has clips.
   bool needsName() const { return name().isEmpty() && !project_.clips.empty(); }
 
-  /// It has clips, and the files of all of them are gone: it can show none.
+  /// True if the project has clips and all of their files are gone.
   bool isOutOfReach() const;
 
-  /// Changes wait that could not be written.
+  /// True while changes could not be written.
   bool stuck() const { return !trouble_.isEmpty(); }
 
-  /// Begins with an empty project without a name, of those that the studio keeps in `folder`.
+  /// Starts an empty project without a name, in a file in `folder`.
   void beginEmpty(const QString& folder);
 
-  /// Goes on with the project that was used last, out of those that the studio keeps in `folder`
-  /// or elsewhere. Where it was left without end(), as after a crash, recovered() says so. False:
-  /// there was none yet, and an empty one begins.
+  /// Opens the project that was used last, from `folder` or elsewhere. If it was left without
+  /// end(), as after a crash, emits recovered(). False: there was none, and an empty one was
+  /// started.
   bool begin(const QString& folder);
 
-  /// All is written, and this was no crash. Nothing is kept from then on. Like the others below:
-  /// false: that was impossible, failed() said why, and everything is as it was.
+  /// Writes everything and marks a regular end; nothing is saved afterwards. False, here and below:
+  /// it was impossible, failed() gave the reason, and nothing has changed.
   bool end();
 
-  /// Goes on with another project; the one before is written.
+  /// Opens another project after writing this one.
   bool open(const QString& path);
 
-  /// The same, with a copy that has no name: of a project that another studio has.
+  /// Opens an unnamed copy of a project that another studio has open.
   bool openCopy(const QString& path);
 
-  /// Goes on in this file. A named project stays behind as it is; one without a name has one now.
+  /// Continues in this file. A named project also stays in its old file; an unnamed one now has a
+  /// name.
   bool saveAs(const QString& path);
 
-  /// Begins an empty one without a name.
+  /// Starts an empty project without a name.
   bool startNew();
 
-  /// Without the one in use, used last first.
+  /// All projects except the open one, last used first.
   std::vector<FormerProject> formerProjects() const;
 
-  /// `ask` is called before another project takes the place of this one, or the program ends. It
-  /// hands over what is still to be kept, and says why the project cannot be left now; empty: it
-  /// can. The program ends all the same.
+  /// Sets a function that is called before another project replaces this one or the program ends.
+  /// It hands over what is still to be saved, and returns the reason why the project cannot be left
+  /// now; empty: it can. The program ends in any case.
   void setLeaveCheck(std::function<QString()> ask) { ask_ = std::move(ask); }
 
  signals:
-  /// Another project takes its place now, which entered() says once it has: nothing that is under
-  /// way for the one before may arrive in the other.
+  /// Another project will replace this one, followed by entered(). Jobs of this project must not
+  /// deliver into the next.
   void leaving();
   void entered();
 
-  /// It is another project, has another name, or is stuck() or no longer.
+  /// The project itself, its name or stuck() has changed.
   void projectChanged();
 
-  /// What is to be kept has changed; saved() follows once all of it is in the file.
+  /// Something worth saving has changed; saved() follows once it is in the file.
   void edited();
   void saved();
 
   void recovered(int clips);
   void noted(const QString& message);
 
-  /// Another studio has this project.
+  /// Another studio has this project open.
   void inUse(const QString& path);
   void failed(const QString& message);
 
-  /// From the thread that writes: writing_ is ready.
+  /// Emitted by the writing thread: writing_ is ready.
   void written(QPrivateSignal);
 
  protected:
-  /// The project has been changed.
+  /// Notes a change of the project.
   void touch();
 
   Project project_;
@@ -148,14 +150,14 @@ class KeptProject : public QObject {
 
   QString path_;
   std::function<QString()> ask_;       // see setLeaveCheck()
-  std::optional<ProjectShelf> shelf_;  // none: no project is remembered
-  std::unique_ptr<ProjectLock> lock_;  // of path_
+  std::optional<ProjectShelf> shelf_;  // unset: no list of projects is kept
+  std::unique_ptr<ProjectLock> lock_;  // lock of path_
   QTimer write_later_;
-  QElapsedTimer since_write_;     // began
-  std::future<QString> writing_;  // what goes wrong with it, empty: nothing; not valid: none runs
-  bool changed_ = false;          // since the last write began
-  bool unwritten_ = false;        // since the last write that is known to have succeeded
-  QString trouble_;               // of the last write; empty: none
+  QElapsedTimer since_write_;     // since the last write began
+  std::future<QString> writing_;  // its error, empty: none; not valid: no write is running
+  bool changed_ = false;          // changed since the last write began
+  bool unwritten_ = false;        // changed since the last successful write
+  QString trouble_;               // error of the last write; empty: none
 };
 
 }  // namespace mocapress

@@ -32,7 +32,7 @@ void FolderSearch::abandon() {
 void FolderSearch::searchNext() {
   if (finding_.busy() || folders_.isEmpty()) return;
   const QString folder = folders_.takeFirst();
-  // The runner is busy until its delivery has returned.
+  // The runner is still busy inside its delivery.
   const auto go_to_next = [this] {
     QMetaObject::invokeMethod(this, &FolderSearch::searchNext, Qt::QueuedConnection);
   };
@@ -56,7 +56,7 @@ void FolderSearch::searchNext() {
 
 namespace {
 
-/// What is read from the clips' files, kept from row to row.
+/// Makes a clip's row; facts from its file are kept from the previous row.
 LibraryEntry entryOf(const ProjectClip& clip, const LibraryEntry& read) {
   LibraryEntry entry = read;
   entry.path = clip.path;
@@ -68,7 +68,7 @@ LibraryEntry entryOf(const ProjectClip& clip, const LibraryEntry& read) {
   return entry;
 }
 
-/// What a compression came to, of the kind its target is of.
+/// The achieved value in the unit of the clip's target.
 double quantityOf(const DecodedClip& decoded, const EncodeSettings& options) {
   switch (options.target.kind) {
     case Target::Kind::Ratio:
@@ -87,7 +87,7 @@ double quantityOf(const DecodedClip& decoded, const EncodeSettings& options) {
   return options.target.value;
 }
 
-/// And whether it met its target. Requires a distortion.
+/// Makes the outcome, including whether the target was met. Requires a distortion.
 Outcome outcomeOf(const DecodedClip& decoded, const OriginalClip& original,
                   const EncodeSettings& options) {
   Outcome outcome{decoded.ratio, decoded.distortion->eps(options.weighting),
@@ -100,7 +100,7 @@ Outcome outcomeOf(const DecodedClip& decoded, const OriginalClip& original,
   return outcome;
 }
 
-/// The outcome of a step of a batch. Requires that the clip was measured.
+/// The outcome of a batch's step. Requires that the clip was measured.
 Outcome outcomeOf(const BatchStep& step, const Settings& settings) {
   const Measurement& measured = *step.measured;
   Outcome outcome{measured.ratio, measured.eps_cm(settings.weighting), measured.max_error_cm,
@@ -112,7 +112,7 @@ Outcome outcomeOf(const BatchStep& step, const Settings& settings) {
   return outcome;
 }
 
-/// Who reviews: whoever is logged in.
+/// The reviewer's name: the user who is logged in.
 std::string userName() {
   const QString home = QDir::home().dirName();
   return qEnvironmentVariable("USER", qEnvironmentVariable("USERNAME", home)).toStdString();

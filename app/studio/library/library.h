@@ -32,86 +32,85 @@ class FolderSearch : public QObject {
 
   void search(const QString& folder);
 
-  /// Nothing more is found.
+  /// Stops the search; nothing more is found.
   void abandon();
 
  signals:
-  /// The motion files below a folder.
+  /// Motion files found below a folder.
   void found(const QStringList& clips);
   void failed(const QString& message);
 
  private:
   void searchNext();
 
-  QStringList folders_;  // to be searched
+  QStringList folders_;  // still to be searched
   JobRunner finding_{Workers::LongRunning};
 };
 
-/// The project as it is worked on: its clips with their settings, what each came to and what was
-/// decided. The current clip of a project that is entered is opened.
+/// The open project: its clips with settings, results and verdicts. Entering a project opens its
+/// current clip.
 class Library : public KeptProject {
   Q_OBJECT
 
  public:
   Library(Session* session, LibraryModel* model, QObject* parent = nullptr);
 
-  /// What was done to the list and said about its clips; what was done to a clip is in the history
-  /// of its document.
+  /// History of the list and its reviews; changes to a clip are in its document's history.
   QUndoStack* history() { return &history_; }
 
-  /// Those that are not there yet. Adding, removing, verdicts and notes are steps of history().
+  /// Adds clips that are not in the list yet. Adding, removing, verdicts and notes are steps of
+  /// history().
   void add(const QStringList& paths);
 
-  /// All clips below it, found in the background.
+  /// Adds all clips below a folder, found in the background.
   void addFolder(const QString& path);
   void remove(const QList<int>& rows);
   void openClip(int row);
   void setNote(int row, const QString& note);
 
-  /// Sets it for all these rows, in one step. A verdict is about what was reviewed: the files and
-  /// settings of the outcome that the row shows, else those of the clip now. A clip whose file is
-  /// missing gets none, which failed() says.
+  /// Sets a verdict for all these rows in one step. It applies to the files and settings of the
+  /// outcome in the row, else to the clip's current ones. A clip without its file gets no verdict,
+  /// and failed() says so.
   void setVerdict(const std::vector<int>& rows, Verdict verdict);
   void setPreset(const std::vector<int>& rows, const Settings& preset);
 
-  /// Looks whether the files of the clips are still there and what they were. Those that have
-  /// changed are read again.
+  /// Checks if the clips' files are there and unchanged. Changed ones are read again.
   void checkFiles();
 
-  /// Looks for the missing ones below a folder. They go on from there, in one step.
+  /// Searches a folder for missing clips and continues with the files found, in one step.
   void findMissing(const QString& folder);
 
-  /// A batch has exported a clip by these settings: the clip has that outcome now, unless it has
-  /// other settings of its own.
+  /// Records that a batch exported a clip: the result becomes the clip's outcome unless the clip
+  /// has other settings of its own.
   void noteExported(const QString& path, const Settings& settings, const ReadOptions& reading,
                     const BatchStep& step);
 
-  /// What was pinned of a clip.
+  /// The pins of a clip.
   std::vector<Pin> pinsOf(const QString& path);
   void setPins(const QString& path, const std::vector<Pin>& pins);
 
-  /// Whether figures are their skin.
+  /// True if figures show their skin.
   bool showsSkin() const { return project_.shows_skin; }
   void setShowsSkin(bool shows);
 
-  /// The queue of this project's batch.
+  /// Sets the queue of this project's batch.
   void setBatch(const RememberedBatch& batch);
 
   int currentRow() const;
 
-  /// Clips with the settings they were tuned by, for a batch; no rows: all of them.
+  /// Clips with their own settings, for a batch; no rows: all clips.
   std::vector<TunedClip> tuned(const std::vector<int>& rows) const;
 
-  /// What was decided about every clip.
+  /// Verdicts and notes of all clips.
   ClipReviews reviews() const;
 
-  /// Verdict and note on the clip of that path, as reports have them.
+  /// Verdict and note on a clip, as texts for a report.
   std::vector<std::string> remarksOn(const QString& path) const;
 
  signals:
   void currentChanged();
 
-  /// Clips that were not there before, the first of them in this row.
+  /// New clips were added, starting at this row.
   void added(int row);
 
  private:
@@ -148,9 +147,9 @@ class Library : public KeptProject {
   QUndoStack history_;
   JobRunner outlines_{Workers::LongRunning};
   FolderSearch folder_search_;
-  std::deque<QString> unread_;  // paths whose outline is not known yet
+  std::deque<QString> unread_;  // paths of clips without an outline yet
   JobRunner checking_{Workers::LongRunning};
-  bool check_again_ = false;  // files may have changed since the check that runs began
+  bool check_again_ = false;  // files may have changed since the running check began
   JobRunner finding_{Workers::LongRunning};
 };
 

@@ -32,7 +32,7 @@ LibraryViews::LibraryViews(Session* session, Library* library, LibraryPanel* pan
   connect(panel, &LibraryPanel::verdictChosen, library, &Library::setVerdict);
   connect(panel, &LibraryPanel::presetChosen, library, &Library::setPreset);
   connect(panel, &LibraryPanel::findMissingRequested, this, &LibraryViews::findMissing);
-  // Files are changed while the user is in another program.
+  // Files change mostly while the user is in another program.
   connect(qApp, &QGuiApplication::applicationStateChanged, library,
           [library](Qt::ApplicationState state) {
             if (state == Qt::ApplicationActive) library->checkFiles();

@@ -13,8 +13,7 @@ class PresetShelf;
 class Session;
 class SlotControl;
 
-/// Keeps the panel of the library and the two settings showing what there is, and passes on what is
-/// done in them.
+/// Shows the library and both settings in their panels, and passes the user's actions on.
 class LibraryViews : public QObject {
   Q_OBJECT
 
@@ -22,10 +21,10 @@ class LibraryViews : public QObject {
   LibraryViews(Session* session, Library* library, LibraryPanel* panel, SlotControl* settings,
                QWidget* window);
 
-  /// Those that can be chosen for clips of the library.
+  /// Sets the presets that clips of the library can get.
   void offer(const PresetShelf* presets);
 
-  /// With a file dialog.
+  /// Asks for files.
   void addClips();
   void addFolder();
   void findMissing();

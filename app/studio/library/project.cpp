@@ -16,7 +16,7 @@ namespace {
 constexpr const char* kFormat = "mocapress-project";
 constexpr int kVersion = 1;
 
-/// May be left out. Throws what the JSON library does where it is of another type.
+/// Reads an optional value. Throws the JSON library's exceptions for a wrong type.
 template <typename Value>
 Value valueAt(const Json& json, const char* key) {
   const auto found = json.find(key);
@@ -73,7 +73,8 @@ InputStamp stampFrom(const Json& json) {
           hash};
 }
 
-/// Settings that no clip can be compressed by, as an impossible target, would not be read again.
+/// Leaves out settings that no clip can be compressed with, such as an impossible target: they
+/// could not be read again.
 void put(Json& json, const NamedSettings& settings) {
   try {
     check(settings.preset);
@@ -130,7 +131,7 @@ ProjectClip clipFrom(const Json& json, const QDir& folder) {
   return clip;
 }
 
-/// An older project had one character for all clips.
+/// Older projects had one character for all clips.
 CharacterFiles charactersFrom(const Json& json, const QDir& folder) {
   CharacterFiles characters;
   if (const QString all = absoluteAt(json, "character", folder); !all.isEmpty())

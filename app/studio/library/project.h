@@ -15,55 +15,55 @@
 
 namespace mocapress {
 
-/// A clip of a project, and all that was decided about it.
+/// A clip of a project with its settings and verdict.
 struct ProjectClip {
-  QString path;                           // absolute
-  QString skeleton;                       // for an .amc; empty: the one beside it
-  ReadOptions reading;                    // what the user said of the file
-  std::optional<NamedSettings> settings;  // unset: never tuned
+  QString path;                           // absolute path
+  QString skeleton;                       // for an .amc; empty: the one beside the clip
+  ReadOptions reading;                    // import options of the user
+  std::optional<NamedSettings> settings;  // unset: no settings of its own
   std::optional<Outcome> outcome;
   ClipReview review;
   std::vector<Pin> pins;
-  std::string rig;       // rig_of() its joints as they were read last; empty: they never were
-  InputStamp stamp;      // of its files as they were found last; no hash: they never were
-  bool missing = false;  // they are gone, by what is known now; not kept
+  std::string rig;       // rig_of() its joints when last read; empty: never read
+  InputStamp stamp;      // its files when last checked; no hash: never
+  bool missing = false;  // files are gone, as far as known; not saved
 };
 
-/// Hash of the settings it has now and of how it is read; empty: it was never tuned.
+/// Hash of the clip's current settings and reading options; empty: no settings of its own.
 std::string settingsHash(const ProjectClip& clip);
 
-/// Why the verdict, or the outcome, is not about the clip as it is now. None where there is
-/// neither.
+/// Why the verdict or the outcome does not apply to the clip today. None if there is none.
 Staleness staleVerdict(const ProjectClip& clip);
 Staleness outdated(const ProjectClip& clip);
 
-/// Clips that belong together.
+/// A list of clips with their common data.
 struct Project {
-  QString current;            // path of the clip that is open; empty: none
-  CharacterFiles characters;  // what was put on the clips, by their rigs
+  QString current;            // path of the open clip; empty: none
+  CharacterFiles characters;  // characters put on the clips, by rig
   bool shows_skin = true;
   std::vector<ProjectClip> clips;
-  std::optional<RememberedBatch> batch;  // unset: none was begun
+  std::optional<RememberedBatch> batch;  // unset: no batch yet
 
   ProjectClip* find(const QString& path);
 
-  /// Nothing would be lost with it.
+  /// True if nothing would be lost without it.
   bool isEmpty() const { return clips.empty() && (!batch || batch->clips.empty()); }
 };
 
-/// By its extension, .mocapress.
+/// True for the extension .mocapress.
 bool isProjectFile(const QString& path);
 
-/// A project file: JSON, with paths relative to its folder.
+/// The project as JSON, with paths relative to its folder.
 QByteArray projectText(const Project& project, const QDir& folder);
 
-/// Throws Error, which says what is wrong.
+/// Throws Error with the reason.
 Project parseProject(const QByteArray& text, const QDir& folder);
 
-/// Throws Error, which names the file.
+/// Throws Error that names the file.
 Project readProject(const QString& path);
 
-/// The file holds the old project or the new one at any instant. Makes its folder. Throws Error.
+/// Replaces the file in one step, so that it always holds the old or the new project. Makes its
+/// folder. Throws Error.
 void writeProject(const QString& path, const Project& project);
 
 }  // namespace mocapress

@@ -110,7 +110,7 @@ void ProjectFiles::fillRecentMenu(QMenu* menu) {
     if (!project.named)
       text = tr("Unnamed, %1").arg(QLocale().toString(project.written, QLocale::ShortFormat));
     if (project.clips) text = tr("%1, %Ln clip(s)", nullptr, *project.clips).arg(text);
-    // What is no shortcut is to be seen.
+    // Shows each & instead of making it a shortcut.
     QAction* action = menu->addAction(text.replace(QLatin1Char('&'), QLatin1String("&&")));
     action->setToolTip(QDir::toNativeSeparators(project.path));
     connect(action, &QAction::triggered, this, [this, path = project.path] { open(path); });

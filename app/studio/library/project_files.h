@@ -11,29 +11,28 @@ namespace mocapress {
 
 class Library;
 
-/// Projects as the user meets them: dialogs, former projects, and the question about one that has
-/// no name.
+/// Dialogs for projects, the list of former ones, and the question about one without a name.
 class ProjectFiles : public QObject {
   Q_OBJECT
 
  public:
   ProjectFiles(Library* library, QWidget* window);
 
-  /// "Knights", or that there is no name.
+  /// The project's name, such as "Knights", or a text for an unnamed one.
   QString title() const;
 
   void startNew();
   void choose();
 
-  /// `then`: once it is open, or a copy of it.
+  /// `then` runs once the project, or a copy of it, is open.
   void open(const QString& path, std::function<void()> then = {});
 
-  /// With a file dialog. False: nothing was saved.
+  /// Asks for a file. False: nothing was saved.
   bool saveAs();
 
   void fillRecentMenu(QMenu* menu);
 
-  /// Where the project cannot be written: runs `then` if the user quits all the same.
+  /// Asks when the project cannot be written; runs `then` if the user quits regardless.
   void askToQuit(std::function<void()> then);
 
  private:
@@ -43,7 +42,7 @@ class ProjectFiles : public QObject {
 
   Library* library_;
   QWidget* window_;
-  std::function<void()> after_opening_;  // what waits for it, see open()
+  std::function<void()> after_opening_;  // runs after opening, see open()
 };
 
 }  // namespace mocapress

@@ -22,11 +22,11 @@ namespace mocapress {
 namespace {
 
 constexpr qsizetype kMostListed = 100;
-constexpr std::chrono::seconds kPatience{10};  // with another studio that writes the list
-constexpr unsigned long kPause = 10;           // ms between two looks whether it is done
+constexpr std::chrono::seconds kPatience{10};  // longest wait for another studio's lock
+constexpr unsigned long kPause = 10;           // ms between two attempts to get the lock
 const QString kProjects = QStringLiteral("projects");
 
-/// Throws InputError where the list is there but cannot be read.
+/// Throws InputError if the list exists but cannot be read.
 QStringList readList(const QString& file) {
   const std::filesystem::path path = file.toStdU16String();
   QStringList paths;
@@ -42,7 +42,7 @@ QStringList readList(const QString& file) {
 
 ProjectShelf::ProjectShelf(const QString& folder) {
   QDir().mkpath(folder);
-  // As the files in it are known once they are opened.
+  // Canonical paths match those of opened files.
   const QString canonical = QDir(folder).canonicalPath();
   folder_ = canonical.isEmpty() ? QDir(folder).absolutePath() : canonical;
 }
@@ -51,7 +51,7 @@ QStringList ProjectShelf::listed() const {
   try {
     return readList(list());
   } catch (const Error&) {
-    return {};  // use() says so before it writes the list
+    return {};  // use() reports the error before it writes the list
   }
 }
 
@@ -62,7 +62,7 @@ QString ProjectShelf::inUse() const {
 
 void ProjectShelf::use(const QString& path) const {
   if (listed().value(0) == path) return;
-  // Two studios may each have a project: neither takes the other's off the list.
+  // Locks the list, so that two studios keep each other's entries.
   QLockFile lock(list() + QStringLiteral(".lock"));
   const QDeadlineTimer deadline(kPatience);
   while (!lock.tryLock(0)) {
@@ -83,7 +83,7 @@ void ProjectShelf::use(const QString& path) const {
 QStringList ProjectShelf::projects() const {
   QStringList paths = listed();
   paths.removeIf([](const QString& path) { return !QFile::exists(path); });
-  // Of unnamed ones also those that are on no list, as after a list that was lost.
+  // Includes unnamed projects that are on no list, for example after the list was lost.
   const QDir own(unnamedFolder());
   for (const QFileInfo& file :
        own.entryInfoList({QStringLiteral("*.mocapress")}, QDir::Files, QDir::Time))

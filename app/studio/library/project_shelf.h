@@ -6,24 +6,24 @@
 
 namespace mocapress {
 
-/// Which projects there are: the one in use, and those before it. A project with a name lies where
-/// the user saved it. One without lies in a folder of the shelf's own, in a file of its own: it is
-/// as safe as one with a name, and is found again by its date.
+/// The list of projects: the one in use and earlier ones. A named project lies where the user saved
+/// it. An unnamed one has a file in the shelf's own folder: it is as safe as a named one and is
+/// found by its date.
 class ProjectShelf {
  public:
-  /// `folder`: where the studio keeps its data.
+  /// `folder` holds the studio's data.
   explicit ProjectShelf(const QString& folder);
 
-  /// The project that was used last, though its file may be gone; empty: there was none yet.
+  /// The project used last, whose file may be gone; empty: none so far.
   QString inUse() const;
 
-  /// This one is in use from now on. Throws WriteError.
+  /// Makes this the project in use. Throws WriteError.
   void use(const QString& path) const;
 
-  /// All whose files are there, those used last first.
+  /// All projects whose files exist, last used first.
   QStringList projects() const;
 
-  /// A file for a project without a name, which nobody has yet. Its folder is there.
+  /// A new path for an unnamed project, in a folder that exists.
   QString unnamedPath() const;
 
   bool isUnnamed(const QString& path) const;
@@ -33,7 +33,7 @@ class ProjectShelf {
   QString unnamedFolder() const { return folder_ + QStringLiteral("/projects"); }
   QStringList listed() const;
 
-  QString folder_;  // absolute
+  QString folder_;  // absolute path
 };
 
 }  // namespace mocapress

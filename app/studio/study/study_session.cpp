@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// By what an opened study was made, as far as pictures need to know.
+/// The plan behind an opened study, as far as pictures need it.
 StudyPlan planOfRows(const std::vector<StudyRow>& rows) {
   StudyPlan plan;
   if (rows.empty()) return plan;
@@ -25,7 +25,7 @@ StudyPlan planOfRows(const std::vector<StudyRow>& rows) {
   return plan;
 }
 
-/// Rows of other weightings, which the folder may keep too, have no place beside the newest.
+/// Reads the newest weighting's rows only: the folder may hold others, which do not compare.
 std::vector<StudyRow> readStudy(const fs::path& folder) {
   if (!is_there(folder / kRowsSoFar)) return {};
   std::vector<StudyRow> rows = read_rows(folder / kRowsSoFar);
@@ -166,7 +166,7 @@ std::set<std::string> StudySession::completeClips() const {
   return complete;
 }
 
-/// `make(job)` gives the text of the file, or nothing when it was told to stop.
+/// `make(job)` returns the text of the file, or nothing if it was stopped.
 template <typename Make>
 void StudySession::exportMade(const QString& path, Make make) {
   exporting_.start(
@@ -181,8 +181,8 @@ void StudySession::exportMade(const QString& path, Make make) {
       [this](const QString& message) { emit exportFailed(message); });
 }
 
-/// A verdict on other bytes is none, and the note says so. Settings are many in a study: its rows
-/// are not what was reviewed, but its clips are.
+/// A verdict on other bytes is dropped, and the note says so. Settings are not compared: a study
+/// has many, and the review concerns its clips.
 ClipReview StudySession::reviewOf(const QString& path) const {
   const LibraryReview& said = reviews_.value(path);
   ClipReview review = said.review;
@@ -199,7 +199,7 @@ ClipReview StudySession::reviewOf(const QString& path) const {
   return review;
 }
 
-/// With what the library says now.
+/// The rows with the library's current reviews.
 std::vector<StudyRow> StudySession::reviewedRows() const {
   std::vector<StudyRow> rows = rows_;
   for (StudyRow& row : rows) {

@@ -16,38 +16,38 @@
 
 namespace mocapress {
 
-/// What the user wants of a study, done by jobs, and its rows. No widgets.
+/// A study: its settings, run by jobs, and its rows. Uses no widgets.
 class StudySession : public QObject {
   Q_OBJECT
 
  public:
   enum class State { Idle, Running, Drawing, Complete, Cancelled, Failed, Opened };
 
-  /// `cache`: the folder where rows are kept unless the user chooses another.
+  /// `cache` is the folder for rows unless the user chooses another.
   explicit StudySession(const QString& cache, QObject* parent = nullptr);
 
   const StudySettings& settings() const { return settings_; }
   void setSettings(const StudySettings& settings);
 
-  /// Files, and folders for all clips below them.
+  /// Adds files, and all clips below folders.
   void addClips(const QStringList& paths);
   void removeClips(const QStringList& paths);
 
-  /// What a library says about clips, which goes into tables and reports.
+  /// Sets the library's reviews, which appear in tables and reports.
   void setReviews(const ClipReviews& reviews) { reviews_ = reviews; }
 
-  /// Where rows are kept, with tables and report once all are there; shows the rows it holds.
-  /// Empty: the cache.
+  /// Sets the folder for rows, and for tables and report once all rows are there; shows the rows in
+  /// it. Empty: the cache.
   void setFolder(const QString& folder);
   const QString& folder() const { return folder_; }
 
-  /// Compressions that are asked for.
+  /// The number of compressions in the plan.
   int jobs() const;
 
-  /// Measures what is not measured yet. Nothing while there are no jobs().
+  /// Measures the missing rows. Does nothing without jobs().
   void run();
 
-  /// What is done stays, and the next run goes on from there.
+  /// Keeps finished rows; the next run continues from there.
   void cancel();
 
   State state() const { return state_; }
@@ -56,18 +56,18 @@ class StudySession : public QObject {
   double elapsedSeconds() const { return static_cast<double>(clock_.elapsed()) / 1000; }
   const QString& failure() const { return failure_; }
 
-  /// In the order of the plan once a run has ended.
+  /// Rows, in the order of the plan once a run has ended.
   const std::vector<StudyRow>& rows() const { return rows_; }
 
-  /// Of the eps_x of the rows.
+  /// The weighting of the rows' eps_x.
   Weighting weighting() const { return plan_.settings.weighting; }
 
-  /// Paths of the clips of which all rows are there.
+  /// Paths of the clips with all their rows.
   std::set<std::string> completeClips() const;
 
   bool exporting() const { return exporting_.busy(); }
   void exportRows(const QString& path);
-  void exportReport(const QString& path);  // takes seconds: its pictures are compressed anew
+  void exportReport(const QString& path);  // takes seconds, since its pictures are compressed again
   void exportFile(const QString& path, const QByteArray& content);
   void cancelExport() { exporting_.abandon(); }
 
@@ -75,16 +75,16 @@ class StudySession : public QObject {
   void settingsChanged();
   void folderChanged();
 
-  /// State or counts.
+  /// The state or the counts have changed.
   void progressed();
 
   void rowsCleared();
   void rowsAdded(const std::vector<StudyRow>& rows);
 
-  /// Clips that could not be added.
+  /// Some clips could not be added.
   void addFailed(const QString& message);
 
-  /// Worth telling, and no more than that.
+  /// A message for the user that needs no answer.
   void noted(const QString& message);
 
   void exportingChanged(bool exporting);
@@ -106,8 +106,8 @@ class StudySession : public QObject {
   QString folder_;
   StudySettings settings_;
   ClipReviews reviews_;
-  StudyPlan plan_;                       // of rows_
-  std::map<std::string, int> expected_;  // rows a clip
+  StudyPlan plan_;                       // plan of rows_
+  std::map<std::string, int> expected_;  // number of rows for each clip
   std::vector<StudyRow> rows_;
   State state_ = State::Idle;
   StudyCounts counts_;

@@ -35,7 +35,7 @@ struct Status {
   Q_DECLARE_TR_FUNCTIONS(mocapress::StudyStatus)
 };
 
-constexpr int kFirstEstimate = 3;  // rows measured before the time left is guessed
+constexpr int kFirstEstimate = 3;  // rows measured before the first estimate of the time left
 
 QString asked(const StudySession& session) {
   const int jobs = session.jobs();
@@ -52,7 +52,7 @@ QString running(const StudySession& session) {
   return Status::tr("%1, about %2 left").arg(so_far, clockText(left));
 }
 
-/// What could not be measured.
+/// Counts the rows that could not be measured.
 QString blemishes(const StudySession& session) {
   int unread = 0;
   int missed = 0;
@@ -178,7 +178,7 @@ StudyWindow::StudyWindow(StudySession* session, QWidget* parent)
   column->setSpacing(0);
   column->addWidget(results_, 1);
   column->addWidget(note_);
-  auto* left = new QScrollArea(this);  // where the screen is low
+  auto* left = new QScrollArea(this);  // for low screens
   left->setWidget(panel_);
   left->setWidgetResizable(true);
   left->setFrameShape(QFrame::NoFrame);

@@ -17,32 +17,32 @@ class StudyPanel;
 class StudyResults;
 class StudyRowsModel;
 
-/// How far the study is, in a line or two.
+/// The study's progress in a line or two.
 QString statusOf(const StudySession& session);
 
-/// What to do first, for an empty plot.
+/// The next thing to do, for an empty plot.
 QString hintOf(const StudySession& session);
 
-/// What was asked of the last study, clips left out, from the user's settings.
+/// Settings of the last study without its clips, from the user's settings.
 StudySettings rememberedStudySettings();
 void remember(const StudySettings& settings);
 
-/// Where rows are kept unless the user chooses a folder: one for each build of the program, for
-/// another may compress otherwise.
+/// The default folder for rows: one for each build of the program, since another may compress
+/// differently.
 QString studyCache();
 
-/// A window beside the studio's: which clips and methods to compare, and the curves and rows that
-/// come of it. Closing it cancels.
+/// The window of a study: clips and methods to compare, and the resulting curves and rows. Closing
+/// it cancels the run.
 class StudyWindow : public QWidget {
   Q_OBJECT
 
  public:
   StudyWindow(StudySession* session, QWidget* parent);
 
-  /// The one that is open, to be studied unless the user chose others.
+  /// Offers the open clip for the study, unless the user chose others.
   void offerClip(const QString& path, const QString& skeleton);
 
-  /// What the studio shows, see StudyResults::setHere().
+  /// Marks the studio's clip, see StudyResults::setHere().
   void setHere(const QString& path, const std::optional<CurvePoint>& here);
 
   StudyPanel* panel() { return panel_; }

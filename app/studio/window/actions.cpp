@@ -35,7 +35,7 @@ QAction* make(QObject* parent, const QString& text, const QKeySequence& shortcut
   return action;
 }
 
-/// One of several, the first to begin with.
+/// A group of exclusive choices, starting with the first.
 QActionGroup* makeChoices(QObject* parent, const QList<std::pair<QString, QVariant>>& choices) {
   auto* group = new QActionGroup(parent);
   for (const auto& [text, value] : choices) {
@@ -137,7 +137,7 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
   actions.themes = makeChoices(
       window,
       {{Texts::tr("As the &System"), 0}, {Texts::tr("&Light"), 1}, {Texts::tr("&Dark"), 2}});
-  // Languages are named in themselves: who cannot read the others must find their own.
+  // Each language has its own name in itself, which its speakers can read.
   actions.languages = makeChoices(window, {{Texts::tr("As the &System"), QString()},
                                            {QStringLiteral("English"), QStringLiteral("en")},
                                            {QStringLiteral("Français"), QStringLiteral("fr")},
@@ -214,7 +214,7 @@ bool isOneOf(const QKeyEvent& key, std::initializer_list<QKeySequence::StandardK
                      [&key](QKeySequence::StandardKey standard) { return key.matches(standard); });
 }
 
-/// On every desktop, unlike what X11 adds to them.
+/// True for keys that edit text on every desktop; X11 adds others.
 bool editsText(const QKeyEvent& key) {
   return isOneOf(key, {QKeySequence::Copy, QKeySequence::Cut, QKeySequence::Paste,
                        QKeySequence::SelectAll}) ||
@@ -224,7 +224,7 @@ bool editsText(const QKeyEvent& key) {
 
 }  // namespace
 
-/// Who ignores a ShortcutOverride gets the key all the same where there is no such shortcut.
+/// A widget that ignores a ShortcutOverride still gets the key if no shortcut has it.
 bool ShortcutsFirst::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::ShortcutOverride) return false;
   const bool is_number = qobject_cast<QAbstractSpinBox*>(watched);

@@ -20,7 +20,7 @@ struct HelpTexts {
 
 constexpr QSize kSize(820, 720);
 
-/// Without the mark of the key that opens it.
+/// The text without the & that marks its shortcut key.
 QString plain(QString text) {
   return text.remove(QLatin1Char('&')).remove(QStringLiteral("…"));
 }

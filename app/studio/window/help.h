@@ -8,10 +8,10 @@ class QMenuBar;
 
 namespace mocapress {
 
-/// All keys of a window's menus, by menu, as a table in HTML.
+/// All shortcuts of a window's menus as an HTML table.
 QString shortcutSheet(const QMenuBar& menus);
 
-/// A page to read, in a window of its own beside the studio's.
+/// A page of text in a window of its own.
 class HelpWindow : public QDialog {
   Q_OBJECT
 
@@ -19,7 +19,7 @@ class HelpWindow : public QDialog {
   HelpWindow(const QString& title, const QString& html, QWidget* parent);
 };
 
-/// The guide in the language of the program, else in English.
+/// The guide in the program's language, else in English.
 QString guideHtml();
 
 void showGuide(QWidget* window);

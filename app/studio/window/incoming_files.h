@@ -14,18 +14,18 @@ class Notices;
 class ProjectFiles;
 class Session;
 
-/// Files and folders that come from outside, named on the command line or dropped on the window:
-/// clips, their skeletons, projects.
+/// Opens files and folders from the command line or dropped on the window: clips, skeletons,
+/// projects.
 class IncomingFiles : public QObject {
   Q_OBJECT
 
  public:
-  /// Takes what is dropped on `window`.
+  /// Accepts drops on `window`.
   IncomingFiles(Session* session, Library* library, ClipFiles* files, ProjectFiles* projects,
                 Notices* notices, QWidget* window);
 
-  /// One file is opened, with its skeleton; several and folders come into the library, and the
-  /// first of them is opened if nothing is open yet. With a project among them they come into that.
+  /// Opens one file with its skeleton. Several files and folders are added to the library, and the
+  /// first is opened if no clip is open. A project among them is opened first.
   void open(const QStringList& paths, const QString& skeleton = {});
 
  protected:
@@ -39,7 +39,7 @@ class IncomingFiles : public QObject {
   ClipFiles* files_;
   ProjectFiles* projects_;
   Notices* notices_;
-  bool opens_added_ = false;  // what comes into the library next
+  bool opens_added_ = false;  // opens the first clip added next
 };
 
 }  // namespace mocapress

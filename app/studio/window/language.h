@@ -5,7 +5,7 @@
 
 namespace mocapress {
 
-/// The code of the language the user chose, "fr"; empty: the system's.
+/// The code of the language that the user chose, such as "fr"; empty: the system's.
 QString chosenLanguage();
 void chooseLanguage(const QString& code);
 

@@ -9,20 +9,20 @@ class QCoreApplication;
 
 namespace mocapress {
 
-/// The studio's command line.
+/// Options of the studio's command line.
 struct LaunchOptions {
-  QStringList files;            // folders, a project; none: what was open last, or the bundled walk
+  QStringList files;            // clips, folders, a project; none: the last clip or the sample
   QString skeleton;             // for an .amc
-  std::optional<double> ratio;  // compression ratio to begin with
-  std::optional<double> ik;     // IK ratio to begin with; unset: feet are not held
-  QString screenshot;           // write the window to this PNG once all is computed, and quit
-  bool trace = false;           // timings on standard error
+  std::optional<double> ratio;  // initial compression ratio
+  std::optional<double> ik;     // initial IK ratio; unset: no IK
+  QString screenshot;           // saves a picture of the window once it is complete, and quits
+  bool trace = false;           // writes timings to standard error
 };
 
-/// Whether --help or --version is asked for, which need no display.
+/// True for --help and --version, which need no display.
 bool asksForWords(std::span<char* const> arguments);
 
-/// Ends the program on --help, --version and errors.
+/// Parses the arguments. Ends the program on --help, --version and errors.
 LaunchOptions parseLaunchOptions(const QCoreApplication& application);
 
 }  // namespace mocapress

@@ -93,7 +93,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   pinned_->setMemory([this](const QString& path) { return library_->pinsOf(path); });
   connect(pinned_, &PinnedResults::edited, library_, &Library::setPins);
   inspector_ = new Inspector(session_, playback_, panels_.inspection, error_display_, this);
-  // After the presenter: an answer counts once the view has it.
+  // Comes after the presenter, since a picture counts once the view has the answer.
   trace_ = new Trace(session_, panels_.views.viewport, this);
   notices_ = new Notices(session_, library_, panels_.messages, this);
   notices_->tellOf(files_, actions_.choose_skeleton);
@@ -110,7 +110,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   connect(&session_->document(), &Document::decodedChanged, this, &MainWindow::updateTitle);
   connect(library_, &Library::projectChanged, this, &MainWindow::updateTitle);
   updateTitle();
-  // Keys play and step from the start: no field takes them for text.
+  // Gives the view the focus, so that keys control the playback from the start.
   panels_.views.viewport->setFocus();
 }
 
@@ -180,7 +180,7 @@ void MainWindow::connectWindowActions() {
   connect(actions_.export_library, &QAction::triggered, tools_,
           [this] { tools_->exportClips({}); });
   connect(panels_.library, &LibraryPanel::exportRequested, tools_, &ToolWindows::exportClips);
-  // A panel that a key changes comes into view.
+  // Raises the panel that a shortcut changes.
   for (const QAction* action : {actions_.in_degrees, actions_.as_seen})
     connect(action, &QAction::triggered, this, [this, action] {
       const bool is_seen = panels_.inspection.heat_map->isVisible() ||
@@ -206,7 +206,7 @@ void MainWindow::updateTitle() {
   const Document& document = session_->document();
   const QString project =
       QStringLiteral("%1 – %2").arg(projects_->title(), QCoreApplication::applicationName());
-  // The project is always in its file; what may not be is the compressed clip.
+  // The project is always saved; the title marks an unsaved compressed clip.
   setWindowTitle(document.title().isEmpty() ? project + QStringLiteral("[*]")
                                             : tr("%1[*] – %2").arg(document.fileTitle(), project));
   setWindowModified(document.modified() || library_->stuck());

@@ -33,8 +33,8 @@ class StudyWindow;
 class ToolWindows;
 class Trace;
 
-/// Whether the window may be closed: not before a compressed clip that would be lost is saved or
-/// given up, nor before the project is in its file.
+/// Decides if the window may close: only after an unsaved compressed clip is saved or given up, and
+/// the project is in its file.
 class Leaving : public QObject {
   Q_OBJECT
 
@@ -42,7 +42,8 @@ class Leaving : public QObject {
   Leaving(Session* session, ClipFiles* files, Library* library, ProjectFiles* projects,
           QWidget* window);
 
-  /// Asked when the window is to close. False: the user is asked, and closes it by the answer.
+  /// Called when the window is about to close. False: the user is asked, and the answer may close
+  /// it.
   bool mayClose();
 
  private:
@@ -52,10 +53,10 @@ class Leaving : public QObject {
   ProjectFiles* projects_;
   QWidget* window_;
   bool may_lose_clip_ = false;
-  bool may_lose_project_ = false;  // what cannot be written of it
+  bool may_lose_project_ = false;  // the project cannot be written, and the user quits regardless
 };
 
-/// The studio's window: makes its parts and connects them, no more.
+/// The studio's window, which makes its parts and connects them.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
@@ -78,10 +79,10 @@ class MainWindow : public QMainWindow {
   const ErrorDisplay* errorDisplay() const { return error_display_; }
   Trace& trace() { return *trace_; }
 
-  /// See IncomingFiles.
+  /// See IncomingFiles::open().
   void open(const QStringList& paths, const QString& skeleton = {});
 
-  /// See ToolWindows.
+  /// See ToolWindows::showStudy().
   StudyWindow* showStudy();
 
  protected:
@@ -94,7 +95,7 @@ class MainWindow : public QMainWindow {
   void connectChoices();
   void updateTitle();
 
-  // Children, not members: what the widgets show has to outlive their being hidden by ~QWidget().
+  // Children instead of members: they must outlive the widgets' hide events in ~QWidget().
   Session* session_ = new Session(this);
   Playback* playback_ = new Playback(Playback::steadyClock(), this);
   LibraryModel* clips_ = new LibraryModel(this);

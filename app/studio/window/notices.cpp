@@ -14,7 +14,7 @@
 namespace mocapress {
 namespace {
 
-constexpr std::chrono::milliseconds kSlowOpening{400};  // from here on it is said
+constexpr std::chrono::milliseconds kSlowOpening{400};  // delay before it is mentioned
 
 }  // namespace
 
@@ -61,7 +61,7 @@ void Notices::tellOfSession() {
   });
   connect(session_, &Session::compressFailed, bar_,
           [this](const QString& message, bool out_of_reach) {
-            if (!out_of_reach) bar_->showError(message);  // else it is said beside the target
+            if (!out_of_reach) bar_->showError(message);  // else the target shows it
           });
   connect(session_, &Session::characterPut, bar_, &MessageBar::hide);
   connect(session_, &Session::characterFailed, this, [this](const QString& message) {

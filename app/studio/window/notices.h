@@ -14,20 +14,20 @@ class MessageBar;
 class PresetShelf;
 class Session;
 
-/// What the studio says above the view: what goes wrong, what was done, what takes long.
+/// Messages above the view: errors, notes and running work.
 class Notices : public QObject {
   Q_OBJECT
 
  public:
   Notices(Session* session, Library* library, MessageBar* bar, QObject* parent);
 
-  /// `choose_skeleton`: the remedy for an .amc that was not read.
+  /// `choose_skeleton` is offered when an .amc cannot be read.
   void tellOf(ClipFiles* files, QAction* choose_skeleton);
   void tellOf(PresetShelf* presets);
 
   void say(const QString& note);
 
-  /// Opening the clip of a project takes older messages away, but not this one.
+  /// Keeps a note visible when the project's clip opens, which clears other messages.
   void keep(const QString& note);
 
  private:
@@ -39,9 +39,9 @@ class Notices : public QObject {
   Library* library_;
   MessageBar* bar_;
   QTimer slow_opening_;
-  QString opening_;  // the file that is being read
+  QString opening_;  // file being read
   bool is_opening_ = false;
-  QString kept_;        // said again once the clip of the project is open
+  QString kept_;        // shown again once the project's clip is open
   QString kept_error_;  // likewise
 };
 

@@ -43,7 +43,7 @@ constexpr int kLayoutVersion = 6;
 const QString kGeometry = QStringLiteral("window/geometry");
 const QString kState = QStringLiteral("window/state");
 
-/// Quieter than the style's: the name alone. Drag it to move the dock, double click to float it.
+/// A plain title for a dock: drag it to move the dock, double-click to float it.
 QLabel* makeTitle(const QString& title, QWidget* parent) {
   auto* label = new QLabel(title, parent);
   QFont font = label->font();
@@ -63,7 +63,7 @@ KeptWidth::KeptWidth(QDockWidget* dock, QMainWindow* window)
 
 bool KeptWidth::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::Resize) return false;
-  // A resize of the window has laid out its docks before its own event gets here.
+  // The docks of a resized window are laid out before this event.
   if (watched == dock_ && window_->width() == window_width_) {
     const bool is_dragged = QGuiApplication::mouseButtons() != Qt::NoButton;
     width_ = is_dragged ? dock_->width() : std::max(width_, dock_->width());
@@ -177,7 +177,7 @@ QWidget* makeSidebar(Panels& panels, QWidget* window) {
   column->addWidget(panels.views.result);
   column->addWidget(makeRule(sidebar));
   column->addWidget(panels.views.annealing, 1);
-  auto* scroll = new QScrollArea(window);  // where the screen is low
+  auto* scroll = new QScrollArea(window);  // for low screens
   scroll->setWidget(sidebar);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
@@ -187,7 +187,7 @@ QWidget* makeSidebar(Panels& panels, QWidget* window) {
   return scroll;
 }
 
-/// The settings, with the importance of joints as a tab beside them.
+/// Adds the settings, with the importances as a tab beside them.
 QDockWidget* addRight(Panels& panels, WindowLayout* layout, QMainWindow* window) {
   QDockWidget* sidebar = layout->addRight(
       makeSidebar(panels, window), QStringLiteral("compression"), DockTitles::tr("Compression"));
@@ -204,7 +204,7 @@ QDockWidget* addRight(Panels& panels, WindowLayout* layout, QMainWindow* window)
   return sidebar;
 }
 
-/// Of the first of several that are tabs in one place, which is in front.
+/// Returns the dock of the first tab, which is in front.
 QDockWidget* addTabs(const std::vector<std::tuple<QWidget*, const char*, QString>>& panels,
                      WindowLayout* layout, QMainWindow* window) {
   QDockWidget* first = nullptr;

@@ -22,7 +22,7 @@ class PinnedPanel;
 class SlotControl;
 struct TransportActions;
 
-/// A dock that gets its width back when its window, which was too small for it, grows.
+/// Gives a dock its width back when its window grows again after being too small.
 class KeptWidth : public QObject {
   Q_OBJECT
 
@@ -34,26 +34,26 @@ class KeptWidth : public QObject {
  private:
   QDockWidget* dock_;
   QMainWindow* window_;
-  int width_ = 0;         // before the window was too small, or as the user dragged it
-  int window_width_ = 0;  // that the dock has its place in
+  int width_ = 0;         // wanted width, from the user or before the window shrank
+  int window_width_ = 0;  // width of the window at that time
 };
 
-/// Docks around the 3D view, remembered from run to run.
+/// The docks around the 3D view, restored from run to run.
 class WindowLayout {
  public:
   explicit WindowLayout(QMainWindow* window) : window_(window) {}
 
-  /// One panel to either side, others side by side below.
+  /// Adds a panel on one side; those at the bottom stand side by side.
   QDockWidget* addLeft(QWidget* panel, const QString& id, const QString& title);
   QDockWidget* addRight(QWidget* panel, const QString& id, const QString& title);
   QDockWidget* addBelow(QWidget* panel, const QString& id, const QString& title);
 
   const QList<QDockWidget*>& docks() const { return docks_; }
 
-  /// Shows the dock of a panel, before the tabs that hide it.
+  /// Shows a panel's dock and raises it above its tabs.
   void bringUp(const QWidget* panel) const;
 
-  /// After the last dock: notes the layout as built, and restores the one of the last run.
+  /// Called after the last dock: records the initial layout and restores that of the last run.
   void restore();
   void remember() const;
   void reset();
@@ -67,8 +67,8 @@ class WindowLayout {
   QByteArray built_;
 };
 
-/// All that the main window shows: 3D view, timeline and transport in the middle, the library to
-/// the left, settings and figures to the right, joints and their errors below.
+/// The widgets of the main window: 3D view, timeline and transport bar in the middle, the library
+/// on the left, settings and figures on the right, joints and errors at the bottom.
 struct Panels {
   Views views;
   InspectionViews inspection;
@@ -78,14 +78,14 @@ struct Panels {
   MessageBar* messages = nullptr;
 };
 
-/// What lists and tables of them show.
+/// Data of their lists and tables.
 struct PanelModels {
   Models clip;
   LibraryModel* library = nullptr;
   PinnedModel* pinned = nullptr;
 };
 
-/// Makes and places them.
+/// Makes the widgets and places them.
 Panels makePanels(QMainWindow* window, WindowLayout* layout, const PanelModels& models,
                   Playback* playback, const TransportActions& transport);
 

@@ -6,8 +6,8 @@ class QWidget;
 
 namespace mocapress {
 
-/// The window with its 3D view, from the screen: QWidget::grab() does not see the latter. False
-/// where it could not be written.
+/// Saves the window from the screen, since QWidget::grab() misses the 3D view. False: it could not
+/// be written.
 bool writeScreenshot(const QWidget& window, const QString& path);
 
 }  // namespace mocapress

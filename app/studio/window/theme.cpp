@@ -20,7 +20,7 @@ void StudioStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
                                 QPainter* painter, const QWidget* widget) const {
   QProxyStyle::drawPrimitive(element, option, painter, widget);
   if (element == PE_PanelButtonTool && option->state & State_On) {
-    // Pressed in alone looks like the others on dark ground.
+    // Fusion's own pressed button hardly differs on dark ground.
     QColor colour = option->palette.color(QPalette::Highlight);
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
@@ -42,7 +42,7 @@ void StudioStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
 
 void StudioStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
                                      QPainter* painter, const QWidget* widget) const {
-  constexpr double kDisabled = 0.35;  // of the opacity
+  constexpr double kDisabled = 0.35;  // share of the opacity
   painter->save();
   if (control == CC_Slider && !(option->state & State_Enabled)) painter->setOpacity(kDisabled);
   QProxyStyle::drawComplexControl(control, option, painter, widget);
@@ -63,7 +63,7 @@ const QString kObject = QStringLiteral("/org/freedesktop/portal/desktop");
 const QString kInterface = QStringLiteral("org.freedesktop.portal.Settings");
 const QString kGroup = QStringLiteral("org.freedesktop.appearance");
 const QString kKey = QStringLiteral("color-scheme");
-constexpr uint kPrefersDark = 1;  // of the portal's answers
+constexpr uint kPrefersDark = 1;  // the portal's value for dark
 
 struct Colours {
   QRgb window, base, alternate, text, faint, button, highlight, link, tip;
@@ -144,7 +144,7 @@ void Theme::setSystemDark(bool dark) {
   apply();
 }
 
-/// Without a portal nothing answers, and Qt's own palette has told.
+/// Asks the settings portal; without one, Qt's own palette has decided.
 void Theme::askDesktop() {
   QDBusConnection bus = QDBusConnection::sessionBus();
   if (!bus.isConnected()) return;
@@ -164,7 +164,7 @@ void Theme::askDesktop() {
 void Theme::desktopChanged(const QString& group, const QString& key, const QDBusVariant& value) {
   if (group != kGroup || key != kKey) return;
   QVariant scheme = value.variant();
-  // Older portals wrap it twice.
+  // Older portals wrap the value twice.
   if (scheme.canConvert<QDBusVariant>()) scheme = scheme.value<QDBusVariant>().variant();
   setSystemDark(scheme.toUInt() == kPrefersDark);
 }

@@ -8,9 +8,9 @@
 
 namespace mocapress {
 
-/// Fusion, with check boxes whose outline is seen on dark ground too, tool buttons that stand out
-/// while they are on, and sliders that come to where they are pressed, follow a drag from there,
-/// and look disabled where they are.
+/// Fusion with four changes: check boxes have an outline visible on dark ground, checked tool
+/// buttons stand out, sliders jump to a press and follow its drag, and disabled sliders look
+/// disabled.
 class StudioStyle : public QProxyStyle {
  public:
   StudioStyle();
@@ -23,14 +23,14 @@ class StudioStyle : public QProxyStyle {
                 QStyleHintReturn* returned) const override;
 };
 
-/// What the user wants the windows to look like.
+/// The user's choice of colours.
 enum class ThemeChoice { System, Light, Dark };
 
 QPalette lightPalette();
 QPalette darkPalette();
 
-/// Gives the application its palette: the chosen one, or the desktop's as it says so (through the
-/// settings portal, which tells of changes too). Remembered from run to run.
+/// Sets the application's palette: the chosen one, or the desktop's, which the settings portal
+/// reports along with changes. Kept from run to run.
 class Theme : public QObject {
   Q_OBJECT
 
@@ -40,7 +40,7 @@ class Theme : public QObject {
   ThemeChoice choice() const { return choice_; }
   void choose(ThemeChoice choice);
 
-  /// What the desktop prefers, when it is known.
+  /// The desktop's preference, if known.
   void setSystemDark(bool dark);
 
  private:

@@ -48,7 +48,7 @@ void ToolWindows::makeStudy() {
   connect(&session_->document(), &Document::decodedChanged, this, &ToolWindows::showHere);
 }
 
-/// Where the open clip is on the curves of the study.
+/// Marks the open clip in the study's plot.
 void ToolWindows::showHere() {
   const Document& document = session_->document();
   std::optional<CurvePoint> here;
@@ -75,7 +75,7 @@ void ToolWindows::makeBatch() {
           [this](const QString& path) { files_->open(path); });
 }
 
-/// Each project has a batch of its own.
+/// Saves each project's batch with the project.
 void ToolWindows::keepWithProject(BatchSession* session) {
   const auto recall = [this, session] {
     session->recall(library_->project().batch.value_or(RememberedBatch()));

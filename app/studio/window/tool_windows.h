@@ -17,8 +17,8 @@ class Session;
 class StudySession;
 class StudyWindow;
 
-/// The windows beside the main one, for a study and for a batch: made when they are asked for, and
-/// kept then. They live as long as the main window.
+/// The windows for studies and batches. They are made on first use and live as long as the main
+/// window.
 class ToolWindows : public QObject {
   Q_OBJECT
 
@@ -26,13 +26,13 @@ class ToolWindows : public QObject {
   ToolWindows(Session* session, Library* library, ClipFiles* files, PresetShelf* presets,
               QWidget* window);
 
-  /// Opens it, or brings it to the front.
+  /// Opens the study window or raises it.
   StudyWindow* showStudy();
 
-  /// With the clip that is open.
+  /// Shows the batch window and offers it the open clip.
   void showBatch();
 
-  /// Clips of the library by their own settings; no rows: all of them.
+  /// Exports clips of the library with their own settings; no rows: all of them.
   void exportClips(const std::vector<int>& rows);
 
   void close();

@@ -14,10 +14,10 @@
 namespace mocapress {
 namespace {
 
-constexpr double kBeat = 5;      // ms
-constexpr double kWorthIt = 50;  // ms that are noticed, and written
+constexpr double kBeat = 5;      // ms between beats
+constexpr double kWorthIt = 50;  // ms; shorter blocks are not written
 
-/// What this thread has worked, ms; where the system does not say: 0.
+/// Processor time of this thread in ms; 0 if the system does not tell.
 double workedByThread() {
 #ifdef Q_OS_UNIX
   timespec time{};
@@ -63,7 +63,7 @@ void Trace::beat() {
   longest_block_ = std::max(longest_block_, passed);
   longest_work_ = std::max(longest_work_, worked);
   if (passed <= kWorthIt) return;
-  // On a busy machine the thread waits for a processor more than it works.
+  // On a busy machine a thread may wait longer than it works.
   write("gui-blocked", passed);
   write("  of them at work", worked);
 }

@@ -13,17 +13,18 @@ namespace mocapress {
 class Session;
 class Viewport;
 
-/// Measures what the user waits for, and writes it to standard error where asked to.
+/// Measures waiting times of the user and writes them to standard error on request.
 class Trace : public QObject {
   Q_OBJECT
 
  public:
   Trace(Session* session, Viewport* viewport, QObject* parent = nullptr);
 
-  /// While it writes it also watches how long the GUI thread is away from its events.
+  /// While writing, it also measures how long the GUI thread is blocked.
   void setWriting(bool writing);
 
-  /// The longest time away and the most work at a time since then or since the last call, ms.
+  /// The longest block and the most work at a time (ms) since writing began or this was last
+  /// called.
   struct Block {
     double away;
     double worked;
@@ -31,7 +32,7 @@ class Trace : public QObject {
   Block takeLongestBlock();
 
  signals:
-  /// From the first slider movement without a picture to the picture of an answer to it.
+  /// Time from the first slider movement without a picture to the picture of its answer.
   void sliderToPicture(double milliseconds);
 
  private:
@@ -49,9 +50,9 @@ class Trace : public QObject {
   bool answered_ = false;
   QTimer heart_;
   Clock::time_point last_beat_;
-  double longest_block_ = 0;  // ms
+  double longest_block_ = 0;  // in ms
   double longest_work_ = 0;
-  double worked_ = 0;  // by the GUI thread at the last beat
+  double worked_ = 0;  // processor time of the GUI thread at the last beat
 };
 
 }  // namespace mocapress

@@ -12,13 +12,13 @@
 namespace mocapress {
 namespace {
 
-/// Whoever goes there comes back to where they worked.
+/// True for widgets that users pass through on their way back.
 bool isPassedThrough(const QWidget* widget) {
   return qobject_cast<const QMenuBar*>(widget) ||
          qobject_cast<const QToolBar*>(widget->parentWidget());
 }
 
-/// A panel that was torn off.
+/// True if `top` is a detached dock of the window.
 bool isDockOf(const QWidget* window, const QWidget* top) {
   return qobject_cast<const QDockWidget*>(top) && top->parentWidget() == window;
 }
@@ -36,8 +36,8 @@ UndoTarget::UndoTarget(Session* session, Library* library, QWidget* window)
           [this](const QWidget*, const QWidget* now) { follow(now); });
 }
 
-/// A clip without steps does not take the user out of the library; one with steps does, for who
-/// comes back to it wants these undone.
+/// A clip without steps leaves the library current; a clip with steps becomes current, since a user
+/// who returns to it wants to undo those.
 void UndoTarget::takeClip() {
   QUndoStack* history = session_->history();
   if (!histories_.stacks().contains(history)) {
@@ -48,7 +48,7 @@ void UndoTarget::takeClip() {
     histories_.setActiveStack(history);
 }
 
-/// A key may change a clip while the focus is in the library.
+/// A shortcut may change a clip while the library has the focus.
 void UndoTarget::followSteps(QUndoStack* history) {
   connect(history, &QUndoStack::indexChanged, this, [this, history](int index) {
     const bool is_current = history == library_->history() || history == session_->history();

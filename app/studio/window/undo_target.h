@@ -11,10 +11,9 @@ namespace mocapress {
 class Library;
 class Session;
 
-/// What Edit > Undo acts on: the history of the library, or that of the clip that is open,
-/// whichever the user worked in last. That is where the focus went last, or where a step was done
-/// since, or a clip with steps that was opened since. When these are used up, nothing else is
-/// undone instead.
+/// Decides if Edit > Undo acts on the library or on the open clip: on the one that last had the
+/// focus, had a step, or was opened with steps. When its steps are used up, nothing else is undone
+/// instead.
 class UndoTarget : public QObject {
   Q_OBJECT
 
@@ -23,7 +22,7 @@ class UndoTarget : public QObject {
 
   QUndoGroup* histories() { return &histories_; }
 
-  /// While the focus is in this panel, it is the library that is worked in.
+  /// Focus in this panel means that the user works in the library.
   void setLibraryPanel(const QWidget* panel) { panel_ = panel; }
 
  private:

@@ -14,30 +14,30 @@ namespace mocapress {
 
 class Viewport;
 
-/// How the 3D view shows the figures.
+/// Display of the figures in the 3D view.
 struct ViewActions {
   QActionGroup* modes = nullptr;
-  std::array<QAction*, 3> mode{};  // by ViewMode
+  std::array<QAction*, 3> mode{};  // indexed by ViewMode
   QAction* swap = nullptr;
   QAction* blink = nullptr;
   QAction* by_error = nullptr;
   QAction* skin = nullptr;
   QAction* path = nullptr;
   QAction* trail = nullptr;
-  QActionGroup* trail_poses = nullptr;  // data(): how many before now, and after
+  QActionGroup* trail_poses = nullptr;  // data(): poses before the current frame, and as many after
   QAction* in_place = nullptr;
   QAction* floor = nullptr;
   QAction* follow = nullptr;
   QAction* reset_camera = nullptr;
 
-  /// For menus and tool bars, with separators (null) between groups.
+  /// Actions for menus and tool bars, with null for separators between groups.
   QList<QAction*> inGroups() const;
 };
 
-/// With texts, icons and shortcuts.
+/// Makes actions with texts, icons and shortcuts.
 ViewActions makeViewActions(QMainWindow* window);
 
-/// With effect on a view.
+/// Connects the actions to a view.
 void connectViewActions(const ViewActions& actions, Viewport* viewport);
 
 void addInGroups(QMenu* menu, const ViewActions& actions);
