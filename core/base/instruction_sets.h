@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Work on many numbers that is compiled twice, with and without AVX2, of which the program takes
-// what the machine has. Both do the same operations in the same order and without contraction: the
-// bits agree. What is to be compiled twice is one inline function, of vectors of either length.
+// Compiles work on many numbers twice, with and without AVX2; the program uses the version that
+// suits the machine. Both do the same operations in the same order and without contraction: the
+// bits agree. Code to be compiled twice is one inline function of vectors of either length.
 #pragma once
 
 #include <cstring>

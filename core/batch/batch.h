@@ -15,7 +15,7 @@
 
 namespace mocapress {
 
-/// What is made of a clip. All but the first are the motion as it comes out of the .mcpr.
+/// Output formats. All but the first hold the motion decoded from the .mcpr.
 enum class OutputFormat { Mcpr, Bvh, Amc, Csv, Glb, Fbx, Review };
 
 inline constexpr std::array<OutputFormat, 7> kOutputFormats = {

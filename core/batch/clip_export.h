@@ -41,10 +41,10 @@ BatchRow failed_row(const Batch& batch, std::size_t index, const std::string& wh
 bool still_done(const BatchRow& row, const Batch& batch, const BatchItem& item,
                 const std::filesystem::path& folder);
 
-/// Reads a clip, puts it on the batch's character where it has one, compresses it, writes its files
-/// beside their places, reads them back and measures what was read against what was promised; only
-/// then are they put in place. What goes wrong is in the row, and then nothing was put in place.
-/// Unset when the observer ended it.
+/// Exports a clip: reads it, puts it on the batch's character if there is one, compresses it,
+/// writes its files under temporary names, reads them back and measures them against the request.
+/// Only then are the files put in place. On an error the row has the message and no file is
+/// changed. Unset if the observer stopped it.
 std::optional<BatchRow> export_clip(const Batch& batch, std::size_t index,
                                     const std::filesystem::path& folder, const ExportRights& rights,
                                     SharedCharacters& characters,

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The weights of nodes of which tracks have all. Of tracks of one name, each is taken once.
+/// Weights of nodes that have a track for each weight. Among tracks of one name, each is used once.
 std::vector<WeightsTrack> weights_of(const GltfTake& take, const ScalarTracks& tracks) {
   std::unordered_set<const ScalarTrack*> taken;
   std::map<std::size_t, WeightsTrack> of_node;
@@ -122,8 +122,8 @@ void embed_buffers(GltfFile& file, Json& json, bool with_files) {
   }
 }
 
-/// Puts images that are files of their own into the file. A .glb has them in its chunk, and those
-/// of data URIs too. What is not there, or elsewhere, stays a reference.
+/// Moves external images into the file: into the chunk of a .glb, as are those of data URIs. Images
+/// that are missing or remote stay references.
 void embed_images(const GltfFile& file, Json& json, bool with_files, BufferWriter* chunk) {
   if (!json.contains("images")) return;
   Json images = json["images"];  // apart: add_view() adds to `json`

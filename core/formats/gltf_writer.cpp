@@ -61,7 +61,7 @@ std::vector<std::string> gltf_names(const Skeleton& skeleton) {
   std::vector<std::string> names;
   std::unordered_set<std::string> taken;
   for (const Joint& joint : skeleton.joints()) {
-    // What is no UTF-8 becomes the sign for that, here as in the file.
+    // Bytes that are not UTF-8 become the replacement character, here as in the file.
     const std::string valid = parse_json("", dumped(joint.name)).get<std::string>();
     names.push_back(unique_word(valid.empty() ? "joint" : valid, taken));
   }

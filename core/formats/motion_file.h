@@ -112,8 +112,8 @@ MotionFile read_motion_of_many(const std::filesystem::path& path,
                                const std::optional<std::filesystem::path>& skeleton_path = {},
                                const ReadOptions& options = {}, const CharacterReader& read = {});
 
-/// What to say where errors are measured elsewhere than on a body around bones: where the mesh of
-/// `file` reaches much further, or no bone has a length.
+/// The warning for errors that are not measured on a body around the bones: the mesh of `file`
+/// reaches much further, or no bone has a length.
 Warnings surface_warnings(const std::filesystem::path& file, const Skeleton& skeleton);
 
 /// The bytes of a .bvh, .fbx, .glb, .gltf or .csv, by the extension of `file`, as write_motion()
@@ -123,12 +123,12 @@ std::string motion_bytes(const std::filesystem::path& file, const Motion& motion
                          const ScalarTracks& tracks = {});
 
 /// Writes .bvh, .fbx, .glb, .gltf, .csv, or .amc with the skeleton at `skeleton_path` (by default
-/// beside the .amc, same name, extension .asf), by the extension of `path`: in the axes and, of its
-/// source's kind, the unit and root convention that `source` had, unless `options` ask for others.
-/// A glTF has Y up and is in metres, an FBX in centimetres, but where its source was such a file in
-/// another unit. Of `tracks` a .csv and an .fbx have all, a glTF the scales. What had no place is
-/// said. Throws WriteError, also where a file is there and `existing` is Refuse; Error on an
-/// unknown extension.
+/// beside the .amc, same name, extension .asf), by the extension of `path`. The file has the axes
+/// of `source`, and its unit and root convention if the formats match, unless `options` ask for
+/// others. A glTF has Y up and metres, an FBX centimetres, unless the source was such a file with
+/// another unit. A .csv and an .fbx hold all `tracks`, a glTF the scales. Warnings list everything
+/// that had no place. Throws WriteError, also for an existing file if `existing` is Refuse; Error
+/// for an unknown extension.
 Warnings write_motion(const std::filesystem::path& path, const Motion& motion,
                       const std::optional<std::filesystem::path>& skeleton_path = {},
                       const SourceFormat& source = {}, const WriteOptions& options = {},

@@ -92,11 +92,11 @@ std::vector<Eigen::Affine3d> world_from_bind(const Skin& skin, const Pose& pose)
 /// Positions (cm) of the vertices in a pose.
 std::vector<Eigen::Vector3d> skinned_positions(const Skin& skin, const Pose& pose);
 
-/// The skin on a skeleton that has joints of the same names, whatever stands before a colon in
-/// them. Joints may have other axes, where the rest pose of `to` is about the one in which the skin
-/// was bound (as that of a BVH). What hangs on joints that `to` lacks stays with the joint above
-/// them, as it was bound. Bones keep their own lengths where these differ. Throws Error that names
-/// what `to` lacks, where that carries most of the skin.
+/// Moves the skin to a skeleton that has joints of the same names, ignoring prefixes that end with
+/// a colon. The joints may have other axes, if the rest pose of `to` is about the pose in which the
+/// skin was bound (as a BVH's is). Vertices on joints that `to` lacks follow the nearest ancestor
+/// that it has, as they were bound. Bones keep their own lengths if these differ. Throws Error that
+/// names the missing joints if they carry most of the skin.
 Skin bound_to(const Skin& skin, const Skeleton& from, const Skeleton& to);
 
 /// Names of the joints in `from` that carry some of the skin and that `to` lacks.

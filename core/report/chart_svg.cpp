@@ -9,9 +9,9 @@
 namespace mocapress {
 namespace {
 
-constexpr double kGuideEpsCm = 0.5;  // up to here the paper saw no artifact
+constexpr double kGuideEpsCm = 0.5;  // the paper saw no artifacts up to this error
 
-/// A logarithmic axis on a stretch of pixels.
+/// Maps values to pixels on a logarithmic axis.
 class LogAxis {
  public:
   LogAxis(double low, double high, double from_px, double to_px)
@@ -22,7 +22,7 @@ class LogAxis {
   }
   bool holds(double value) const { return value >= low_ * 0.999 && value <= high_ * 1.001; }
 
-  /// 1, 2, 5 of each decade, 1 to 9 of a short range, 1 of a long one.
+  /// The digits 1, 2 and 5 of each decade, 1 to 9 in a short range, only 1 in a long one.
   std::vector<double> ticks() const {
     constexpr double kLeastGap = 26;  // px
     const double decades = std::log10(high_ / low_);
@@ -53,7 +53,7 @@ std::string line_between(double x1, double y1, double x2, double y2, std::string
                  "");
 }
 
-/// Circle, square, triangle, diamond, and the same on their heads.
+/// Draws circle, square, triangle and diamond, then the same upside down.
 std::string marker_path(int style, double x, double y, double r) {
   const auto polygon = [&](int corners, double turn, double size) {
     std::string d;
@@ -114,7 +114,7 @@ class Drawing {
   double left() const { return 52; }
   double right() const { return chart_.width - (chart_.direct_labels ? label_width() : 12); }
   double label_width() const {
-    constexpr double kLetter = 7.6;  // px, on average, of the bold labels
+    constexpr double kLetter = 7.6;  // px: average letter of a bold label
     std::size_t longest = 0;
     for (const ChartSeries& series : chart_.series)
       longest = std::max(longest, series.title.size());
@@ -174,7 +174,7 @@ class Drawing {
     return content;
   }
 
-  /// At the right ends of the lines, moved apart where they would touch.
+  /// Labels at the right ends of the lines, moved apart if they would touch.
   std::string labels() const {
     struct Label {
       double x, y, wanted;

@@ -11,7 +11,7 @@ Curve best_of(std::vector<CurvePoint> points) {
   std::sort(points.begin(), points.end(), [](const CurvePoint& a, const CurvePoint& b) {
     return a.ratio != b.ratio ? a.ratio > b.ratio : a.eps_cm < b.eps_cm;
   });
-  Curve curve;  // from the smallest file on: each must be better than all before it
+  Curve curve;  // starts with the smallest file: each point must beat all before it
   for (const CurvePoint& point : points)
     if (curve.empty() || point.eps_cm < curve.back().eps_cm) curve.push_back(point);
   std::reverse(curve.begin(), curve.end());
@@ -47,7 +47,7 @@ Curve mean_at_equal_error(std::span<const Curve> curves, int points) {
   if (curves.empty() || low >= high) return {};
   Curve mean;
   for (int i = 0; i < points; ++i) {
-    // The last is exact, not a rounding beyond the end.
+    // The last point is exact: rounding could put it beyond the curve's end.
     const double eps_cm = i + 1 == points ? high : low * std::pow(high / low, i / (points - 1.0));
     std::vector<double> ratios;
     for (const Curve& curve : curves)

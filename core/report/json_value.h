@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Values in rows of results. One that is missing is null in JSON, and empty in CSV.
+// Values in rows of results. A missing value is null in JSON and empty in CSV.
 
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -22,15 +22,16 @@ inline Json text_or_null(std::string_view text) {
   return text.empty() ? Json() : Json(text);
 }
 
-/// Nothing where null stands. Throws like the JSON library does, for a missing key too.
+/// Reads a value; null gives an unset one. Throws the JSON library's exceptions, also for a missing
+/// key.
 template <typename T>
 std::optional<T> optional_at(const Json& json, const char* key) {
   const Json& value = json.at(key);
   return value.is_null() ? std::nullopt : std::optional<T>(value.get<T>());
 }
 
-/// A field of comma-separated values (RFC 4180). It comes from names of files and joints: control
-/// characters are shown, and what a spreadsheet would take for a formula begins with an apostrophe.
+/// A field of comma-separated values (RFC 4180) from names of files and joints: control characters
+/// are made visible, and an apostrophe precedes text that a spreadsheet would take for a formula.
 inline std::string csv_quoted(const std::string& field) {
   constexpr std::string_view kFormulas = "=+-@";
   std::string text = printable(field);

@@ -13,14 +13,14 @@
 
 namespace mocapress {
 
-/// 16 hexadecimal digits that change with any sample, the rate, the skeleton or the mesh that it
-/// carries: tells a changed clip from the one a row was measured on. Not against malice.
+/// A checksum of 16 hexadecimal digits over samples, rate, skeleton and mesh: it tells if a clip
+/// has changed since it was measured. It does not protect against forgery.
 std::string fingerprint(const Motion& motion);
 
-/// A clip that was read, with all that its compressions have in common.
+/// A clip with everything that its compressions share.
 class LoadedClip {
  public:
-  /// Throws InputError when the file cannot be read.
+  /// Throws InputError if the file cannot be read.
   explicit LoadedClip(MotionFile file);
 
   const MethodEncoder& encoder() const { return encoder_; }
@@ -30,11 +30,12 @@ class LoadedClip {
   const SourceFormat& source() const { return source_; }
   const ScalarTracks& tracks() const { return tracks_; }
 
-  /// Spans in which a foot is planted, in the original.
+  /// Spans in which a foot is planted in the original.
   const std::vector<ContactSpan>& contacts() const { return encoder_.wavelets().contacts(); }
 
-  /// `contacts`: of edited ones, over which the footskate of the encoding was measured.
-  Measurement measure(const Encoding& encoding, std::optional<std::size_t> contacts = {}) const;
+  /// `contacts` are edited contacts, over which the footskate is measured instead.
+  Measurement measure(const Compression& compression,
+                      std::optional<std::size_t> contacts = {}) const;
 
  private:
   Warnings warnings_;

@@ -6,37 +6,37 @@
 
 namespace mocapress {
 
-/// Text as it may stand in HTML and SVG, in attributes too.
+/// Escapes a text for HTML and SVG, including attributes.
 std::string escaped(std::string_view text);
 
-/// "<tag attributes>content</tag>". Content is markup: escape what is not. Nested calls make a page
-/// whose tags are balanced by construction.
+/// Makes "<tag attributes>content</tag>". Content is markup already; text must be escaped first.
+/// Nested calls keep tags balanced.
 std::string element(std::string_view tag, std::string_view attributes, std::string_view content);
 
-/// ' name="value"', the value escaped.
+/// Makes ' name="value"' and escapes the value.
 std::string attribute(std::string_view name, std::string_view value);
 
-/// With so many decimals.
+/// Formats a number with `decimals` decimals.
 std::string fixed(double value, int decimals);
 
-/// A length on a drawing.
+/// Formats a length on a drawing.
 std::string px(double value);
 
-/// With about three significant digits, never an exponent: "0.051", "3.42", "128".
+/// Formats about three significant digits, never an exponent: "0.051", "3.42", "128".
 std::string format_significant(double value);
 
-/// As it was given, without zeros at the end: "0.26", "30".
+/// Formats a number without trailing zeros: "0.26", "30".
 std::string format_shortest(double value);
 
-/// "28.5:1".
+/// Formats a ratio as "28.5:1".
 std::string ratio_text(double ratio);
 
 }  // namespace mocapress
 
-/// The parts of an HTML table.
+/// Parts of an HTML table.
 namespace mocapress::html {
 
-/// Stands where there is no figure.
+/// Text for a missing figure.
 inline constexpr const char* kNothing = "&#8211;";
 
 inline std::string cell(std::string_view content, std::string_view css = "") {
@@ -60,7 +60,7 @@ inline std::string table(std::string_view heads, std::string_view body) {
                  element("table", "", element("thead", "", heads) + element("tbody", "", body)));
 }
 
-/// A head over several columns.
+/// A heading over several columns.
 inline std::string group(std::string_view title, std::size_t columns,
                          std::string_view css = "group") {
   return head(title, attribute("colspan", std::to_string(columns)) + attribute("class", css));

@@ -11,7 +11,7 @@
 
 namespace mocapress {
 
-/// What a compression came to.
+/// The measured result of a compression.
 struct Measurement {
   int frames = 0;
   int channels = 0;
@@ -20,29 +20,29 @@ struct Measurement {
   std::size_t motion_bytes = 0;
   std::size_t file_bytes = 0;
   double ratio = 0;                         // raw_bytes / motion_bytes
-  std::optional<double> coefficient_ratio;  // of wavelets
+  std::optional<double> coefficient_ratio;  // for wavelet methods
   double eps_bone_ends_cm = 0;
   double eps_joint_origins_cm = 0;
   double max_error_cm = 0;
   double p95_error_cm = 0;
   double p99_error_cm = 0;
   BodyFigures body;
-  std::optional<Seen> seen;  // unset: in rows from before it was measured
+  std::optional<Seen> seen;  // unset in older rows without it
   int worst_frame = 0;
-  int contacts = 0;                      // of the feet with the ground, in the original
-  std::optional<double> footskate_cm;    // over all contacts; unset: there are none
-  std::optional<SlidePerContact> slide;  // the same footskate, a contact
-  std::optional<double> ik_ratio_used;   // with IK: r_IK, asked for or found
+  int contacts = 0;                      // number of foot contacts in the original
+  std::optional<double> footskate_cm;    // over all contacts; unset without contacts
+  std::optional<SlidePerContact> slide;  // the same footskate for each contact
+  std::optional<double> ik_ratio_used;   // with IK: r_IK, given or found
   std::optional<std::size_t> ik_bytes;
-  std::optional<double> knee_speed_ratio;  // with IK: its speed over the original's
-  std::optional<int> iterations;           // of the last annealing
-  double encode_seconds = 0;               // search for the target and all
+  std::optional<double> knee_speed_ratio;  // with IK: fastest knee relative to the original
+  std::optional<int> iterations;           // iterations of the last annealing
+  double encode_seconds = 0;               // includes the search for the target
 
-  /// What eps_x and the maximum are in a weighting.
+  /// eps_x and the maximum in a weighting.
   double eps_cm(Weighting weighting) const;
   double max_cm(Weighting weighting) const;
 
-  /// Of the kind a target is of; 0: unknown.
+  /// The value in the unit of a target; 0: unknown.
   double quantity(Target::Kind kind, Weighting weighting) const;
   double ms_per_frame() const { return frames > 0 ? 1000 * encode_seconds / frames : 0; }
 

@@ -7,15 +7,15 @@ namespace mocapress {
 
 namespace {
 
-/// What add_seen() wrote; unset where nothing did. Throws like the JSON library does.
+/// Reads the keys of add_seen(); unset if there are none. Throws the JSON library's exceptions.
 std::optional<Seen> seen_of(const Json& json) {
   if (!json.contains("times_noticed") || json.at("times_noticed").is_null()) return std::nullopt;
   return Seen{json.at("times_noticed").get<double>(), json.at("visible_frames_share").get<double>(),
               optional_at<std::string>(json, "visibility_reason").value_or("")};
 }
 
-/// What add_body_figures() wrote, but for where the worst points are. Throws like the JSON library
-/// does.
+/// Reads the keys of add_body_figures(), except the places of the worst points. Throws the JSON
+/// library's exceptions.
 BodyFigures body_figures_of(const Json& json) {
   const auto spread = [&](const std::string& of) {
     Spread found;

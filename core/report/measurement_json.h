@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A measurement as JSON: the keys that every command, row and report shares.
+// A measurement as JSON, with keys shared by every command, row and report.
 
 #pragma once
 
@@ -25,12 +25,12 @@ void add_body_figures(const BodyFigures& figures, const Add& add) {
   };
   add_spread("surface", figures.surface);
   add_spread("shell", figures.shell);
-  add_spread("skin", figures.skin);  // null where there is no mesh
+  add_spread("skin", figures.skin);  // null without a mesh
   const auto add_turn = [&](const std::string& of, const std::optional<PartTurn>& turn) {
     add((of + "_degrees").c_str(), turn ? Json(turn->rms_degrees) : Json());
     add((of + "_worst_degrees").c_str(), turn ? Json(turn->max_degrees) : Json());
   };
-  add_turn("head", figures.head);  // null where no joint has such a name
+  add_turn("head", figures.head);  // null without a joint of that name
   add_turn("hand", figures.hand);
   add_turn("finger", figures.finger);
   add_turn("foot", figures.foot);
@@ -47,7 +47,7 @@ void add_body_figures(const BodyFigures& figures, const Add& add) {
   add("worst_neighbours_cm_per_frame", Json(figures.ends.worst_neighbours_cm_per_frame));
 }
 
-/// The same of what the eye sees.
+/// The same for visibility.
 template <typename Add>
 void add_seen(const std::optional<Seen>& seen, const Add& add) {
   add("visibility", seen ? Json(name(seen->sight())) : Json());
@@ -56,7 +56,7 @@ void add_seen(const std::optional<Seen>& seen, const Add& add) {
   add("visible_frames_share", seen ? Json(seen->visible_share) : Json());
 }
 
-/// The errors of a measurement, from its coefficient ratio to its worst frame.
+/// Calls `add` for a measurement's errors, from the coefficient ratio to the worst frame.
 template <typename Add>
 void add_errors(const Measurement& m, Weighting weighting, const Add& add) {
   add("coefficient_ratio", or_null(m.coefficient_ratio));
@@ -71,12 +71,12 @@ void add_errors(const Measurement& m, Weighting weighting, const Add& add) {
   add("worst_frame", Json(m.worst_frame));
 }
 
-/// What every row of results says of its measurement, all null without one. What a clock said is
-/// not among it.
+/// Adds the measurement keys that every row of results has, all null without a measurement. Times
+/// are not among them.
 void add_measurement(Json& json, const std::optional<Measurement>& measured, Weighting weighting);
 
-/// The measurement of a row, but for where its worst points are and for "ik_ratio_used", which not
-/// every row has. Throws like the JSON library does.
+/// Reads the measurement of a row, except the places of its worst points and "ik_ratio_used", which
+/// only some rows have. Throws the JSON library's exceptions.
 Measurement measurement_of(const Json& row);
 
 }  // namespace mocapress

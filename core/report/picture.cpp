@@ -13,9 +13,9 @@ namespace mocapress {
 
 namespace {
 
-constexpr double kThickness = 0.42;   // cm of radius for the root of a cm carried
+constexpr double kThickness = 0.42;   // radius (cm) per square root of carried length
 constexpr double kLeastRadius = 0.9;  // cm
-constexpr double kShortest = 0.1;     // cm: not worth drawing
+constexpr double kShortest = 0.1;     // cm: shorter limbs are not drawn
 
 std::string lower(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -26,7 +26,7 @@ double radius(double carried_length) {
   return std::max(kLeastRadius, kThickness * std::sqrt(carried_length));
 }
 
-/// For each joint, the summed length of its segments and all below.
+/// For each joint, the total length of its segments and all below.
 std::vector<double> carried_lengths(const Skeleton& skeleton) {
   std::vector<double> carried = skeleton.driven_lengths();
   for (int j = skeleton.joint_count() - 1; j > 0; --j)

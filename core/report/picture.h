@@ -15,18 +15,18 @@ namespace mocapress {
 
 /// A tapered limb between two landmarks.
 struct DrawnBone {
-  int from;  // landmarks
+  int from;  // landmark indices
   int to;
   double from_radius;  // cm
   double to_radius;
 };
 
-/// A body for a skeleton: limbs that taper as trees do, each as thick as all that it carries is
-/// long (Leonardo's rule), and a head.
+/// A body for a skeleton: limbs that taper like branches, as thick as the length of everything they
+/// carry (Leonardo's rule), and a head.
 std::vector<DrawnBone> figure_shape(const Skeleton& skeleton);
 
-/// Where the figure faces, horizontal and of length 1, from where its legs join the trunk. World z
-/// when it has no legs to tell. `points` are the landmarks of one frame, y up.
+/// The horizontal unit vector in which the figure faces, judged by where its legs join the trunk.
+/// World z for a figure without legs. `points` are the landmarks of one frame, y up.
 Eigen::Vector3d facing(const Skeleton& skeleton, const std::vector<Eigen::Vector3d>& points);
 
 /// World positions (cm) of all landmarks at one frame.
@@ -41,35 +41,35 @@ struct PicturedMethod {
   SightChart sights;
 };
 
-/// One frame, as it was and as each method left it.
+/// One frame of the original and of each method.
 struct PicturedFrame {
   int frame = 0;
   PosePoints original;
-  std::vector<PosePoints> decoded;  // one a method
+  std::vector<PosePoints> decoded;  // one for each method
 };
 
-/// The contact in which the first method let a foot slide most.
+/// The contact with the largest slide in the first method.
 struct PicturedFoot {
   int landmark = 0;
   PicturedFrame pose;  // at the end of the contact
   std::vector<Eigen::Vector3d> original_trail;
-  std::vector<std::vector<Eigen::Vector3d>> trails;  // one a method
-  std::vector<double> slid_cm;                       // one a method, beyond the original's own
+  std::vector<std::vector<Eigen::Vector3d>> trails;  // one for each method
+  std::vector<double> slid_cm;                       // for each method, in excess of the original
 };
 
-/// A clip compressed by several methods to one ratio, in poses worth looking at.
+/// A clip compressed by several methods to one ratio, in selected poses.
 struct Picture {
   std::string clip;  // path
-  double ratio = 0;  // asked of every method
+  double ratio = 0;  // same for every method
   double sample_rate_hz = 120;
   int frames = 0;
   std::vector<DrawnBone> bones;
   std::vector<std::string> landmark_names;
   double ground_cm = 0;    // height of the floor
-  Eigen::Vector3d facing;  // at the worst frame
+  Eigen::Vector3d facing;  // in the worst frame
   std::vector<PicturedMethod> methods;
-  PicturedFrame worst;                  // where the first method is furthest off
-  std::vector<PicturedFrame> sequence;  // evenly over the clip
+  PicturedFrame worst;                  // largest error of the first method
+  std::vector<PicturedFrame> sequence;  // at even distances over the clip
   std::optional<PicturedFoot> foot;     // unset: no foot slides
 };
 

@@ -5,13 +5,13 @@
 
 namespace mocapress {
 
-/// The program that made a report, and when.
+/// The program that made a report, and the time.
 struct ReportStamp {
   std::string program;  // "Mocapress 1.2.3"
   std::string time;     // ISO 8601, UTC
 };
 
-/// This program at report_time().
+/// The stamp of this program at report_time().
 ReportStamp report_stamp();
 
 }  // namespace mocapress

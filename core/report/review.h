@@ -7,10 +7,10 @@
 
 namespace mocapress {
 
-/// What a reviewer decided about a clip.
+/// A reviewer's decision about a clip.
 enum class Verdict { None, Approved, Rejected };
 
-/// "approved", "rejected"; empty: neither.
+/// Returns "approved", "rejected" or an empty text.
 constexpr std::string_view name(Verdict verdict) {
   switch (verdict) {
     case Verdict::Approved:
@@ -23,22 +23,22 @@ constexpr std::string_view name(Verdict verdict) {
   return "";
 }
 
-/// The inverse; none where it is neither.
+/// The inverse of name(); None for any other word.
 constexpr Verdict verdict_named(std::string_view word) {
   for (const Verdict verdict : {Verdict::Approved, Verdict::Rejected})
     if (name(verdict) == word) return verdict;
   return Verdict::None;
 }
 
-/// A reviewer's verdict about a clip, and what was reviewed. It goes with the clip into every
-/// report; stale_reason() in core/report/verdict.h says whether it still holds.
+/// A reviewer's verdict about a clip, and the hashes of what was reviewed. It goes with the clip
+/// into every report; stale_reason() in core/report/verdict.h tells if it still applies.
 struct ClipReview {
   Verdict verdict = Verdict::None;
   std::string note = {};
   std::string reviewer = {};
   std::string time = {};           // ISO 8601, UTC: "2026-11-26T14:05:00Z"
-  std::string source_hash = {};    // of the bytes that were reviewed; empty: not known
-  std::string settings_hash = {};  // of the settings they were compressed with; empty: not known
+  std::string source_hash = {};    // hash of the reviewed bytes; empty: unknown
+  std::string settings_hash = {};  // hash of the settings used; empty: unknown
 
   bool operator==(const ClipReview&) const = default;
 };

@@ -16,7 +16,7 @@ std::string_view text_of(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// JSON that may stand in a script of a page: without what ends one.
+/// Writes JSON for a <script>, without characters that could end it.
 std::string in_script(const Json& json) {
   std::string text;
   for (const char letter : dumped(json))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Pages on which a reader turns and plays a clip: the original and what it was compressed to. They
-// open from disk, without a server. The viewer is JavaScript (core/report/viewer); a build has it
-// where core/report/viewer/build had made it before.
+// Web pages on which a reader turns and plays a clip and its original. They open from disk without
+// a server. The viewer is JavaScript (core/report/viewer); a build includes it if
+// core/report/viewer/build was run before.
 #pragma once
 
 #include <cstddef>
@@ -14,29 +14,29 @@
 
 namespace mocapress {
 
-/// Whether this build has the viewer.
+/// True if this build includes the viewer.
 bool has_review_viewer();
 
-/// Says why it has none, and how to get it.
+/// Tells why a build has no viewer, and how to get it.
 inline constexpr const char* kNoReviewViewer =
     "this program was built without the viewer of review pages: core/report/viewer/build makes it "
     "where npm and emscripten are";
 
-/// A script that gives a page one clip, of which both files are .mcpr that the runtime plays.
-/// `name` is the clip's in the page. A page finds the script of a clip beside it as NAME.review.js.
+/// A script that adds one clip to a page, from two .mcpr files that the runtime plays. `name` is
+/// the clip's name in the page. A page finds the script of a clip beside it as NAME.review.js.
 std::string review_script(std::string_view name, std::span<const std::byte> original,
                           std::span<const std::byte> compressed);
 
 inline constexpr const char* kReviewExtension = ".review.js";
 
-/// The viewer as a section of a page, hidden until a clip is shown. It is well-formed XML.
+/// The viewer as a section of a page, hidden until a clip is opened. It is well-formed XML.
 std::string review_section(std::span<const std::byte> viewer = review_viewer());
 
-/// A script that puts a button to show the clip into each row of the table `clips`, whose rows are
-/// headed by the clips' names.
+/// A script that adds a button for the viewer to each row of the table `clips`, whose row headings
+/// are the clips' names.
 std::string review_buttons();
 
-/// A page of one clip, with all that it needs in it. Facts are short texts about the clip.
+/// A self-contained page for one clip. Facts are short texts about the clip.
 std::string review_page(std::string_view name, const std::vector<std::string>& facts,
                         const std::string& script,
                         std::span<const std::byte> viewer = review_viewer());

@@ -3,8 +3,8 @@
 
 namespace mocapress {
 
-/// Unpacks the viewer when the first clip is asked for, and clips from the page or from scripts
-/// beside it. Neither < nor & may stand here: pages are XML, too.
+/// Unpacks the viewer when the first clip is opened, and clips from the page or from scripts beside
+/// it. Neither < nor & may occur here, since pages are XML too.
 inline constexpr const char* kReviewScript = R"(
 const mocapressClips = new Map();
 function mocapressReview(name, original, compressed) {
@@ -47,8 +47,8 @@ async function showClip(name, facts) {
 }
 )";
 
-/// Puts a button into each row of the clips, after kReportScript, which has the rows and finds
-/// their columns. Facts from the row go with the clip.
+/// Adds a button to each row of the clips. It runs after kReportScript, which defines the rows and
+/// finds their columns. Facts from the row go with the clip.
 inline constexpr const char* kReviewButtons = R"(
 const told = ["preset", "ratio", "max", "to the eye", "verdict", "note"];
 for (const row of rows) {
@@ -67,7 +67,7 @@ for (const row of rows) {
 }
 )";
 
-/// Its style.
+/// Style sheet of the viewer.
 inline constexpr const char* kReviewStyle = R"css(
 .review canvas { display: block; width: 100%; height: min(64vh, 720px); border-radius: 10px; outline: none; }
 .review canvas.strip { height: 44px; border-radius: 4px; margin-top: 8px; background: var(--page); cursor: pointer; }

@@ -6,10 +6,10 @@
 
 namespace mocapress {
 
-/// A build refuses a larger one: a report of 3,000 clips stays below 3 MB with it.
+/// The largest viewer that a build accepts: a report of 3,000 clips stays below 3 MB with it.
 inline constexpr std::size_t kLargestViewer = 300'000;
 
-/// build/web/viewer.js.gz, as the build found it; empty where there was none.
+/// The bytes of build/web/viewer.js.gz; empty if the build had none.
 std::span<const std::byte> review_viewer();
 
 }  // namespace mocapress

@@ -13,17 +13,17 @@
 namespace mocapress {
 namespace {
 
-constexpr double kBeside = 62 * M_PI / 180;     // between where the figure faces and the camera
-constexpr double kElevation = 11 * M_PI / 180;  // of the camera
-constexpr double kDistanceInHeights = 2.6;      // of what is seen
+constexpr double kBeside = 62 * M_PI / 180;     // between the figure's front and the camera
+constexpr double kElevation = 11 * M_PI / 180;  // angle of the camera above the horizon
+constexpr double kDistanceInHeights = 2.6;      // distance in heights of the visible part
 constexpr double kGridStepCm = 50;
-constexpr int kGridLines = 4;      // on either side of the centre
-constexpr std::size_t kFades = 4;  // of the floor, outwards
-constexpr int kShades = 4;         // of near and far limbs
-// Of the light, as how far a shadow falls for a cm of height.
+constexpr int kGridLines = 4;      // on each side of the centre
+constexpr std::size_t kFades = 4;  // steps of the floor's fading outwards
+constexpr int kShades = 4;         // shades from near to far limbs
+// Direction of the light: the shift of a shadow for each cm of height.
 const Eigen::Vector3d kShadowSlope{0.28, 0, -0.18};
 
-/// The outline of two discs and what their common tangents enclose.
+/// The outline of two discs and their common tangents.
 std::string capsule_path(double x1, double y1, double r1, double x2, double y2, double r2) {
   const double d = std::hypot(x2 - x1, y2 - y1);
   if (r2 > r1) return capsule_path(x2, y2, r2, x1, y1, r1);
@@ -35,7 +35,7 @@ std::string capsule_path(double x1, double y1, double r1, double x2, double y2, 
   const auto arc = [](double r, int large) {
     return "A" + px(r) + " " + px(r) + " 0 " + std::to_string(large) + " 0 ";
   };
-  if (aside == 0)  // one disc hides the other
+  if (aside == 0)  // one disc covers the other
     return "M" + on(x1, y1, r1, 0) + arc(r1, 0) + on(x1, y1, r1, M_PI) + arc(r1, 0) +
            on(x1, y1, r1, 0) + "Z";
   return "M" + on(x1, y1, r1, along + aside) + "L" + on(x2, y2, r2, along + aside) + arc(r2, 0) +
@@ -64,7 +64,7 @@ SceneSvg::OnSheet SceneSvg::project(const Eigen::Vector3d& point) const {
 }
 
 void SceneSvg::add_floor() {
-  // Snapped to the world's grid, so that the lines tell how far the figure has come.
+  // The floor is snapped to the world's grid, so that its lines show how far the figure has moved.
   const double x = kGridStepCm * std::round(view_.centre.x() / kGridStepCm);
   const double z = kGridStepCm * std::round(view_.centre.z() / kGridStepCm);
   const double reach = kGridLines * kGridStepCm;
@@ -113,7 +113,7 @@ void SceneSvg::add_shadow(const PosePoints& points) {
   for (const DrawnBone& bone : picture_.bones) {
     const OnSheet from = project(fallen[static_cast<std::size_t>(bone.from)]);
     const OnSheet to = project(fallen[static_cast<std::size_t>(bone.to)]);
-    // On the floor a disc is seen flat.
+    // A disc on the floor appears flattened.
     d += capsule_path(from.x, from.y, 0.45 * bone.from_radius * from.scale, to.x, to.y,
                       0.45 * bone.to_radius * to.scale);
   }
@@ -167,7 +167,7 @@ void SceneSvg::add_gap(const Eigen::Vector3d& wanted, const Eigen::Vector3d& fou
   const double y = (from.y + to.y) / 2;
   const double r = std::hypot(from.x - to.x, from.y - to.y) / 2 + 13;
   const bool leftwards = x > view_.width / 2;
-  const double side = leftwards ? 1 : -1;  // outwards
+  const double side = leftwards ? 1 : -1;  // away from the figure
   const bool fits = side > 0 ? x + r + 8 < view_.width * 0.8 : x - r - 8 > view_.width * 0.2;
   const double text_x = fits ? x + side * (r + 8) : x - side * (r + 8);
   const bool to_the_right = text_x > x;

@@ -10,12 +10,12 @@
 
 namespace mocapress {
 
-/// A camera that looks at a point, a little from above and from beside where the figure faces, and
-/// the sheet it draws on.
+/// A camera that looks at a point from a little above and from beside the figure's front, and the
+/// sheet it draws on.
 struct SceneView {
   Eigen::Vector3d centre;  // cm, in the world
   Eigen::Vector3d facing;  // horizontal
-  double height_cm = 215;  // of what is seen at the centre
+  double height_cm = 215;  // height of the visible part at the centre
   double width = 520;      // px
   double height = 470;
 };
@@ -25,28 +25,28 @@ class SceneSvg {
  public:
   SceneSvg(const Picture& picture, const SceneView& view);
 
-  /// Lines half a metre apart around the centre, fading out.
+  /// Adds lines half a metre apart around the centre, fading out.
   void add_floor();
 
   void add_shadow(const PosePoints& points);
 
-  /// In the colours of a class: "ghost" or "figure".
+  /// Adds a figure in the colours of a class: "ghost" or "figure".
   void add_figure(const PosePoints& points, std::string_view css);
 
-  /// A way over the floor, a dot at its end.
+  /// Adds a path over the floor, with a dot at its end.
   void add_trail(const std::vector<Eigen::Vector3d>& points, std::string_view css);
 
-  /// A line between where a point should be and where it is, ringed, with a text beside it.
+  /// Adds a line from a point's wanted to its found position, with a ring and a text.
   void add_gap(const Eigen::Vector3d& wanted, const Eigen::Vector3d& found,
                const std::string& text);
 
-  /// The <svg>, named for those who cannot see it.
+  /// Returns the <svg> with a label for screen readers.
   std::string finish(std::string_view label) const;
 
  private:
   struct OnSheet {
     double x, y;   // px
-    double scale;  // px a cm at this depth
+    double scale;  // px for a cm at this depth
   };
 
   OnSheet project(const Eigen::Vector3d& point) const;
@@ -54,7 +54,7 @@ class SceneSvg {
 
   const Picture& picture_;
   SceneView view_;
-  Eigen::Vector3d right_, up_, toward_;  // of the camera
+  Eigen::Vector3d right_, up_, toward_;  // axes of the camera
   double distance_;                      // cm from the camera to the centre
   std::string content_;
 };

@@ -421,7 +421,8 @@ void Session::changeCharacter(const PutCharacter& character) {
   std::optional<PutCharacter> before;
   if (const auto found = document_.characters().find(rig); found != document_.characters().end())
     before = found->second;
-  // Characters put on clips of other rigs since have steps of their own, so this one leaves them.
+  // Does nothing if a step in the history of another clip of the rig has changed the character
+  // since.
   const auto change = [this, rig](const std::optional<PutCharacter>& from,
                                   const std::optional<PutCharacter>& to) {
     const auto now = document_.characters().find(rig);

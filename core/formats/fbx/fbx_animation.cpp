@@ -101,7 +101,7 @@ FbxLayer FbxAnimation::layer_of(std::size_t object) {
   return layer;
 }
 
-/// What a curve node does, whatever it moves.
+/// The movement of a curve node, for any property.
 FbxMovement FbxAnimation::movement_of(std::size_t curve_node, std::size_t layer) {
   FbxMovement movement{.layer = layer, .curve_node = curve_node};
   const FbxProperties properties = objects_.properties(curve_node);
@@ -116,7 +116,7 @@ FbxMovement FbxAnimation::movement_of(std::size_t curve_node, std::size_t layer)
   return movement;
 }
 
-/// False: `receive` did, and wants no more.
+/// False: `receive` returned false and wants no more.
 template <typename Take>
 bool FbxAnimation::movements_of_layer(const FbxTakeInfo& take, std::size_t layer,
                                       const Take& receive) {
@@ -139,6 +139,7 @@ std::optional<FbxCurve> FbxAnimation::curve_of(const FbxRecord& channel) {
   return curve.keys().empty() ? std::nullopt : std::optional(std::move(curve));
 }
 
+/// Reads a take of version 6, whose records nest by node, transform, property and axis:
 /// Model: "Model::Hips" { Channel: "Transform" { Channel: "T" { Channel: "X" { keys } } } }
 template <typename Take>
 bool FbxAnimation::movements_of_record(const FbxTakeInfo& take, const Take& receive) {
@@ -152,7 +153,7 @@ bool FbxAnimation::movements_of_record(const FbxTakeInfo& take, const Take& rece
       if (channel->name == "Channel" && !receive_channel(*channel, name_of(*channel))) return false;
     return true;
   };
-  /// One number, or one for each axis.
+  /// The property has one number, or one for each axis.
   const auto receive_property = [&](std::size_t object, const FbxRecord& channel,
                                     const std::string& property) {
     FbxMovement movement{.object = object, .property = property};
@@ -169,7 +170,7 @@ bool FbxAnimation::movements_of_record(const FbxTakeInfo& take, const Take& rece
       const std::size_t a = fbx_axis(name);
       movement.still(static_cast<Eigen::Index>(a)) = default_of(axis);
       movement.curves[a] = curve_of(axis);
-      any = true;  // without a key it has its default in this take
+      any = true;  // a channel without keys keeps its default in this take
       return true;
     });
     return !any || receive(movement);

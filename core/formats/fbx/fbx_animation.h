@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The takes of an FBX file: layers of curves that move properties of objects. Version 7 has them as
-// objects, version 6 as records by name.
+// The takes of an FBX file: layers of curves that move properties of objects. Version 7 stores them
+// as objects, version 6 as records by name.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,15 +19,15 @@
 
 namespace mocapress {
 
-/// How one layer moves one property.
+/// One layer's movement of one property.
 struct FbxMovement {
   std::size_t object = 0;
   std::string property;  // "Lcl Rotation", "DeformPercent", ...
   std::size_t layer = 0;
-  std::size_t curve_node = 0;  // of version 7: what holds the curves
-  // Along axes without a curve; NaN: as it is at rest.
+  std::size_t curve_node = 0;  // version 7: the node that holds the curves
+  // Values of axes without a curve; NaN: the value at rest.
   Eigen::Vector3d still = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  std::array<std::optional<FbxCurve>, 3> curves;  // of a single number the first
+  std::array<std::optional<FbxCurve>, 3> curves;  // a single number uses the first
 
   Eigen::Vector3d at(double ticks) const;
   bool moves() const;
@@ -39,10 +39,10 @@ struct FbxLayer {
   Blend blend = Blend::Add;
   double weight = 1;
   std::optional<FbxCurve> weight_curve;  // percent
-  bool turns_by_angle = false;           // else rotations of two layers are one after the other
-  bool scales_by_sum = false;            // else scales of two layers are multiplied
+  bool turns_by_angle = false;           // true: layers add angles; false: they combine rotations
+  bool scales_by_sum = false;            // true: layers add scales; false: they multiply them
   bool is_silent = false;
-  std::size_t object = 0;  // of version 7
+  std::size_t object = 0;  // version 7
 
   double weight_at(double ticks) const;
 };
@@ -51,8 +51,8 @@ struct FbxTakeInfo {
   std::string name;
   std::optional<std::pair<std::int64_t, std::int64_t>> span;  // ticks
   std::vector<FbxLayer> layers;
-  std::size_t object = 0;             // of version 7
-  const FbxRecord* record = nullptr;  // of version 6
+  std::size_t object = 0;             // version 7
+  const FbxRecord* record = nullptr;  // version 6
 };
 
 /// The axis that a curve moves: 1 for "d|Y" or "Y", 2 for "d|Z" or "Z", else 0, as for a property
@@ -65,9 +65,10 @@ class FbxAnimation {
 
   const std::vector<FbxTakeInfo>& takes() const { return takes_; }
 
-  /// All that a take moves, layer by layer.
+  /// All movements of a take, layer by layer.
   std::vector<FbxMovement> movements(std::size_t take);
-  /// Whether it moves nodes, or else whether it moves anything. Stops at the first that does.
+  /// True if the take moves a node, or with `nodes` false, if it moves anything. Stops at the
+  /// first.
   bool moves(std::size_t take, bool nodes);
 
  private:

@@ -4,7 +4,7 @@
 namespace mocapress {
 namespace {
 
-/// The name that other programs give the curve node of a property.
+/// The usual name of a property's curve node.
 std::string_view node_name(std::string_view property) {
   if (property == "Lcl Translation") return "T";
   if (property == "Lcl Rotation") return "R";
@@ -33,7 +33,7 @@ std::list<FbxOutRecord> FbxCurveOutput::keys(const std::vector<float>& values, b
   FbxOutRecord curve;
   curve.record("KeyTime").array(key_ticks_);
   curve.record("KeyValueFloat").array(values);
-  // One way, without tangents, that all keys share.
+  // All keys share one interpolation without tangents.
   curve.record("KeyAttrFlags").array(std::vector<std::int32_t>{steps ? kConstant : kLinear});
   curve.record("KeyAttrDataFloat").array(std::vector<float>(4, 0.0F));
   curve.record("KeyAttrRefCount")

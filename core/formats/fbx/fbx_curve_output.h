@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Animation curves on their way into an FBX file: a key each frame.
+// Animation curves for an FBX file to be written, with a key for each frame.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace mocapress {
 
 class FbxCurveOutput {
  public:
-  /// Objects get numbers from `first_id` on.
+  /// Numbers the objects from `first_id` on.
   FbxCurveOutput(std::vector<std::int64_t> key_ticks, std::list<FbxOutRecord>& objects,
                  std::list<FbxOutRecord>& connections, std::int64_t first_id)
       : key_ticks_(std::move(key_ticks)),
@@ -27,20 +27,20 @@ class FbxCurveOutput {
   std::int64_t new_id() { return next_id_++; }
   FbxOutRecord& object(std::string_view type, std::int64_t id, std::string_view name,
                        std::string_view kind);
-  /// An object to another, or to its property.
+  /// Connects an object to another one, or to a property of it.
   void connect(std::int64_t child, std::int64_t parent, std::string_view property = {});
 
-  /// A property of three numbers.
+  /// Adds curves for a property of three numbers.
   void add(std::int64_t layer, std::int64_t object, std::string_view property,
            const std::array<std::vector<float>, 3>& values);
-  /// A property of one number.
+  /// Adds a curve for a property of one number.
   void add(std::int64_t layer, std::int64_t object, std::string_view property,
            const std::vector<float>& values, bool steps);
-  /// A curve of a curve node that is there.
+  /// Adds a curve to an existing curve node.
   void add_curve(std::int64_t node, std::string_view axis, const std::vector<float>& values,
                  bool steps);
 
-  /// The records of a curve that hold its keys, straight from one to the next or in steps.
+  /// The records of a curve's keys, with linear or constant interpolation.
   std::list<FbxOutRecord> keys(const std::vector<float>& values, bool steps) const;
 
  private:
@@ -53,7 +53,7 @@ class FbxCurveOutput {
   std::int64_t next_id_;
 };
 
-/// The axes of a property of three numbers, as curves are connected to it.
+/// The names of the three axes in connections of curves.
 inline constexpr std::array<std::string_view, 3> kFbxCurveAxes = {"d|X", "d|Y", "d|Z"};
 
 }  // namespace mocapress

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Between two cubic keys a curve is a Bezier curve of time and value: its inner points lie where
-// slopes and weights say. Velocities, which files state beside weights, change no value here:
-// programs that write them have put them into slopes and weights.
+// A curve between two cubic keys is a Bezier curve of time and value, whose inner points follow
+// from slopes and weights. Velocities, which files state beside weights, are ignored: the programs
+// that write them have included them in slopes and weights.
 #include "core/formats/fbx/fbx_curves.h"
 
 #include <algorithm>
@@ -32,7 +32,8 @@ double weight_of(std::uint32_t ten_thousandths) {
   return std::clamp(1e-4 * ten_thousandths, 1e-4, 1.0);
 }
 
-/// Where on a cubic Bezier curve from 0 to 1 with these inner points `x` is.
+/// The parameter at which the cubic Bezier curve from 0 to 1 with inner points x1 and x2 reaches
+/// `x`.
 double bezier_place(double x1, double x2, double x) {
   const auto at = [&](double s) {
     return 3 * (1 - s) * (1 - s) * s * x1 + 3 * (1 - s) * s * s * x2 + s * s * s;
@@ -54,8 +55,8 @@ double bezier_place(double x1, double x2, double x) {
 
 }  // namespace
 
-/// `a` and `b` are slopes out of the key and into the next one; of automatic tangents the bias on
-/// either side; of TCB tension and continuity.
+/// Tangents of a key. `a` and `b` are the slopes out of the key and into the next one; for
+/// automatic tangents, the bias on either side; for TCB, tension and continuity.
 struct FbxCurve::Tangents {
   std::uint32_t flags = 0;
   double a = 0;
@@ -108,10 +109,11 @@ FbxCurve::FbxCurve(FbxRecords& records, const FbxRecord& curve, double ticks_per
   settle(tangents);
 }
 
-/// Key: time, value, letter of the way and what belongs to it, again and again:
-///   L: straight. C, s or n: the value of this key or of the next.
-///   U: cubic; s or b with the slopes out and in; a, d, p, q: automatic; t: TCB; then how it is
-///   weighted: n not, r out, l in, a both.
+/// A channel repeats time, value, a letter for the interpolation, and its parameters:
+///   L: linear.
+///   C: constant; s or n: the value of this key or of the next one.
+///   U: cubic; s or b with the slopes out and in; a, d, p, q: automatic; t: TCB; then the weights:
+///   n none, r out, l in, a both.
 FbxCurve FbxCurve::of_channel(FbxRecords& records, const FbxRecord& channel,
                               double ticks_per_second) {
   FbxCurve curve(ticks_per_second);
@@ -138,7 +140,7 @@ FbxCurve FbxCurve::of_channel(FbxRecords& records, const FbxRecord& channel,
       of.flags = kConstant;
       if (version >= 4004 && take().letter() == 'n') of.flags |= kConstantNext;
     } else if (way == 'U') {
-      of.flags = kCubic | kTimeIndependent | kClampProgressive;  // as its programs bake
+      of.flags = kCubic | kTimeIndependent | kClampProgressive;  // as usually baked
       int weights = 1;
       const char kind = take().letter();
       if (kind == 's' || kind == 'b') {
@@ -215,7 +217,7 @@ FbxCurve::Extrapolation FbxCurve::extrapolation(const FbxRecords& records, const
   return result;
 }
 
-/// Keys in the order of time, and slopes as the kinds of their tangents have it.
+/// Sorts the keys by time and computes slopes from the kinds of their tangents.
 void FbxCurve::settle(const std::vector<Tangents>& tangents) {
   std::vector<std::size_t> order(keys_.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
@@ -224,7 +226,7 @@ void FbxCurve::settle(const std::vector<Tangents>& tangents) {
   const std::vector<Key> unsorted = std::move(keys_);
   keys_.clear();
   std::vector<Tangents> of;
-  for (const std::size_t k : order) {  // of keys at one time the last
+  for (const std::size_t k : order) {  // among keys at one time the last wins
     if (!keys_.empty() && keys_.back().ticks == unsorted[k].ticks) {
       keys_.pop_back();
       of.pop_back();
@@ -276,8 +278,8 @@ double FbxCurve::slope(std::size_t from, std::size_t to) const {
   return (keys_[to].value - keys_[from].value) / seconds(from, to);
 }
 
-/// Between the slopes to both neighbours. `bias` (percent) pulls it to one of them, and beyond 500
-/// makes it steeper still.
+/// A slope between the slopes to both neighbours. `bias` (percent) pulls it towards one of them;
+/// beyond 500 it is steeper than both.
 double FbxCurve::auto_slope(std::size_t k, double bias, const Tangents& tangents,
                             double weight_before, double weight_after) const {
   const bool has_before = k > 0;
@@ -313,7 +315,7 @@ double FbxCurve::auto_slope(std::size_t k, double bias, const Tangents& tangents
     }
   }
   if ((tangents.flags & kClampProgressive) == 0) return result;
-  // No steeper than that the inner points stay between the values of the neighbours.
+  // Limits the slope, so that the inner points stay between the neighbours' values.
   const double sign = result >= 0 ? 1 : -1;
   const double most_before = std::max(sign * before / weight_before, 0.0);
   const double most_after = std::max(sign * after / weight_after, 0.0);
@@ -387,7 +389,7 @@ double FbxCurve::beyond(double ticks) const {
   }
   const double duration = last - first;
   const double gone = is_before ? first - ticks : ticks - last;
-  double rounds = std::floor(gone / duration);  // whole repetitions before this one
+  double rounds = std::floor(gone / duration);  // complete repetitions so far
   double in_round = gone - rounds * duration;
   if (extrapolation.repetitions > 0 && rounds >= static_cast<double>(extrapolation.repetitions)) {
     rounds = static_cast<double>(extrapolation.repetitions - 1);

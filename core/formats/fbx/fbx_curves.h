@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Curves of an FBX file: keys, how to go from one to the next, and what is before and after them.
+// Curves of an FBX file: keys, the interpolation between them, and the values before and after.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace mocapress {
 
-/// A second of FBX. Files that say so have another (FbxScene::ticks_per_second()).
+/// FBX ticks in a second. A file may state another number (FbxScene::ticks_per_second()).
 inline constexpr double kFbxTicks = 46186158000;
 
 class FbxCurve {
@@ -21,35 +21,35 @@ class FbxCurve {
   struct Key {
     std::int64_t ticks = 0;
     double value = 0;
-    // To the next key. Slopes are per second; weights are shares of the time between.
+    // Interpolation to the next key. Slopes are per second; weights are shares of the time between.
     Way way = Way::Linear;
     double slope_out = 0;
-    double slope_in = 0;  // arriving at the next key
+    double slope_in = 0;  // slope on arrival at the next key
     double weight_out = 1.0 / 3;
     double weight_in = 1.0 / 3;
   };
 
-  /// An AnimationCurve of version 7.
+  /// Reads an AnimationCurve of version 7.
   FbxCurve(FbxRecords& records, const FbxRecord& curve, double ticks_per_second);
-  /// A Channel of a take of version 6.
+  /// Reads a Channel of a version 6 take.
   static FbxCurve of_channel(FbxRecords& records, const FbxRecord& channel,
                              double ticks_per_second);
 
   const std::vector<Key>& keys() const { return keys_; }
   bool moves() const;        // some key differs from the first
-  bool steps() const;        // all ways are constant
-  bool goes_beyond() const;  // it moves before its first or after its last key
-  /// The curve has at least one key. A time within a hundred-thousandth of a second of a key is
-  /// that key's.
+  bool steps() const;        // true if all interpolations are constant
+  bool goes_beyond() const;  // true if it moves before its first or after its last key
+  /// The value at a time; requires at least one key. A time within 1e-5 s of a key gives that key's
+  /// value.
   double at(double ticks) const;
-  int dropped() const { return dropped_; }  // keys whose time or value was no number
+  int dropped() const { return dropped_; }  // number of keys whose time or value was no number
 
  private:
   struct Extrapolation {
     Beyond way = Beyond::Constant;
-    std::int64_t repetitions = -1;  // below 0: without end
+    std::int64_t repetitions = -1;  // below 0: endless
   };
-  struct Tangents;  // what the file says of a key
+  struct Tangents;  // tangents as the file states them
 
   explicit FbxCurve(double ticks_per_second) : ticks_per_second_(ticks_per_second) {}
   static Extrapolation extrapolation(const FbxRecords& records, const FbxRecord& curve,

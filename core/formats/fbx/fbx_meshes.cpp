@@ -20,10 +20,10 @@ namespace {
 using Eigen::Affine3d;
 using Eigen::Vector3d;
 
-constexpr std::size_t kMostCorners = 4'000'000;  // of polygons, over all meshes
+constexpr std::size_t kMostCorners = 4'000'000;  // polygon corners in all meshes
 constexpr std::size_t kMostWeights = 32'000'000;
 
-/// Column after column, as FBX has matrices for columns of places.
+/// Makes a transform from column-major numbers, as FBX stores them.
 Affine3d affine_of(const std::vector<double>& numbers) {
   return Affine3d(Eigen::Map<const Eigen::Matrix4d>(numbers.data()));
 }
@@ -97,7 +97,7 @@ class LayerElement {
   bool empty() const { return values_.empty() && indices_.empty(); }
   const std::vector<std::int64_t>& indices() const { return indices_; }
 
-  /// Where the values of a corner begin; none: the file has too few.
+  /// The first value of a corner; null: the file has too few values.
   const double* at(std::size_t corner, std::size_t point, std::size_t polygon) const {
     std::size_t place = by_ == By::Corner    ? corner
                         : by_ == By::Point   ? point
@@ -169,8 +169,8 @@ std::vector<NodeMesh> FbxMeshReader::read() {
   return std::move(meshes_);
 }
 
-/// Points that some polygon has, once for each normal and place in a picture; polygons become fans
-/// of triangles.
+/// Keeps points that some polygon uses, one for each different normal and texture coordinate;
+/// polygons become triangle fans.
 void FbxMeshReader::read_mesh(std::size_t model, std::size_t geometry) {
   const FbxRecord& record = *objects_[geometry].record;
   const std::vector<double> points = records_.numbers(record, "Vertices");
@@ -184,7 +184,7 @@ void FbxMeshReader::read_mesh(std::size_t model, std::size_t geometry) {
   const LayerElement places(records_, record, "LayerElementUV", "UV", "UVIndex", 2);
   const LayerElement of_polygon(records_, record, "LayerElementMaterial", "Materials", "", 1);
 
-  NodeMesh bound;  // the bones, and a weight for each point of the file
+  NodeMesh bound;  // bones, and a weight for each point of the file
   for (std::size_t p = 0; p < count; ++p) bound.positions.emplace_back(&points[3 * p]);
   bind(model, geometry, bound);
   if (bound.bones.empty()) return;
@@ -196,7 +196,7 @@ void FbxMeshReader::read_mesh(std::size_t model, std::size_t geometry) {
     NodeMesh mesh;
     std::unordered_map<Corner, std::uint32_t, CornerHash> known;
   };
-  std::map<std::size_t, Part> parts;  // by the number of their material
+  std::map<std::size_t, Part> parts;  // by material number
   std::size_t polygon = 0;
   std::size_t first = 0;
   for (std::size_t c = 0; c < ends.size(); ++c) {
@@ -215,7 +215,7 @@ void FbxMeshReader::read_mesh(std::size_t model, std::size_t geometry) {
       if (const double* const normal = normals.at(k, corner.point, polygon))
         corner.normal = Vector3d(normal);
       if (const double* const place = places.at(k, corner.point, polygon))
-        corner.in_picture = {place[0], 1 - place[1]};  // from the lower left corner
+        corner.in_picture = {place[0], 1 - place[1]};  // origin at the lower left
       const auto [known, is_new] =
           part.known.emplace(corner, static_cast<std::uint32_t>(part.mesh.positions.size()));
       if (is_new) {
@@ -245,7 +245,7 @@ void FbxMeshReader::read_mesh(std::size_t model, std::size_t geometry) {
   }
 }
 
-/// By the clusters of its skin, or else on the node that draws it.
+/// Binds the mesh by its skin's clusters, or else to the node that draws it.
 void FbxMeshReader::bind(std::size_t model, std::size_t geometry, NodeMesh& mesh) {
   const Affine3d node_from_mesh = fbx_geometric_transform(objects_.properties(model));
   for (const FbxLink& skin : objects_.children(geometry)) {
@@ -276,7 +276,7 @@ void FbxMeshReader::bind(std::size_t model, std::size_t geometry, NodeMesh& mesh
     bone.node_from_mesh = bone.node_from_mesh * node_from_mesh;
 }
 
-/// A node that is not in the take stands still on the nearest one above that is.
+/// Attaches the mesh of a node outside the take to its nearest ancestor in the take.
 void FbxMeshReader::hang(std::size_t model, NodeMesh& mesh) const {
   Affine3d carrier_from_node = Affine3d::Identity();
   std::size_t at = model;
@@ -311,7 +311,7 @@ void FbxMeshReader::read_weights(const FbxRecord& cluster, std::size_t bone, Nod
   }
 }
 
-/// At rest.
+/// The node's transform at rest.
 Affine3d FbxMeshReader::file_from_node(std::size_t model) const {
   NodeMesh on;
   hang(model, on);
@@ -333,7 +333,7 @@ FbxMeshReader::Material FbxMeshReader::material_of(std::size_t object, std::size
     material.picture = picture_of_texture(*texture);
   const FbxProperties properties = objects_.properties(object);
   const char* const name = properties.has("DiffuseColor") ? "DiffuseColor" : "Diffuse";
-  // What a picture is multiplied by is seldom meant: programs write any grey there.
+  // Ignores the colour that multiplies a picture: programs write any grey there.
   if (material.picture) {
     material.colour = material_colour(Eigen::Vector3f::Ones(), true);
   } else if (properties.has(name)) {
@@ -345,7 +345,7 @@ FbxMeshReader::Material FbxMeshReader::material_of(std::size_t object, std::size
   return material;
 }
 
-/// What colours the material, or in version 6 the node.
+/// The texture of the material's colour, or in version 6 of the node's.
 std::optional<std::size_t> FbxMeshReader::texture_of(std::size_t material,
                                                      std::size_t model) const {
   constexpr std::string_view kColours[] = {"DiffuseColor", "Maya|baseColor", "Maya|base_color_map",
@@ -367,7 +367,7 @@ std::shared_ptr<const SkinPicture> FbxMeshReader::picture_of_texture(std::size_t
 std::shared_ptr<const SkinPicture> FbxMeshReader::read_picture(const std::string& stated,
                                                                std::size_t texture) {
   const std::string& file = records_.file();
-  // Paths are those of another machine: the name counts.
+  // Paths come from another machine, so only the file name counts.
   const std::string name = stated.substr(stated.find_last_of("/\\") + 1);
   if (const auto video = objects_.child(texture, "Video"))
     if (const FbxRecord* const content = records_.find(*objects_[*video].record, "Content")) {

@@ -8,12 +8,12 @@
 
 namespace mocapress {
 
-/// The meshes that nodes of a file draw, bound to the nodes of its take: one for each material of
-/// each. Pictures are in the file, or beside it by their name; a warning says which are not there.
-/// Throws InputError.
+/// The meshes of a file's nodes, one for each material, bound to the nodes of its take. Pictures
+/// are in the file, or beside it under their names; a warning lists missing ones. Throws
+/// InputError.
 std::vector<NodeMesh> fbx_meshes(FbxFile& file, const FbxTake& take, Warnings& warnings);
 
-/// A shape of a node of version 6, which has it within its record; null: none of that name.
+/// A shape of a version 6 node, which holds it in its own record; null: none of that name.
 const FbxRecord* fbx_shape_named(const FbxRecords& records, const FbxRecord& model,
                                  std::string_view name);
 

@@ -98,7 +98,7 @@ void FbxObjects::read_objects() {
     if (values.size() <= name_at || values[name_at].kind != FbxValue::Kind::Text) continue;
     const FbxName name = fbx_name(values[name_at].text);
     const std::size_t index = objects_.size();
-    // Where two objects have one name or number, the first has it.
+    // Among objects with the same name or number, the first keeps it.
     if (by_name)
       by_name_.emplace(full_name(name), index);
     else if (values[0].kind == FbxValue::Kind::Integer)
@@ -124,8 +124,8 @@ std::optional<std::size_t> FbxObjects::named(std::string_view full) const {
   return known != by_name_.end() ? std::optional(known->second) : std::nullopt;
 }
 
-/// "OO", child, parent; "OP", child, parent, property of the parent. A connection that is there
-/// twice counts once; those of objects that are not there are left out.
+/// A connection is "OO", child, parent, or "OP", child, parent, property of the parent. Duplicates
+/// count once; connections of missing objects are left out.
 void FbxObjects::read_connections() {
   children_.resize(objects_.size());
   parents_.resize(objects_.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The objects of an FBX file (nodes, meshes, deformers, takes, curves), their properties, and which
-// is connected to which. Files of version 6 know objects by name, later ones by number.
+// The objects of an FBX file (nodes, meshes, deformers, takes, curves), their properties and
+// connections. Version 6 identifies objects by name, later versions by number.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,7 +17,7 @@
 
 namespace mocapress {
 
-/// Named values of an object. What it does not state its type's template does.
+/// Named values of an object. Missing ones come from the template of the object's type.
 class FbxProperties {
  public:
   FbxProperties() = default;
@@ -26,11 +26,11 @@ class FbxProperties {
   bool has(std::string_view name) const { return find(name) != nullptr; }
   double number(std::string_view name, double otherwise) const;
   Eigen::Vector3d vector(std::string_view name, const Eigen::Vector3d& otherwise) const;
-  /// Whether a user made it ('U' among its flags).
+  /// True if a user made the property ('U' among its flags).
   bool is_custom(std::string_view name) const;
 
  private:
-  /// The values that follow name, types and flags.
+  /// The property's values, after name, types and flags.
   std::vector<FbxValue> values(std::string_view name) const;
   const FbxRecord* find(std::string_view name) const;
 
@@ -41,7 +41,7 @@ class FbxProperties {
 };
 
 struct FbxObject {
-  std::string type;  // Model, Geometry, Deformer, AnimationCurve, ...: its record's name
+  std::string type;  // the record's name: Model, Geometry, Deformer, AnimationCurve, ...
   std::string name;
   std::string kind;  // LimbNode, Mesh, Skin, ...
   const FbxRecord* record = nullptr;
@@ -49,28 +49,28 @@ struct FbxObject {
 
 struct FbxLink {
   std::size_t object = 0;
-  std::string property;  // of the parent; empty: of the whole
+  std::string property;  // the parent's property; empty: the whole object
 };
 
 class FbxObjects {
  public:
-  static constexpr std::size_t kScene = 0;  // what nodes hang from that hang from no other
+  static constexpr std::size_t kScene = 0;  // parent of the topmost nodes
 
   explicit FbxObjects(FbxRecords& records);
 
   const std::vector<FbxObject>& all() const { return objects_; }
   const FbxObject& operator[](std::size_t object) const { return objects_[object]; }
   bool is(std::size_t object, std::string_view type) const { return objects_[object].type == type; }
-  /// In the order of the file.
+  /// Links to children in the order of the file.
   const std::vector<FbxLink>& children(std::size_t object) const { return children_[object]; }
   const std::vector<FbxLink>& parents(std::size_t object) const { return parents_[object]; }
-  /// The first child of a type.
+  /// The first child of the given type.
   std::optional<std::size_t> child(std::size_t object, std::string_view type) const;
 
   FbxProperties properties(std::size_t object) const;
-  const FbxProperties& settings() const { return settings_; }  // of the whole file
+  const FbxProperties& settings() const { return settings_; }  // settings of the file
 
-  /// Of a version 6 file: by "Model::Top".
+  /// Finds an object of a version 6 file by a name such as "Model::Top".
   std::optional<std::size_t> named(std::string_view full_name) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A motion put into an FBX file that is there already, in place of a take.
+// Replaces a take of an existing FBX file by a motion.
 #include "core/formats/fbx/fbx_onto.h"
 
 #include <algorithm>
@@ -25,20 +25,20 @@ using Eigen::Vector3d;
 using Curves = std::array<std::vector<float>, 3>;
 
 // A curve that differs by less stays as it is: files hold floats.
-constexpr double kSameNumber = 1e-5;  // of one and the number
+constexpr double kSameNumber = 1e-5;  // share of max(1, number)
 constexpr double kSameAngle = 1e-4;   // degrees
 
 constexpr const char* kPlace = "Lcl Translation";
 constexpr const char* kTurn = "Lcl Rotation";
 constexpr const char* kScale = "Lcl Scaling";
 
-/// The number that the file's connections know an object by.
+/// The number of an object in the file's connections.
 std::int64_t id_of(const FbxRecords& records, const FbxObject& object) {
   const auto id = object.record != nullptr ? records.value(*object.record, 0) : std::nullopt;
   return id ? id->whole() : 0;
 }
 
-/// A take of a file whose curves are replaced.
+/// The take whose curves are replaced.
 class EditedTake {
  public:
   EditedTake(FbxFile& file, const FbxTake& read, const Clip& clip, double rate_hz)
@@ -98,7 +98,7 @@ class EditedTake {
   FbxTakeInfo take_;
   std::vector<FbxMovement> movements_;
   bool keeps_rate_ = true;
-  std::unordered_map<std::int64_t, std::vector<const FbxRecord*>> by_child_;  // connections
+  std::unordered_map<std::int64_t, std::vector<const FbxRecord*>> by_child_;  // by child
 };
 
 std::vector<std::int64_t> EditedTake::ticks_of(const Clip& clip, double rate_hz) {
@@ -107,7 +107,7 @@ std::vector<std::int64_t> EditedTake::ticks_of(const Clip& clip, double rate_hz)
   return ticks_;
 }
 
-/// The first number above those of all objects.
+/// The first number above all objects' numbers.
 std::int64_t EditedTake::free_id() const {
   std::int64_t largest = 0;
   constexpr std::int64_t kMost = std::int64_t{1} << 62;
@@ -117,7 +117,7 @@ std::int64_t EditedTake::free_id() const {
   return largest + 1;
 }
 
-/// The first layer's movement of a property; from other layers the property is disconnected.
+/// The first layer's movement of a property; disconnects the property from other layers.
 const FbxMovement* EditedTake::movement_of(std::size_t object, std::string_view property) {
   const FbxMovement* first = nullptr;
   for (const FbxMovement& movement : movements_) {
@@ -132,7 +132,7 @@ const FbxMovement* EditedTake::movement_of(std::size_t object, std::string_view 
   return nullptr;
 }
 
-/// Whether a curve node belongs to one layer and one property, and its curves to it alone.
+/// True if a curve node belongs to one layer and one property, and its curves belong to it alone.
 bool EditedTake::is_alone(std::size_t curve_node) const {
   const auto& of = file_.objects.parents(curve_node);
   const auto& curves = file_.objects.children(curve_node);
@@ -176,7 +176,7 @@ void EditedTake::set_axis(std::size_t curve_node, std::size_t axis,
   if (!is_there) out_.add_curve(id(curve_node), kFbxCurveAxes[axis], values, steps);
 }
 
-/// `rest` is what the property is without a curve; `same`: a smaller difference is none.
+/// `rest` is the property's value without a curve; differences up to `same` are ignored.
 void EditedTake::set(std::size_t object, std::string_view property, const FbxMovement* movement,
                      const Vector3d& rest, const Curves& curves, double same) {
   const auto stays = [&](std::size_t axis) {
@@ -204,7 +204,7 @@ void EditedTake::set(std::size_t object, std::string_view property, const FbxMov
 void EditedTake::move(const NodeTrack& track) {
   const std::size_t object = read_.object_of_node[track.node];
   FbxTransform transform = read_.transforms[track.node];
-  // Its pivots rest: places and angles make up for what they did.
+  // Pivots do not move: positions and angles absorb their curves.
   for (const FbxMovement& movement : movements_)
     if (movement.object == object && movement.property != kPlace && movement.property != kTurn &&
         movement.property != kScale && transform.part(movement.property) != nullptr)
@@ -241,7 +241,7 @@ void EditedTake::move(const NodeTrack& track) {
   set(object, kScale, scale, rest.scaling, scales, kSameNumber);
 }
 
-/// Tracks of the same name are taken in their order, each once.
+/// Tracks of the same name are used in order, each once.
 void EditedTake::move(const ScalarTracks& tracks) {
   std::unordered_set<const ScalarTrack*> taken;
   for (std::size_t w = 0; w < read_.track_places.size(); ++w) {
@@ -263,7 +263,7 @@ void EditedTake::move(const ScalarTracks& tracks) {
   }
 }
 
-/// Moves the end that a take states, where the motion is longer.
+/// Moves the take's stated end if the motion is longer.
 void EditedTake::lengthen() {
   FbxRecords& records = file_.records;
   const FbxRecord* const all = records.find(*file_.objects[take_.object].record, "Properties70");

@@ -13,7 +13,8 @@ namespace mocapress {
 namespace {
 
 constexpr std::size_t kFileHead = 27;
-// The foot: an id and four zeros, zeros up to a multiple of 16, the version, 120 zeros, an end.
+// The file ends with an id, four zeros, zeros up to a multiple of 16, the version, 120 zeros and a
+// closing id.
 constexpr std::size_t kFootStart = 20;
 constexpr std::size_t kFootEnd = 140;
 constexpr std::size_t kFootAlignment = 16;
@@ -31,7 +32,7 @@ std::string sized(char type, std::string_view bytes) {
   return type + bytes_of(static_cast<std::uint32_t>(bytes.size())) + std::string(bytes);
 }
 
-/// Long arrays are deflated, as other programs have them.
+/// Long arrays are deflated, as in other programs' files.
 template <typename Number>
 std::string array_of(char type, const std::vector<Number>& numbers) {
   constexpr std::size_t kShort = 128;
@@ -57,7 +58,7 @@ std::string array_of(char type, const std::vector<Number>& numbers) {
          coded;
 }
 
-/// Writes records one after the other; inner records come between open() and close().
+/// Writes records one after the other; nested records come between open() and close().
 class Output {
  public:
   explicit Output(int version) : field_(version >= kFbxWideVersion ? 8 : 4) {}
@@ -81,7 +82,7 @@ class Output {
     put(at, bytes_.size());
   }
 
-  /// Records nest as deep as the functions that make them.
+  /// The recursion is as deep as the writing functions nest records.
   void add(const FbxOutRecord& record) {
     const std::size_t at = open(record.name, record.count, record.values);
     for (const FbxOutRecord& inner : record.records) add(inner);
@@ -131,14 +132,14 @@ class EditedCopy {
            record.values.size();
   }
 
-  /// Where a record says that it ends; 0: it ends as a list does.
+  /// The end that a record states; 0: none, since it ends with its parent's list.
   std::size_t end_of(const FbxRecord& record) const {
     std::uint64_t end = 0;
     std::memcpy(&end, source_.bytes().data() + record.at, (out_.head_bytes() - 1) / 3);
     return static_cast<std::size_t>(end);
   }
 
-  /// The reader bounds how deep records nest.
+  /// The reader has bounded the depth of records.
   void add(const FbxRecord& record) {
     if (edits_.dropped.contains(&record)) return;
     if (const auto with = edits_.replaced.find(&record); with != edits_.replaced.end()) {

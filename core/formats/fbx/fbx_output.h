@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The outer form of a binary FBX file on its way out (fbx_records.h reads it).
+// Writes the outer form of a binary FBX file, which fbx_records.h reads.
 #pragma once
 
 #include <cstddef>
@@ -16,13 +16,13 @@
 
 namespace mocapress {
 
-/// A record to be written: its values as their bytes, and the records in it.
+/// A record to be written: the bytes of its values, and nested records.
 struct FbxOutRecord {
   std::string name;
   std::string values{};
   std::uint64_t count = 0;
-  bool is_list = false;               // it ends as a list does, though nothing is in it
-  std::list<FbxOutRecord> records{};  // references to them stay
+  bool is_list = false;               // true: writes the end of a list although it is empty
+  std::list<FbxOutRecord> records{};  // a list keeps references to its records valid
 
   FbxOutRecord& value(std::int32_t number);
   FbxOutRecord& value(std::int64_t number);
@@ -35,12 +35,12 @@ struct FbxOutRecord {
   FbxOutRecord& array(const std::vector<double>& numbers);
 
   FbxOutRecord& record(std::string_view inner);
-  /// A record of one value.
+  /// Adds a record with one value.
   template <typename Value>
   void field(std::string_view inner, const Value& inner_value) {
     record(inner).value(inner_value);
   }
-  /// P: name, type, label, flags; its values follow.
+  /// Adds a property record "P": name, type, label, flags; the caller adds its values.
   FbxOutRecord& property(std::string_view inner, std::string_view type, std::string_view label,
                          std::string_view flags);
 
@@ -48,21 +48,22 @@ struct FbxOutRecord {
   FbxOutRecord& add(std::string_view bytes);
 };
 
-/// "Knee", "Model": "Knee\0\1Model".
+/// The full name in binary files: "Knee" of "Model" is "Knee\0\1Model".
 std::string fbx_full_name(std::string_view name, std::string_view type);
 
-/// The bytes of a file of these records. Throws WriteError where the version cannot hold so much.
+/// The bytes of a file with these records. Throws WriteError if the version's sizes are too small
+/// for them.
 std::string fbx_file_bytes(int version, const std::list<FbxOutRecord>& records);
 
 /// Changes to the records of a file.
 struct FbxEdits {
   std::unordered_map<const FbxRecord*, FbxOutRecord> replaced;
   std::unordered_set<const FbxRecord*> dropped;
-  std::unordered_map<const FbxRecord*, std::list<FbxOutRecord>> added;  // at the end of a record
+  std::unordered_map<const FbxRecord*, std::list<FbxOutRecord>> added;  // appended to a record
 };
 
-/// The file once more with these changes; all other bytes are as they were, but for the places that
-/// records state. It must be binary and little-endian. Throws WriteError.
+/// The file's bytes with these changes; only offsets of records change besides. The source must be
+/// binary and little-endian. Throws WriteError.
 std::string fbx_edited_bytes(const FbxRecords& source, const FbxEdits& edits);
 
 }  // namespace mocapress

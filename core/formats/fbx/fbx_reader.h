@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Autodesk FBX, binary or ASCII, from version 6.0 on.
+// Reads Autodesk FBX files, binary or ASCII, of version 6.0 or later.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace mocapress {
 
-/// Reads the bytes of a .fbx; `file` names it in messages. Of several takes the first that moves
-/// something is read unless options name another. Curves are evaluated as the file says, at the
-/// rate their keys were made at, or the one that options want. Throws InputError.
+/// Reads the bytes of a .fbx; `file` names it in messages. Reads the first take that moves
+/// something, unless options name another. Curves are evaluated by FBX's rules, at the rate of
+/// their keys or the one in the options. Throws InputError.
 MotionFile read_fbx(const std::string& file, std::string_view bytes,
                     const ReadOptions& options = {});
 
-/// What the figure looks like at rest, whatever takes there are. Throws InputError.
+/// Reads the figure at rest, whatever takes the file has. Throws InputError.
 Character read_fbx_character(const std::string& file, std::string_view bytes);
 
 }  // namespace mocapress

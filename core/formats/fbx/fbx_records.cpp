@@ -28,12 +28,12 @@ constexpr std::size_t kEndianAt = 22;
 constexpr std::size_t kVersionAt = 23;
 constexpr std::size_t kHeadBytes = 27;
 constexpr int kOldestVersion = 6000;
-constexpr std::size_t kDeepestRecord = 64;  // files of the usual programs have eight
+constexpr std::size_t kDeepestRecord = 64;  // usual files have eight levels
 constexpr std::size_t kMostRecords = 4'000'000;
 constexpr std::size_t kArrayHead = 13;
 constexpr std::size_t kMostDeflateRatio = 1040;
 
-/// Bytes of a value of a fixed size, or of an array's element; 0: another type.
+/// The bytes of a fixed-size value or of an array's element; 0 for other types.
 std::size_t bytes_of_type(char type) {
   switch (type) {
     case 'C':
@@ -66,7 +66,7 @@ bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
-/// Between values: blanks, commas and comments.
+/// Skips blanks, commas and comments between values.
 std::size_t skip_between(std::string_view text, std::size_t at) {
   while (at < text.size()) {
     if (text[at] == ';') {
@@ -119,7 +119,7 @@ char FbxValue::letter() const {
   return kind == Kind::Text && text.size() == 1 ? text.front() : '\0';
 }
 
-/// Walks the bytes of a binary file without calling itself.
+/// Walks the bytes of a binary file without recursion.
 class FbxRecords::BinaryScan {
  public:
   explicit BinaryScan(FbxRecords& into)
@@ -140,7 +140,7 @@ class FbxRecords::BinaryScan {
       if (bytes_.size() - at < head) into_.fail_at(at, "ends within a record");
       const std::uint64_t end = field(at);
       const auto name_bytes = static_cast<std::uint8_t>(bytes_[at + head - 1]);
-      if (end == 0 && name_bytes == 0) {  // the last of its parent
+      if (end == 0 && name_bytes == 0) {  // a record of zeros ends the parent's list
         at += head;
         if (open_.size() == 1) return;
         if (parent.end > 0 && at != parent.end)
@@ -155,7 +155,7 @@ class FbxRecords::BinaryScan {
  private:
   struct Open {
     std::uint32_t record;
-    std::size_t end;           // 0: a record of zeros ends it
+    std::size_t end;           // 0: ended by a record of zeros
     std::uint32_t last_child;  // 0: none yet
   };
 
@@ -164,7 +164,7 @@ class FbxRecords::BinaryScan {
                        : into_.number_at<std::uint32_t>(bytes_, at);
   }
 
-  /// Returns where its records begin.
+  /// Scans a record's head and returns the start of its nested records.
   std::size_t scan_record(std::size_t at, std::uint64_t end, std::size_t head,
                           std::size_t name_bytes) {
     const std::size_t limit = open_.back().end > 0 ? open_.back().end : bytes_.size();
@@ -345,7 +345,7 @@ FbxRecords::FbxRecords(const std::string& file, std::string_view bytes)
     if (const FbxRecord* const version = find(*head, "FBXVersion"))
       if (const auto stated = value(*version, 0))
         version_ = static_cast<int>(std::clamp<std::int64_t>(stated->whole(), 0, 99'999));
-  if (version_ == 0) {  // "; FBX 5.8.0 project file"
+  if (version_ == 0) {  // the head: "; FBX 5.8.0 project file"
     const std::size_t at = start.find("; FBX ");
     if (at != start.npos && at + 8 < start.size())
       version_ = 1000 * (start[at + 6] - '0') + 100 * (start[at + 8] - '0');
@@ -430,7 +430,7 @@ std::string FbxRecords::text(const FbxRecord& in, std::string_view name) const {
 template <typename Take>
 void FbxRecords::for_each_number(const FbxRecord& record, const Take& take) {
   const FbxRecord* of = &record;
-  if (!is_binary_)  // Name: *3 { a: 1,2,3 }
+  if (!is_binary_)  // ASCII arrays: Name: *3 { a: 1,2,3 }
     if (const FbxRecord* const inner = find(record, "a")) of = inner;
   for (const FbxValue& value : values(*of)) {
     if (value.kind != FbxValue::Kind::Array) {
@@ -472,7 +472,7 @@ std::vector<std::int64_t> FbxRecords::integers(const FbxRecord& record) {
 }
 
 std::vector<std::uint32_t> FbxRecords::float_bits(const FbxRecord& record) {
-  constexpr int kTextHasBits = 7200;  // ASCII from here on has the bits as an integer
+  constexpr int kTextHasBits = 7200;  // ASCII from this version on states the bits as an integer
   const bool is_bits = !is_binary_ && version_ >= kTextHasBits;
   std::vector<std::uint32_t> bits;
   for_each_number(record, [&](const FbxValue& value) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The outer form of an FBX file: records with values, that hold records. Binary files (32 and 64
-// bits, either byte order) and ASCII ones become the same tree.
+// The outer form of an FBX file: records with values and nested records. Binary files (32 and 64
+// bits, either byte order) and ASCII files give the same tree.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace mocapress {
 
-/// From this version on, records state their ends and counts in 64 bits.
+/// From this version on, records have 64-bit ends and counts.
 inline constexpr int kFbxWideVersion = 7500;
 
 struct FbxValue {
@@ -20,24 +20,24 @@ struct FbxValue {
   Kind kind = Kind::Integer;
   std::int64_t integer = 0;
   double real = 0;
-  std::string_view text;  // of an array: its bytes in the file, from its type on
+  std::string_view text;  // for an array: its bytes in the file, from the element type on
 
-  double number() const;       // a text: NaN
-  std::int64_t whole() const;  // a real is rounded; what is no number: 0
-  char letter() const;         // of the single letters of version 6; 0: none
+  double number() const;       // NaN for a text
+  std::int64_t whole() const;  // rounds a real number; 0 for anything else
+  char letter() const;         // a single letter of version 6; 0: none
 };
 
 struct FbxRecord {
   std::string_view name;
-  std::string_view values;      // as they stand in the file
-  std::size_t value_count = 0;  // of a binary file
-  std::size_t at = 0;           // where it begins: a byte of a binary file, a line of an ASCII one
+  std::string_view values;        // as in the file
+  std::size_t value_count = 0;    // in a binary file
+  std::size_t at = 0;             // its start: a byte of a binary file, a line of an ASCII one
   std::uint32_t first_child = 0;  // 0: none
-  std::uint32_t next = 0;         // of its parent's; 0: none
+  std::uint32_t next = 0;         // next record of the same parent; 0: none
 };
 
-/// A file taken apart. What cannot be read is an InputError, from all of these. The bytes must
-/// outlive it.
+/// A parsed FBX file. All functions throw InputError for invalid content. The bytes must outlive
+/// it.
 class FbxRecords {
  public:
   FbxRecords(const std::string& file, std::string_view bytes);
@@ -46,18 +46,18 @@ class FbxRecords {
   std::string_view bytes() const { return bytes_; }
   bool is_binary() const { return is_binary_; }
   bool is_big_endian() const { return is_big_endian_; }
-  int version() const { return version_; }  // 7400 is 7.4
+  int version() const { return version_; }  // Version 7.4 is 7400.
 
-  /// Holds the records that no other holds.
+  /// The root, whose records no other record holds.
   const FbxRecord& top() const { return records_.front(); }
   const FbxRecord* first_child(const FbxRecord& record) const;
   const FbxRecord* next(const FbxRecord& record) const;
-  /// The first of that name in a record; null: none.
+  /// The first record of that name in `in`; null: none.
   const FbxRecord* find(const FbxRecord& in, std::string_view name) const;
 
   std::vector<FbxValue> values(const FbxRecord& record) const;
   std::optional<FbxValue> value(const FbxRecord& record, std::size_t index) const;
-  /// The text of the first value of the record of that name; empty: there is none.
+  /// The text in the first value of the named record; empty: none.
   std::string text(const FbxRecord& in, std::string_view name) const;
 
   /// All numbers of a record: one array, or values in a row.
@@ -65,11 +65,11 @@ class FbxRecords {
   std::vector<std::int64_t> integers(const FbxRecord& record);
   /// The bits of 32-bit floats, some of which hold packed integers.
   std::vector<std::uint32_t> float_bits(const FbxRecord& record);
-  /// Numbers of the record of that name in another; none where it is not there.
+  /// Numbers of the named record; none if it is missing.
   std::vector<double> numbers(const FbxRecord& in, std::string_view name);
   std::vector<std::int64_t> integers(const FbxRecord& in, std::string_view name);
 
-  /// "file: message (byte 123)", or with its line.
+  /// Throws InputError "file: message (byte 123)", or with a line.
   [[noreturn]] void fail(const FbxRecord& at, const std::string& message) const;
   [[noreturn]] void fail(const std::string& message) const;
 
@@ -94,7 +94,8 @@ class FbxRecords {
   std::size_t unpacked_bytes_ = 0;
 };
 
-/// "Knee\0\1Model" of binary files and "Model::Knee" of ASCII ones: Knee, Model.
+/// A full name, "Knee\0\1Model" in binary and "Model::Knee" in ASCII files, split into Knee and
+/// Model.
 struct FbxName {
   std::string name;
   std::string type;

@@ -24,8 +24,8 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kMostFbxNodes = 1 << 16;
 constexpr int kDeepestFbxNode = 1000;
-constexpr double kMostFbxPlacements = 1e8;  // of nodes, over all frames
-constexpr double kNearFrame = 0.1;          // frames; a key so near was meant to be on it
+constexpr double kMostFbxPlacements = 1e8;  // node placements over all frames
+constexpr double kNearFrame = 0.1;          // frames; a key this near was meant to be on one
 constexpr double kMostFbxSeconds = 1e7;
 
 bool is_joint_kind(std::string_view kind) {
@@ -101,7 +101,7 @@ void FbxTakeReader::choose_take(FbxAnimation& animation) {
   std::vector<TakeName> takes;
   for (std::size_t t = 0; t < animation.takes().size(); ++t)
     takes.push_back({animation.takes()[t].name, animation.moves(t, true)});
-  // One of weights alone, a face perhaps, only where nothing moves.
+  // Skips takes of weights alone, such as faces, if any take moves nodes.
   if (std::none_of(takes.begin(), takes.end(), [](const TakeName& take) { return take.moves; }))
     for (std::size_t t = 0; t < takes.size(); ++t) takes[t].moves = animation.moves(t, false);
   const auto moves = [](const TakeName& take) { return take.moves; };
@@ -128,7 +128,7 @@ void FbxTakeReader::choose_take(FbxAnimation& animation) {
   if (dropped > 0) warn(counted(dropped, "key") + " left out: not a finite number");
 }
 
-/// All nodes but leaves that only draw, light or look; parents first.
+/// Finds all nodes, parents first, except leaves that only hold a mesh, a light or a camera.
 void FbxTakeReader::find_nodes() {
   const std::size_t count = objects_.all().size();
   std::vector<int> parent(count, -1);
@@ -141,12 +141,12 @@ void FbxTakeReader::find_nodes() {
     std::size_t above = FbxObjects::kScene;
     for (const FbxLink& link : objects_.parents(o))
       if (link.property.empty() && objects_.is(link.object, "Model")) {
-        above = link.object;  // of several the first
+        above = link.object;  // among several parents the first
         break;
       }
     parent[o] = static_cast<int>(above);
   }
-  // In the order of connections, as programs list them.
+  // Nodes have the order of connections, as in other programs.
   for (std::size_t o = 0; o < count; ++o)
     for (const FbxLink& link : objects_.children(o))
       if (link.property.empty() && parent[link.object] == static_cast<int>(o))
@@ -204,8 +204,8 @@ void FbxTakeReader::find_nodes() {
   mark_joints();
 }
 
-/// The bones of skins and what carries them; without skins, limbs. So clips of one figure have the
-/// same joints, whichever of them move.
+/// Marks bones of skins and their ancestors as joints; without skins, limbs. This way all clips of
+/// a figure have the same joints, whichever move.
 void FbxTakeReader::mark_joints() {
   auto& nodes = result_.take.nodes;
   std::vector<bool> is_bone(nodes.size());
@@ -216,7 +216,7 @@ void FbxTakeReader::mark_joints() {
       if (const int node = result_.node_of_object[link.object]; node > 0)
         is_bone[static_cast<std::size_t>(node)] = any = true;
   }
-  // A clip of weights or properties alone has no other joint than what has them.
+  // A clip of weights or properties alone has the nodes that carry those as its only joints.
   const auto moves_node = [&](const FbxMovement& movement) {
     return FbxTransform().part(movement.property) != nullptr && movement.moves();
   };
@@ -240,7 +240,7 @@ void FbxTakeReader::settle_axes() {
   if (unit >= 1e-6 && unit <= 1e6) result_.take.cm_per_unit = unit;
   const int up = static_cast<int>(settings.number("UpAxis", 1));
   const bool is_down = settings.number("UpAxisSign", 1) < 0;
-  // What an axis cannot say only a turn of everything can.
+  // The axes that an up axis cannot express need a turn of the whole scene.
   const auto turn = [&](double angle, const Vector3d& axis) {
     AnimatedNode& scene = result_.take.nodes.front();
     scene.rest.rotation = Eigen::AngleAxisd(angle, axis) * scene.rest.rotation;
@@ -255,7 +255,7 @@ void FbxTakeReader::settle_axes() {
 
 std::optional<double> FbxTakeReader::stated_rate() const {
   const FbxProperties& settings = objects_.settings();
-  if (!settings.has("TimeMode")) {  // Version5: { Settings: { FrameRate: "24" } }
+  if (!settings.has("TimeMode")) {  // version 6, in Version5/Settings/FrameRate
     const FbxRecord* const old = file_.records.find(file_.records.top(), "Version5");
     const FbxRecord* const of = old != nullptr ? file_.records.find(*old, "Settings") : nullptr;
     if (of == nullptr) return std::nullopt;
@@ -272,9 +272,9 @@ std::optional<double> FbxTakeReader::stated_rate() const {
   return kFbxRates[static_cast<std::size_t>(mode)];
 }
 
-/// Of curves that move nodes, or of the others, with so many keys.
+/// Key times of curves that move nodes, or of all others, with at least that many keys.
 std::vector<double> FbxTakeReader::key_times(bool of_nodes, std::size_t fewest) const {
-  std::set<std::vector<std::int64_t>> known;  // many curves have the same
+  std::set<std::vector<std::int64_t>> known;  // many curves share their key times
   std::vector<double> all;
   for (const FbxMovement& movement : movements_) {
     const bool is_of_node = result_.node_of_object[movement.object] > 0 &&
@@ -296,7 +296,7 @@ std::vector<double> FbxTakeReader::key_times(bool of_nodes, std::size_t fewest) 
   return all;
 }
 
-/// The take may be a part of what is keyed, and where curves go on beyond their keys more of it.
+/// Limits the times to the take's span, or extends them to it if curves go on beyond their keys.
 void FbxTakeReader::clip_to_span(std::vector<double>& keys_s, std::optional<double> rate) const {
   if (!chosen_->span) return;
   const double first = static_cast<double>(chosen_->span->first) / ticks_per_second_;
@@ -309,7 +309,7 @@ void FbxTakeReader::clip_to_span(std::vector<double>& keys_s, std::optional<doub
       });
   double begin = goes_on ? first : std::max(first, keys_s.front());
   double end = goes_on ? last : std::min(last, keys_s.back());
-  if (rate) {  // whole frames within
+  if (rate) {  // whole frames within the span
     const double origin = keys_s.front();
     begin = origin + std::ceil((begin - origin) * *rate - kNearFrame) / *rate;
     end = origin + std::floor((end - origin) * *rate + kNearFrame) / *rate;
@@ -319,7 +319,7 @@ void FbxTakeReader::clip_to_span(std::vector<double>& keys_s, std::optional<doub
   keys_s = merged_times(keys_s, {begin, end});
 }
 
-/// Keys of a frame that some program rounded are as if they were on it.
+/// Moves keys that were rounded to their frames.
 void FbxTakeReader::snap_to_frames(std::vector<double>& keys_s, std::optional<double> rate) const {
   if (!rate) return;
   std::vector<double> snapped;
@@ -347,7 +347,7 @@ void FbxTakeReader::sample() {
       if (!std::isfinite(movement.still(axis))) movement.still(axis) = rest(axis);
     of_node[n].push_back(&movement);
   }
-  // A lone key holds a value, wherever it lies.
+  // A single key holds its value at any time.
   std::vector<double> keys_s;
   for (const std::size_t fewest : {2, 1})
     for (const bool of_nodes : {true, false})
@@ -380,7 +380,7 @@ void FbxTakeReader::sample_node(std::size_t node,
   }
 }
 
-/// The first layer replaces what is at rest, later ones do as they say.
+/// The first layer replaces the value at rest; later layers combine by their modes.
 void FbxTakeReader::apply(const FbxMovement& movement, double ticks,
                           FbxTransform& transform) const {
   Vector3d& part = *transform.part(movement.property);
@@ -393,7 +393,7 @@ void FbxTakeReader::apply(const FbxMovement& movement, double ticks,
   const double weight = layer.weight_at(ticks);
   const bool adds = layer.blend == FbxLayer::Blend::Add;
   if (movement.property == "Lcl Rotation" && !layer.turns_by_angle) {
-    // The angles of either side count as XYZ, whatever the node's order: so Maya does.
+    // Angles of both layers are combined in order XYZ, whatever the node's order, as Maya does.
     const Quaterniond below = fbx_rotation(part);
     const Quaterniond own = fbx_rotation(value);
     part = fbx_angles(
@@ -406,7 +406,7 @@ void FbxTakeReader::apply(const FbxMovement& movement, double ticks,
   }
 }
 
-/// The node that has the geometry of the blend shape of a channel.
+/// The node with the mesh of a blend shape channel.
 std::optional<std::size_t> FbxTakeReader::mesh_of_shape(std::size_t channel) const {
   std::size_t at = channel;
   for (const char* const type : {"Deformer", "Geometry", "Model"}) {
@@ -438,7 +438,7 @@ bool FbxTakeReader::add_track(const FbxMovement& movement, std::size_t axis, Sca
   return true;
 }
 
-/// Weights of blend shapes; custom properties and visibility of nodes where they change.
+/// Samples weights of blend shapes, and custom properties and visibility of nodes that change.
 void FbxTakeReader::sample_tracks() {
   constexpr double kFullShape = 0.01;
   constexpr const char* kAxes[] = {"", ".Y", ".Z"};
@@ -483,7 +483,8 @@ void FbxTakeReader::sample_tracks() {
 }  // namespace
 
 double FbxFile::ticks_per_second() const {
-  // From 2019 on a file may count 141,120,000 a second, and says so by another definition than 127.
+  // Files from 2019 on may count 141,120,000 ticks a second, which they state by a definition other
+  // than 127.
   constexpr double kNewTicks = 141'120'000;
   constexpr std::int64_t kUsual = 127;
   constexpr std::int64_t kHeadWithDefinition = 1004;
@@ -503,7 +504,7 @@ FbxTake read_fbx_take(FbxFile& file, const ReadOptions& options) {
   FbxTake take = FbxTakeReader(file, options).read();
   try {
     take.take.meshes = fbx_meshes(file, take, take.warnings);
-  } catch (const InputError& error) {  // no reason to refuse the motion
+  } catch (const InputError& error) {  // an error here is no reason to refuse the motion
     const std::string reason =
         std::string(error.what()).substr(printable(file.records.file()).size() + 2);
     take.warnings.push_back({file.records.file(), 0, "its character is not read: " + reason});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A take of an FBX file as the nodes that all formats of nodes share (node_motion.h).
+// A take of an FBX file in the form that all node-based formats share (node_motion.h).
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@
 
 namespace mocapress {
 
-// Frames a second by the number of a time mode; 0: none of its own.
+// Frames a second for each time mode; 0: the mode has no rate.
 inline constexpr double kFbxRates[] = {30,
                                        120,
                                        100,
@@ -38,9 +38,9 @@ inline constexpr double kFbxRates[] = {30,
                                        60000.0 / 1001,
                                        120000.0 / 1001};
 inline constexpr std::size_t kFbxDefaultMode = 0;
-inline constexpr std::size_t kFbxCustomMode = 14;  // the rate is stated as CustomFrameRate
+inline constexpr std::size_t kFbxCustomMode = 14;  // mode whose rate is stated as CustomFrameRate
 
-/// An FBX file taken apart.
+/// A parsed FBX file.
 struct FbxFile {
   FbxFile(const std::string& file, std::string_view bytes)
       : records(file, bytes), objects(records) {}
@@ -52,25 +52,25 @@ struct FbxFile {
 
 struct FbxTake {
   NodeTake take;
-  std::vector<std::size_t> object_of_node;  // of take.nodes; the first is the scene
-  std::vector<int> node_of_object;          // of the file's objects; -1: none
-  std::vector<FbxTransform> transforms;     // of take.nodes at rest
-  std::size_t index = 0;                    // among the takes of the file
-  double first_s = 0;                       // the time of the first frame
-  struct TrackPlace {                       // of each of take.tracks
+  std::vector<std::size_t> object_of_node;  // object of each of take.nodes; the first is the scene
+  std::vector<int> node_of_object;          // node of each object; -1: none
+  std::vector<FbxTransform> transforms;     // take.nodes at rest
+  std::size_t index = 0;                    // index among the file's takes
+  double first_s = 0;                       // time of the first frame
+  struct TrackPlace {                       // The source of each of take.tracks.
     std::size_t curve_node = 0;
     std::size_t axis = 0;
-    double scale = 1;  // the track's value is this times the curve's
+    double scale = 1;  // track value = scale * curve value
   };
   std::vector<TrackPlace> track_places;
   Takes takes;
   Warnings warnings;
 };
 
-/// With its meshes. Throws InputError.
+/// Reads a take with its meshes. Throws InputError.
 FbxTake read_fbx_take(FbxFile& file, const ReadOptions& options);
 
-/// Nodes at rest, whatever takes there are.
+/// Reads the nodes at rest, whatever takes the file has.
 FbxTake read_fbx_rest(FbxFile& file);
 
 }  // namespace mocapress

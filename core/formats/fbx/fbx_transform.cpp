@@ -40,7 +40,7 @@ const int* fbx_axes(int order) {
 Quaterniond fbx_rotation(const Vector3d& degrees, int order) {
   Quaterniond rotation = Quaterniond::Identity();
   const int* const axes = fbx_axes(order);
-  for (int i = 0; i < 3; ++i)  // a later turn is about the axes of the parent
+  for (int i = 0; i < 3; ++i)  // a later rotation is about the parent's axes
     rotation = Eigen::AngleAxisd(kRadians * degrees(axes[i]), Vector3d::Unit(axes[i])) * rotation;
   return rotation;
 }
@@ -60,8 +60,8 @@ FbxTransform::FbxTransform(const FbxProperties& node) {
   for (const auto& [name, part] : kParts) this->*part = node.vector(name, this->*part);
   const auto stated = static_cast<int>(node.number("RotationOrder", 0));
   order = stated >= 0 && stated < kFbxOrders ? stated : 0;
-  // Pre- and post-rotation and the order apply to nodes that say so. Files that do not know the
-  // property mean what they state.
+  // Pre-rotation, post-rotation and order apply only to nodes with RotationActive. Files without
+  // that property mean them to apply.
   if (node.number("RotationActive", 1) == 0) {
     pre_rotation = post_rotation = Vector3d::Zero();
     order = 0;
@@ -104,7 +104,7 @@ void FbxTransform::set_local(const LocalTransform& local) {
   translation = local.translation - rotation_offset - rotation_pivot - turn * within_pivots();
 }
 
-/// From the pivot of rotations to the origin, in the axes of the turned node.
+/// The offset from the rotation pivot to the origin, in the rotated node's axes.
 Vector3d FbxTransform::within_pivots() const {
   return scaling_offset + scaling_pivot - rotation_pivot - scaling.cwiseProduct(scaling_pivot);
 }

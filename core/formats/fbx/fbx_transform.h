@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The transform of an FBX node, of more parts than other formats have.
+// The transform of an FBX node, which has more parts than in other formats.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,17 +11,18 @@
 
 namespace mocapress {
 
-/// The turn that three angles (degrees) make, in one of FBX's orders: 0 is XYZ, about X first.
+/// The rotation by three angles (degrees) in one of FBX's orders: 0 is XYZ, which turns about X
+/// first.
 Eigen::Quaterniond fbx_rotation(const Eigen::Vector3d& degrees, int order = 0);
 
-/// The angles in that order that make a turn, degrees: those nearest to `near`.
+/// The angles (degrees) of a rotation in that order, the solution nearest to `near`.
 Eigen::Vector3d fbx_angles(const Eigen::Quaterniond& rotation, int order,
                            const Eigen::Vector3d& near = Eigen::Vector3d::Zero());
 
-/// The axes of an order, the first one to turn about in front.
+/// The axes of an order; the first is turned about first.
 const int* fbx_axes(int order);
 
-inline constexpr int kFbxOrders = 7;  // the last, spheric XYZ, is read as XYZ
+inline constexpr int kFbxOrders = 7;  // the last one, spheric XYZ, is read as XYZ
 
 /// parent_from_node = T * Roff * Rp * Rpre * R * Rpost^-1 * Rp^-1 * Soff * Sp * S * Sp^-1
 /// (Autodesk, "Computing transformation matrices").
@@ -42,18 +43,19 @@ struct FbxTransform {
   bool is_spheric = false;
   ScaleOfParent inherit = ScaleOfParent::Whole;
 
-  /// The part of that name, which a curve may move; null: none.
+  /// The part with that name, which a curve may move; null: none.
   Eigen::Vector3d* part(std::string_view property);
 
   LocalTransform local() const;
-  /// Moves, turns and scales it so that local() is this, by the angles nearest to those it has.
+  /// Sets translation, rotation and scaling so that local() equals this, with angles nearest to the
+  /// current ones.
   void set_local(const LocalTransform& local);
 
  private:
   Eigen::Vector3d within_pivots() const;
 };
 
-/// What only the geometry of a node has, not its children.
+/// The transform of a node's geometry, which its children do not inherit.
 Eigen::Affine3d fbx_geometric_transform(const FbxProperties& node);
 
 }  // namespace mocapress

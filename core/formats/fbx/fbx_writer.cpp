@@ -24,14 +24,14 @@ namespace {
 using Eigen::Vector3d;
 using Track3 = std::array<std::vector<float>, 3>;
 
-constexpr std::int64_t kNoObject = 0;  // what hangs from it hangs from the scene
+constexpr std::int64_t kNoObject = 0;  // parent of the scene's topmost nodes
 constexpr std::int64_t kDocument = 1;
 constexpr std::int64_t kStack = 2;
 constexpr std::int64_t kLayer = 3;
 constexpr std::int64_t kPose = 4;
 constexpr std::int64_t kFirstId = 1000;
 
-/// The number of the order in which a joint's channels turn it; of other joints XYZ.
+/// The number of the rotation order of a joint's channels; XYZ for joints without three.
 int order_of(const Joint& joint) {
   std::vector<int> axes;
   for (const ChannelKind kind : joint.channels)
@@ -87,13 +87,13 @@ class FbxDocument {
   }
 
  private:
-  /// A node as other parts refer to it.
+  /// A node's numbers, for references from other parts.
   struct Node {
     std::int64_t id = 0;
     FbxOutRecord* properties = nullptr;
   };
   struct MorphedMesh {
-    std::int64_t shapes = 0;  // the deformer that holds them
+    std::int64_t shapes = 0;  // deformer of its blend shapes
   };
 
   Node add_node(const std::string& name, std::string_view kind, std::int64_t parent);
@@ -116,7 +116,7 @@ class FbxDocument {
   std::vector<std::int64_t> ticks_;
   FbxOutRecord objects_{.name = "Objects"};
   FbxOutRecord connections_{.name = "Connections"};
-  FbxOutRecord pose_{.name = "Objects"};  // holds the pose
+  FbxOutRecord pose_{.name = "Objects"};  // record for the bind pose
   FbxCurveOutput out_;
   std::vector<Node> joints_;
   std::map<std::string, Node> nodes_;                  // by name
@@ -215,7 +215,7 @@ void FbxDocument::add_movement(const NodeTrack& track) {
   if (!track.scales.empty()) out_.add(kLayer, model, "Lcl Scaling", scales);
 }
 
-/// A node that the skeleton does not have is one that only holds tracks.
+/// A node outside the skeleton exists only to hold tracks.
 FbxDocument::Node FbxDocument::node_of(const ScalarTrack& track) {
   if (track.node.empty() && !joints_.empty()) return joints_.front();
   const auto known = nodes_.find(track.node);
@@ -318,7 +318,7 @@ FbxOutRecord FbxDocument::definitions() const {
 }
 
 std::string FbxDocument::finished(int version) {
-  // Programs that check it find the end of the file to belong to this date and this id.
+  // Programs that check the file expect its footer to match this date and id.
   constexpr std::string_view kFileId(
       "\x28\xb3\x2a\xeb\xb6\x24\xcc\xc2\xbf\xc8\xb0\x2a\xa9\x2b\xfc\xf1", 16);
   objects_.records.splice(objects_.records.end(), pose_.records);
@@ -363,8 +363,8 @@ std::string fbx_bytes(const Motion& given, const SourceFormat& source, const Wri
                       const ScalarTracks& tracks, int version) {
   const SourceFormat format = fbx_format(source, options);
   const Motion motion = exported_motion(given, format, options);
-  // The first root rests at the origin: Blender turns a bone without length by what is left of its
-  // direction in floats, and far out little is.
+  // The first root rests at the origin: Blender turns a bone without length by the direction left
+  // after rounding to floats, and far from the origin little of that is left.
   Pose rest = resting_pose(motion, source);
   const Vector3d root = rest.origin.empty() ? Vector3d(Vector3d::Zero()) : rest.origin.front();
   for (Vector3d& origin : rest.origin) origin -= root;
