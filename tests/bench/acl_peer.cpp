@@ -27,7 +27,7 @@ struct Local {
   Eigen::Vector3d translation;  // cm
 };
 
-/// In the parent's frame; of roots in the world.
+/// The transform in the parent's frame, or in the world for a root.
 Local local_of(const Skeleton& skeleton, const Pose& pose, int joint) {
   const auto j = static_cast<std::size_t>(joint);
   const int parent = skeleton.joint(joint).parent;
@@ -45,7 +45,7 @@ rtm::qvvf qvv_of(const Local& local) {
                       rtm::vector_set(v.x(), v.y(), v.z()), rtm::vector_set(1.0F));
 }
 
-/// Tracks equal to the bind pose are not written: they stay as they are.
+/// ACL skips tracks equal to the bind pose, which therefore keep their values.
 struct PoseWriter final : acl::track_writer {
   std::vector<rtm::qvvf> joints;
 

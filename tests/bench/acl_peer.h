@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ACL as a peer, built where its headers are (../shared/peers or MOCAPRESS_PEERS).
+// Compresses by ACL for comparison, if its headers are found (../shared/peers or MOCAPRESS_PEERS).
 #pragma once
 
 #include <Eigen/Core>
@@ -14,26 +14,26 @@ namespace mocapress {
 /// a shell of 3 cm and the bind pose as default.
 class AclClip {
  public:
-  /// Throws Error when ACL refuses.
+  /// Throws Error if ACL refuses the motion.
   AclClip(const Motion& motion, double precision_cm);
   ~AclClip();
 
   std::size_t bytes() const;
 
-  /// What compressing took, with ACL's pre-processing, from transforms on that it wants.
+  /// Time to compress the transforms, including ACL's pre-processing.
   double encode_seconds() const;
 
-  /// body_tracks() of every frame as it decodes them.
+  /// body_tracks() of every decoded frame.
   Eigen::MatrixXd tracks(const Skeleton& skeleton) const;
 
-  /// Local transforms of every frame, one after the other, into memory of its own. After open().
+  /// Decodes the local transforms of all frames into the clip's own memory. Requires open().
   void decode_frames();
 
-  /// Makes a context for it, as an engine does that trusts its bytes.
+  /// Makes a decoding context as an engine does that trusts the bytes.
   void open();
 
-  /// Local transforms at an instant, between two frames interpolated as ACL does, into memory of
-  /// its own. After open().
+  /// Samples local transforms at an instant into the clip's own memory, interpolated as ACL does.
+  /// Requires open().
   void sample(float seconds);
 
  private:
@@ -42,7 +42,7 @@ class AclClip {
   std::unique_ptr<Parts> parts_;
 };
 
-/// Samples a clip for one thread, with a context that is kept; the clip must outlive it.
+/// Samples a clip for one thread with a context that is kept; the clip must outlive it.
 class AclPlayer {
  public:
   explicit AclPlayer(const AclClip& clip);

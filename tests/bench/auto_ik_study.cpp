@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the split that `--ik auto` finds holds of the feet and costs, against every fixed r_IK, at
-// eps_x 0.5 cm with the closed loop and at the paper's r = 30, as a Markdown table.
+// Compares the split found by `--ik auto` with every fixed r_IK, in held feet and in bytes: at
+// eps_x 0.5 cm with the closed loop, and at the paper's r = 30. Prints a Markdown table.
 // Usage: mocapress-auto-ik-study CLIP|FOLDER... [--every N]
 #include <algorithm>
 #include <array>
@@ -29,8 +29,8 @@ struct Summary {
   int rows = 0;
   int beaten = 0;
   double least_taken = 1;
-  double logs_of_bytes = 0;  // over those without a correction
-  double times = 0;          // as long as at a fixed r_IK
+  double logs_of_bytes = 0;  // bytes relative to clips without a correction
+  double times = 0;          // time relative to a fixed r_IK
 };
 
 struct Setting {
@@ -58,7 +58,7 @@ double processor_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// Of `work`.
+/// Processor seconds of `work`.
 template <typename Work>
 double seconds_of(const Work& work) {
   const double start = processor_seconds();

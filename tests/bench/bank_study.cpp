@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What a bank takes, and how fast it is there: mapping and opening it, then its first pose, from
-// the name of a clip on; each from the middle of many mappings, each of another clip. The file is
-// in the system's cache then: a disk's own time is not in these figures. One JSON object a bank.
-// With --against, three instants of every clip of a cooked bank instead, in an order of clips at
-// random, and of one clip in a hundred how far they are from what the packed bank of the same clips
-// decodes to; fails beyond what the interface promises.
+// Measures the size and speed of banks: mapping and opening, then the first pose from the name of a
+// clip on. Each time is the median of many mappings, each for another clip. The file is in the
+// system's cache, so the disk's own time is not measured. Prints one JSON object for each bank.
+// With --against, times three instants of every clip of a cooked bank in random order instead, and
+// compares one clip in a hundred with the packed bank of the same clips; fails if the differences
+// exceed the interface's promises.
 // Usage: mocapress-bank-study BANK.mcpk...
 //        mocapress-bank-study COOKED.mcpk --against PACKED.mcpk
 #include <algorithm>
@@ -46,7 +46,7 @@ void require(const mcpr_result& result) {
   if (result.status != MCPR_OK) throw Error(result.message);
 }
 
-/// Of a bank that nobody looked into yet.
+/// Times the first pose in a freshly mapped bank.
 void time_first_pose(const std::string& path, bool beforehand, const std::string& name,
                      std::vector<double>& opens, std::vector<double>& poses) {
   std::vector<float> pose(8 * 4096);
@@ -63,7 +63,7 @@ void time_first_pose(const std::string& path, bool beforehand, const std::string
   poses.push_back(microseconds_since(start));
 }
 
-/// Of clips at random, each in a mapping of its own.
+/// Times first poses of random clips, each in a mapping of its own.
 Json first_poses(const BankFile& bank, const std::string& path, bool beforehand) {
   constexpr int kMappings = 1001;
   std::vector<double> opens;
@@ -116,7 +116,7 @@ class DecodedClip {
         mcpr_build(scratch_.data(), scratch_.size(), resident_.data(), resident_.size(), &clip_));
   }
 
-  /// 7 floats a joint.
+  /// The pose, 7 floats for each joint.
   std::vector<float> pose(double frame) const {
     const mcpr_request request{.output = MCPR_LOCAL};
     const AlignedBytes working(mcpr_scratch_bytes(clip_, &request));
@@ -143,7 +143,7 @@ class DecodedClip {
   const mcpr_clip* clip_ = nullptr;
 };
 
-/// The most that joints of two poses are apart.
+/// The largest differences between joints of two poses.
 struct Difference {
   double radians = 0;
   double cm = 0;
@@ -152,7 +152,7 @@ struct Difference {
     if (decoded.size() != 7 * sampled.size()) throw Error("the banks have other clips");
     for (std::size_t j = 0; j < sampled.size(); ++j) {
       const float* const joint = &decoded[7 * j];
-      double towards = 0;  // of two quaternions: either sign turns alike
+      double towards = 0;  // dot product of two quaternions: either sign is the same rotation
       double apart = 0;
       double against = 0;
       for (int i = 0; i < 4; ++i) {
@@ -170,7 +170,7 @@ struct Difference {
 };
 
 Json sample_all(const std::string& path, const std::string& packed_path) {
-  constexpr double kInstants[] = {0, 0.37, 1};  // of a clip's length
+  constexpr double kInstants[] = {0, 0.37, 1};  // in clip lengths
   constexpr std::uint32_t kOneIn = 100;
   const BankFile packed(packed_path);
   Clock::time_point start = Clock::now();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How small the closed loop gets each study clip at a given error, how fast, and against whom, as
-// Markdown tables. Times are processor seconds of all threads together.
+// Measures the size of each study clip by the closed loop at given errors, the time, and the best
+// peers' sizes, as Markdown tables. Times are processor seconds of all threads together.
 // Usage: mocapress-closed-loop-study CORPUS/study [best] [surface]
-// With another weighting than bone-ends errors are of that, and nobody is compared with.
+// With a weighting other than bone-ends, errors are in that weighting, and there are no peers.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,8 +27,8 @@ namespace fs = std::filesystem;
 
 constexpr std::array kErrors = {0.5, 0.26, 0.1, 0.05};  // cm
 
-/// The best peer of shared/design/peers.md at the first three of them, bone-ends: ACL or
-/// meshoptimizer at their best settings with a packer on top. Ratios.
+/// Ratios of the best peer in shared/design/peers.md at the first three of these errors, bone-ends:
+/// ACL or meshoptimizer at their best settings, packed afterwards.
 const std::map<std::string, std::array<double, 3>> kBestPeer = {
     {"09_01", {16.3, 11.4, 5.3}},  {"49_02", {34.4, 21.6, 9.5}},  {"02_01", {36.8, 24.2, 10.1}},
     {"02_05", {53.5, 41.3, 15.1}}, {"05_10", {17.7, 11.4, 7.0}},  {"14_06", {55.1, 37.2, 18.9}},

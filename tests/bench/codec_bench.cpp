@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Transform, coding, decoding and kinematics. Items are frames of 62 channels.
+// Measures transform, coding, decoding and kinematics. Items are frames of 62 channels.
 #include <benchmark/benchmark.h>
 
 #include <cstring>
@@ -49,7 +49,7 @@ CompressedClip compressed(Coding coding) {
           .motion = std::move(bytes)};
 }
 
-/// The floor under everything that touches each value once.
+/// A lower bound for everything that touches each value once.
 void Memcpy(benchmark::State& state) {
   const Eigen::MatrixXd& from = synthetic_motion().clip.channels;
   Eigen::MatrixXd to = from;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What holding the feet costs and gains at the paper's r = 30 and r_IK = 16, against the same
-// annealing of the same size without, as a Markdown table.
+// Measures the cost and gain of held feet at the paper's r = 30 and r_IK = 16, against the same
+// annealing at the same size without them. Prints a Markdown table.
 // Usage: mocapress-correction-study CLIP...
 #include <algorithm>
 #include <cstdio>

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-// A crowd: characters that each play a clip of a bank, at an instant of their own, on all cores.
-// Local transforms of all joints, beside ACL with the same clips at precision 0.1 cm, ours at equal
-// shell RMS and in one cooked bank that is mapped from disk. Both take turns in this run, so that
-// what else the machine does slows both down; medians are printed. ACL has a context for each clip
-// and thread that is made beforehand and not counted; ours needs none. Both also in the order of
-// clips and instants, which mcpr_sort_crowd brings about on one thread: that time counts for both.
-// In that order ours are posed by mcpr_sample_crowd, and ACL's one by one, for it has no such call.
-// Then ours by the level of detail: all joints of those within 10 m, without the outermost ones and
-// the finest band within 30 m, beyond that only those with four joints below them and without two
-// bands. Characters stand anywhere in a square of 100 m. Then all joints at each level alone: poses
-// a second without so many bands, and how far joints then are from where all bands have them.
+// Poses a crowd on all cores: each character plays a clip of a bank at an instant of its own.
+// Compares the local transforms of all joints with ACL's for the same clips at precision 0.1 cm;
+// ours have equal shell RMS and lie in one cooked bank mapped from disk. Both take turns in this
+// run, so that other work on the machine slows both; medians are printed. ACL has a context for
+// each clip and thread, which is made beforehand and not counted; ours needs none.
+// The second comparison sorts characters by clip and instant with mcpr_sort_crowd on one thread;
+// that time counts for both. Ours are then posed by mcpr_sample_crowd, ACL's one by one, since it
+// has no such call.
+// The third measures ours by level of detail: all joints within 10 m; without the outermost joints
+// and the finest band within 30 m; beyond that, joints with four joints below them, without two
+// bands. Characters stand anywhere in a square of 100 m. The last one measures all joints at each
+// level alone: poses a second without these bands, and the joints' distances from their places with
+// all bands.
 // Usage: mocapress-crowd CLIP|FOLDER... [--every N] [--characters N] [--rounds N]
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -47,7 +49,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr double kPrecision = 0.1;  // cm, ACL's
+constexpr double kPrecision = 0.1;  // cm, for ACL
 
 struct Character {
   std::uint32_t clip = 0;
@@ -55,7 +57,7 @@ struct Character {
   int detail = 0;  // 0: all joints
 };
 
-/// Which joints of a clip are sampled at each level of detail.
+/// The joints of a clip that are sampled at each level of detail.
 struct Detail {
   std::vector<int> parents;
   std::vector<std::uint16_t> joints[3];
@@ -69,7 +71,7 @@ struct Detail {
   }
 };
 
-/// Joints below each, itself counted.
+/// Chooses joints by the number of joints below them, themselves included.
 Detail detail_of(const mcpk_bank* bank, std::uint32_t clip, const mcpr_cooked* cooked) {
   const std::uint32_t joints = mcpr_cooked_describe(cooked).joints;
   std::vector<int> below(joints, 1);
@@ -97,7 +99,7 @@ Detail detail_of(const mcpk_bank* bank, std::uint32_t clip, const mcpr_cooked* c
   return detail;
 }
 
-/// Where joints are in the world, of a pose.
+/// World positions of the joints in a pose.
 std::vector<Eigen::Vector3f> places_of(const std::vector<int>& parents,
                                        const std::vector<float>& pose) {
   std::vector<Eigen::Isometry3f> joints(parents.size());
@@ -111,7 +113,7 @@ std::vector<Eigen::Vector3f> places_of(const std::vector<int>& parents,
   return places;
 }
 
-/// How far joints are from where all bands have them, cm.
+/// Distances of joints from their positions with all bands, cm.
 struct Missed {
   double squares = 0;
   double most = 0;
@@ -140,7 +142,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Slices of so many characters on all cores: seconds.
+/// Seconds to pose slices of `count` characters on all cores.
 template <typename PoseSlice>
 double pose_slices(std::size_t characters, std::size_t at_a_time, unsigned threads,
                    const PoseSlice& pose) {
@@ -157,7 +159,7 @@ double pose_slices(std::size_t characters, std::size_t at_a_time, unsigned threa
   return seconds_since(start);
 }
 
-/// All characters once, one by one, on all cores: seconds.
+/// Seconds to pose all characters one by one on all cores.
 template <typename Pose>
 double pose_all(const std::vector<Character>& crowd, unsigned threads, const Pose& pose) {
   return pose_slices(crowd.size(), 64, threads,
@@ -184,17 +186,17 @@ class SortedCrowd {
                       .wrap = MCPR_CLAMP,
                       .bands_left_out = 0});
     const auto count = static_cast<std::uint32_t>(all_.size());
-    // An engine keeps it from frame to frame.
+    // An engine would keep this memory from frame to frame.
     static const AlignedBytes scratch(mcpr_sort_crowd_scratch_bytes(count));
     const mcpr_crowd_request request{.unit = MCPR_SECONDS};
     const auto start = std::chrono::steady_clock::now();
     require(mcpr_sort_crowd(&request, all_.data(), count, scratch.data(), scratch.size()));
     sort_seconds = seconds_since(start);
-    // Poses of a slice go to one place, as others do that are timed here.
+    // All poses of a slice go to the same memory, as in the other timings.
     for (std::size_t c = 0; c < all_.size(); ++c) all_[c].out = poses_[c / kSlice].data();
   }
 
-  /// Seconds, without sorting.
+  /// Seconds to pose, without sorting.
   double pose(bool exact) {
     const mcpr_crowd_request request{.unit = MCPR_SECONDS, .exact = exact ? 1 : 0};
     std::vector<std::unique_ptr<AlignedBytes>> scratch;
@@ -297,7 +299,7 @@ Json Crowd::run() const {
     for (Character& character : crowd) {
       character.clip = static_cast<std::uint32_t>(random.below(ours.size()));
       character.seconds = static_cast<float>(durations[character.clip] * random.unit());
-      const double away = 100 * std::hypot(random.unit() - 0.5, random.unit() - 0.5);  // m
+      const double away = 100 * std::hypot(random.unit() - 0.5, random.unit() - 0.5);  // in m
       character.detail = away < 10 ? 0 : away < 30 ? 1 : 2;
       sampled_joints[0] += static_cast<double>(details[character.clip].joints[0].size());
       sampled_joints[1] +=

@@ -9,13 +9,13 @@
 namespace mocapress {
 namespace {
 
-// In line with the chart of what is seen below.
+// Aligned with the chart of visibility below.
 constexpr double kLeft = 92;  // px
 constexpr double kWidth = 520;
 constexpr double kHeight = 90;
 constexpr double kTop = 10;
 
-/// The worst of the frames that share a pixel.
+/// A curve that shows the worst frame of each pixel.
 std::string curve(const Eigen::VectorXd& cm, double top_cm, std::string_view style) {
   const Eigen::Index columns = std::min<Eigen::Index>(cm.size(), static_cast<int>(kWidth - kLeft));
   std::string path;
@@ -37,7 +37,7 @@ std::string text(double y, std::string_view content) {
                  content);
 }
 
-/// To one scale in both clips.
+/// Draws curves with the same scale for both clips.
 std::string curves(const LookedAt& clip, double top_cm) {
   return element("svg",
                  attribute("class", "sights") + attribute("role", "img") +

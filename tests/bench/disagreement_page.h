@@ -10,27 +10,27 @@
 
 namespace mocapress {
 
-/// A compressed clip as one looks at it: its error over time, what the eye sees, and two poses.
+/// A compressed clip in pictures: its error over time, the visibility of errors, and two poses.
 struct LookedAt {
   std::string title;
   std::string figures;  // in a few words
-  std::string reason;   // of the verdict
+  std::string reason;   // reason for the verdict
   double seconds = 0;
-  Eigen::VectorXd rms_cm;  // of every frame, on the body's surface
+  Eigen::VectorXd rms_cm;  // RMS of every frame, on the body's surface
   Eigen::VectorXd max_cm;
   SightChart sights;
-  WorstPose furthest;   // where a bone end is furthest off
-  WorstPose most_seen;  // where the eye sees most
+  WorstPose furthest;   // frame with the largest error at a bone end
+  WorstPose most_seen;  // frame with the most visible error
 };
 
-/// Two clips that two figures put in contrary order.
+/// Two clips that two figures rank in opposite order.
 struct Disagreement {
   std::string title;
-  LookedAt better;  // by the first figure
+  LookedAt better;  // better by the first figure
   LookedAt worse;
 };
 
-/// An HTML page that needs nothing else.
+/// A self-contained HTML page.
 std::string disagreement_page(const std::vector<Disagreement>& all);
 
 }  // namespace mocapress

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How long drafts take and how near their estimated sizes are, as Markdown tables; and the weights
-// of the estimate, fitted anew. Times are milliseconds by the clock, the least of five, of clips
-// that were analysed before.
+// Measures the time of drafts and the accuracy of their estimated sizes, as Markdown tables; with
+// `fit`, also fits the weights of the estimate. Times are wall-clock milliseconds, the least of
+// five, for clips that are analysed already.
 // Usage: mocapress-draft-study CORPUS/study [fit]
 #include <Eigen/QR>
 #include <algorithm>
@@ -56,7 +56,7 @@ void print_times(const std::vector<fs::path>& clips) {
   std::printf("| --- | --- | --- | --- |\n");
   for (const fs::path& path : clips) {
     const Encoder encoder(read_motion(path).motion);
-    encoder.encode(draft_at(kErrors[0], Weighting::BoneEnds, true));  // which analyses it
+    encoder.encode(draft_at(kErrors[0], Weighting::BoneEnds, true));  // analyses it
     std::array<std::string, 2> texts;
     for (const bool size_will_do : {true, false})
       for (const double eps_cm : kErrors) {
@@ -73,7 +73,7 @@ void print_times(const std::vector<fs::path>& clips) {
   std::printf("\n");
 }
 
-/// A draft's bytes, and what its estimate was made of.
+/// A draft's size, and the terms of its estimate.
 struct Sample {
   double bytes;
   double estimate;
@@ -117,7 +117,7 @@ void print_accuracy(const std::vector<Sample>& samples) {
       off.size(), share(0.5), share(0.95), share(1), 100 * sum / static_cast<double>(off.size()));
 }
 
-/// So that the squares of relative errors are least.
+/// Fits weights by least squares of relative errors.
 void print_weights(const std::vector<Sample>& samples) {
   Eigen::MatrixXd parts(std::ssize(samples), 5);
   for (Eigen::Index i = 0; i < parts.rows(); ++i) {

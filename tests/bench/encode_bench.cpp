@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The encoder on one core, of a clip that is analysed already: a draft as a slider asks for it, and
-// what is promised. Forward kinematics of the same frames stands beside them. Items are frames.
+// Measures the encoder on one core for a clip that is analysed already: a draft, as a slider asks
+// for it, and a full encode. Forward kinematics of the same frames is measured for comparison.
+// Items are frames.
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 

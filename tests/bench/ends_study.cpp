@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// How the ends of clips fare beside the rest of them, as a Markdown table: the RMS error of the
-// first and last frame, and of the four at either end, as shares of the clip's own. --loops: of the
-// most loop-like stretch of each clip, closed to a loop (tests/support/loop_of.h), also what
-// changes in the errors of pose and velocity at the seam, as shares of what changes most from any
-// frame to the next, and whether the encoder knew it for a loop. --game: on rigs that games have.
+// Compares the errors at the ends of clips with the rest, as a Markdown table: the RMS error of the
+// first and last frame, and of the four frames at each end, relative to the clip's own.
+// --loops takes the most loop-like stretch of each clip, closed to a loop
+// (tests/support/loop_of.h). It also prints the change in the errors of pose and velocity at the
+// seam, relative to the largest change between neighbouring frames, and whether the encoder
+// detected the loop.
+// --game uses game-like rigs.
 // Usage: mocapress-ends-study CLIP|FOLDER... [--every N] [--game] [--loops] [--error CM]
 //   [--ends free|even|exact]
 #include <algorithm>
@@ -33,8 +35,8 @@ constexpr int kBeside = 4;  // frames at either end
 struct ClipEnds {
   double ratio;
   double eps_cm;
-  // First frame, last, first few, last few, of eps_cm; seam's pose and velocity, of the worst
-  // neighbours.
+  // Errors of first frame, last frame, first few and last few, relative to eps_cm; pose and
+  // velocity at the seam, relative to the worst pair of neighbours.
   std::array<double, 6> shares;
   Loop loop;
 };

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Fits what the adaptive coding knows beforehand: training_samples.h.
+// Fits the initial state of the adaptive coding to the samples of training_samples.h.
 //   mocapress-fit-priors CORPUS/train > core/runtime/format/coefficient_priors.cpp
-// --scale: the weights of the expected scale instead (value_prediction.cpp). Repeated until they
-// stay, for what is restless follows from them; the priors come after that.
-// All samples count alike, for what is known beforehand matters most where there is little to learn
-// from.
+// --scale fits the weights of the expected scale instead (value_prediction.cpp). Repeat it until
+// they no longer change, since the samples' activity follows from them; fit the priors afterwards.
+// All samples have equal weight, since priors matter most where there is little to learn from.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -41,14 +40,14 @@ CodingKnowledge fit(const std::filesystem::path& folder) {
     double sum = 0;
     for (const double of_sample : bits) sum += std::log2(of_sample);
     const double mean = std::exp2(sum / static_cast<double>(bits.size()));
-    if (mean > 0) std::fprintf(stderr, "%.1f bits\n", mean);  // not before the first round
+    if (mean > 0) std::fprintf(stderr, "%.1f bits\n", mean);  // known from the second round on
     return true;
   };
   descend(samples, {.rounds = 8, .clips_count_alike = true}, say, known);
   return known;
 }
 
-/// As C++ has to be told what is no trigraph.
+/// Splits a string literal where it would form a trigraph.
 std::string without_trigraphs(std::string letters) {
   for (std::size_t at = 0; (at = letters.find("??", at)) != std::string::npos; at += 2)
     letters.insert(at + 1, 1, '\\');
@@ -63,7 +62,7 @@ void print_letters(const char* name, const std::string& letters) {
                 i + kLine < letters.size() ? "" : ";\n");
 }
 
-/// Numbers in 1 / `whole`, so many in a row.
+/// Prints numbers in units of 1 / `whole`, `per_row` in a row.
 void print_numbers(const std::vector<double>& numbers, double whole, std::size_t in_a_row) {
   for (std::size_t i = 0; i < numbers.size(); ++i)
     std::printf("%s%ld,", i % in_a_row == 0 ? "\n    " : " ",

@@ -13,7 +13,7 @@
 namespace mocapress {
 namespace {
 
-/// A value of a sample, in steps.
+/// A value of a sample, in quantisation steps.
 struct NotedValue {
   std::array<float, runtime::kScaleFeatures> features;
   float unrest;  // octaves
@@ -40,7 +40,7 @@ struct NotingValues {
   std::vector<NotedValue> values;
 };
 
-/// Every third sample: they are alike, and their values many.
+/// Uses every third sample: they are alike and have many values.
 std::vector<std::vector<NotedValue>> values_of(const std::filesystem::path& folder) {
   std::vector<std::vector<NotedValue>> samples;
   int at = 0;
@@ -57,8 +57,8 @@ std::vector<std::vector<NotedValue>> values_of(const std::filesystem::path& fold
 
 using ScaleWeights = std::array<std::array<double, runtime::kScaleFeatures>, runtime::kScaleLevels>;
 
-/// How unlikely the values are, as the logistic distribution has it whose scale follows from the
-/// weights, and the gradient of that by the logarithms of the weights.
+/// The negative log-likelihood of the values under the logistic distribution whose scale follows
+/// from the weights, and its gradient by the weights' logarithms.
 double unlikelihood(const std::vector<NotedValue>& values, const ScaleWeights& weights,
                     ScaleWeights& gradient) {
   const double share = 1.0 / std::max<double>(static_cast<double>(values.size()), 50);
@@ -83,8 +83,8 @@ double unlikelihood(const std::vector<NotedValue>& values, const ScaleWeights& w
   return sum;
 }
 
-/// D. Kingma and J. Ba, "Adam: A Method for Stochastic Optimization", 2015, of the logarithms of
-/// the weights.
+/// D. Kingma and J. Ba, "Adam: A Method for Stochastic Optimization", 2015, applied to the
+/// logarithms of the weights.
 ScaleWeights fit_scale(const std::vector<std::vector<NotedValue>>& samples) {
   constexpr int kRounds = 40;
   constexpr std::size_t kBatch = 12;

@@ -86,7 +86,7 @@ void decode(const Clip& clip, mcpr_path path, std::vector<float>& out) {
   mcpr_decode_frames(clip.clip, &request, 0, frames, out.data(), scratch.data(), scratch.size());
 }
 
-/// Predicts and learns as reading a file does, from numbers of its kind.
+/// Predicts and learns as when reading a file, with realistic numbers.
 void predict(const Clip&, mcpr_path path, std::vector<float>& out) {
   const runtime::PredictionKernels& kernels = *runtime::prediction_of(path);
   runtime::SignalPrediction signal;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// ACL's bytes and errors at each of its precisions, and our bytes where each of these errors is
-// met: of eps_x by bone ends, of the root mean square, the 99th percentile and the maximum of ACL's
-// own points, three 3 cm from each joint. One line a clip and precision, then geometric means of
-// our share of ACL's bytes. --json: one JSON object a line and nothing else. --no-max: without the
-// maximum, which takes most of the time.
-// At precision 0.1 also times of both, in turns in this run: local transforms at a random instant
-// and forwards at 60 Hz, opening, and of the whole clip, a frame each; frames a second that both
-// encode, medians of a few turns; and the bytes of our cooked form without what is the skeleton's.
-// sse2_...: ours by SSE2, which ACL is compiled for, too, unless the program is
-// mocapress-peer-study-avx.
-// --times: these alone. --game: on rigs as games have them (tests/support/game_like.h).
+// Compares with ACL: its bytes and errors at each of its precisions, and our bytes at the same
+// errors, which are eps_x by bone ends, and the root mean square, the 99th percentile and the
+// maximum of ACL's own points, three for each joint at 3 cm. Prints one line for each clip and
+// precision, then geometric means of our bytes relative to ACL's.
+// --json: prints JSON objects only, one a line. --no-max: leaves out the maximum, which takes most
+// of the time.
+// At precision 0.1 it also times both in turns: local transforms at a random instant and forwards
+// at 60 Hz, opening, the whole clip for each frame, and encoding in frames a second, as medians of
+// a few turns. It prints the bytes of our cooked form without the skeleton's part.
+// sse2_...: ours by SSE2, for which ACL is compiled too, except in mocapress-peer-study-avx.
+// --times: prints times only. --game: uses game-like rigs (tests/support/game_like.h).
 // Usage: mocapress-peer-study CLIP|FOLDER... [--every N] [--game] [--json] [--no-max] [--times]
 #include <algorithm>
 #include <array>
@@ -56,7 +56,7 @@ Encoding encode(const Encoder& encoder, Weighting weighting, const Target& targe
   return encoder.encode({.method = Method::ClosedLoop, .weighting = weighting, .target = target});
 }
 
-/// Null where it is out of reach.
+/// Null if the target is out of reach.
 template <typename Search>
 Json if_reached(const Search& search) {
   try {
@@ -70,10 +70,10 @@ std::size_t bytes_at(const Encoder& encoder, Weighting weighting, const Target& 
   return encode(encoder, weighting, target).compressed.motion_bytes();
 }
 
-/// A percentile is no target: it is searched by the mean error that brings it.
+/// A percentile is no target, so the search varies the mean error.
 std::size_t bytes_at_shell_p99(const Encoder& encoder, double p99_cm) {
-  double below = 0.1 * p99_cm;  // an RMS that keeps it
-  double above = p99_cm;        // one that does not
+  double below = 0.1 * p99_cm;  // an RMS that meets the percentile
+  double above = p99_cm;        // an RMS that misses it
   std::size_t bytes = bytes_at(encoder, Weighting::Shell, {Target::Kind::Error, below});
   for (int i = 0; i < 8; ++i) {
     const double rms = std::sqrt(below * above);
@@ -88,8 +88,8 @@ std::size_t bytes_at_shell_p99(const Encoder& encoder, double p99_cm) {
   return bytes;
 }
 
-/// The middle of as many measurements of a call as there are turns: microseconds each time. Both
-/// sides take turns, so that what else the machine does slows both down.
+/// Medians of the times of two calls in microseconds. The calls take turns, so that other work on
+/// the machine slows both.
 template <int kTurns = 101, typename Theirs, typename Ours>
 std::pair<double, double> median_us(int calls, const Theirs& theirs, const Ours& ours) {
   std::vector<double> of_theirs;
@@ -111,8 +111,8 @@ std::pair<double, double> median_us(int calls, const Theirs& theirs, const Ours&
   return {middle(of_theirs), middle(of_ours)};
 }
 
-/// Frames a second, on one thread: from transforms on for ACL, from angles on for us, whose target
-/// is searched as in this study.
+/// Frames a second on one thread: from transforms for ACL, from angles for ours, including the
+/// search for the target.
 Json encoding_speeds(const Motion& motion, double precision, double shell_rms) {
   constexpr std::size_t kTurns = 5;
   std::vector<double> of_theirs;
@@ -134,10 +134,10 @@ Json encoding_speeds(const Motion& motion, double precision, double shell_rms) {
           {"encode_frames_per_second", speed(of_ours)}};
 }
 
-/// Local transforms of all joints, one thread: at a random instant, forwards at 60 Hz (ours through
-/// a cursor), every frame of the whole clip (ours through a cursor, and by mcpr_decode_frames from
-/// the resident form); and opening what lies in memory. ACL at a precision, ours at equal shell
-/// RMS.
+/// Times of local transforms of all joints on one thread: at a random instant, forwards at 60 Hz
+/// (ours with a cursor), and for every frame of the clip (ours with a cursor, and by
+/// mcpr_decode_frames from the resident form); and of opening a clip in memory. ACL at one
+/// precision, ours at equal shell RMS.
 Json times_of(const Encoder& encoder, AclClip& acl, double shell_rms) {
   constexpr int kInstants = 500;
   const Encoding encoding = encode(encoder, Weighting::Shell, {Target::Kind::Error, shell_rms});
@@ -245,7 +245,7 @@ Json row_of(const Motion& motion, const Encoder& encoder, double precision, bool
   return row;
 }
 
-/// Our times and bytes as shares: geometric means and worst clips.
+/// Our times and bytes relative to ACL's: geometric means and worst clips.
 class TimeShares {
  public:
   static std::string line(const fs::path& clip, const Json& row) {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Long clips in segments: memory, what they cost in bytes, and whether their seams can be seen.
+// Measures long clips in segments: memory, cost in bytes, and the visibility of seams.
 // Usage: mocapress-segments-study memory CLIP FRAMES[,FRAMES...] [LONGEST]
 //        mocapress-segments-study seams CLIP LONGEST [EPS_CM]
-// A clip of more frames than it has is repeated, there and back again. LONGEST: frames of a
-// segment. Figures are printed as Markdown. Memory is that of a process of its own for each number
-// of frames: what is resident at most while it encodes, measures and writes the file, less what was
-// before, with the clip as the encoder takes it.
+// If FRAMES exceeds the clip's length, the clip is played forwards and backwards. LONGEST is the
+// number of frames in a segment. Output is Markdown.
+// Each number of frames has a process of its own. Its memory is the peak of resident memory while
+// it encodes, measures and writes the file, less the memory used before, which includes the clip in
+// the form that the encoder takes.
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -48,7 +49,7 @@ double present_memory() {
   return mebibytes(4096 * resident);
 }
 
-/// There and back again, until there are so many frames.
+/// Plays the motion forwards and backwards up to `frames` frames.
 Motion repeated(const Motion& motion, int frames) {
   Motion longer{motion.skeleton, {motion.clip.sample_rate_hz, {}}};
   longer.clip.channels.resize(frames, motion.clip.channels.cols());
@@ -70,7 +71,7 @@ EncodeSettings options_at(double eps_cm, int longest) {
   return options;
 }
 
-/// What the runtime decoder takes to open a file.
+/// The memory with which the runtime decoder opens a file.
 double scratch_memory(const std::vector<std::byte>& file) {
   mcpr_limits limits = mcpr_default_limits();
   limits.values = UINT64_MAX;
@@ -101,7 +102,7 @@ void memory(const Motion& motion, int frames, int longest) {
               encoding.distortion.eps_bone_ends, frames / seconds);
 }
 
-/// The peak of a process never falls: each number of frames has one.
+/// Starts a process for each number of frames, since a process's peak never falls.
 void memory_of_each(const std::string& path, const std::string& lengths, int longest) {
   std::printf(
       "| frames | segments | clip | beyond | file | to open it | ratio | eps_x | frames/s |\n");
@@ -160,7 +161,7 @@ void seams(const Motion& motion, int longest, double eps_cm) {
   for (const bool of_whole : {false, true}) {
     const Eigen::MatrixXd error = error_of(of_whole ? whole : cut);
     for (Eigen::Index t = 1; t < error.rows(); ++t) {
-      // The frames after a seam belong to it: that is where it would jump.
+      // The frames just after a seam count as part of it: a jump would be there.
       const bool at_seam = layout.stretch_at(static_cast<int>(t)).shared >= 0 ||
                            layout.stretch_at(static_cast<int>(t) - 1).shared >= 0;
       if (of_whole && !at_seam) continue;

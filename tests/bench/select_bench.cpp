@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ranking and the error model: what annealing is made of.
+// Measures ranking and the error model, the parts of annealing.
 #include <benchmark/benchmark.h>
 
 #include "core/select/error_model.h"
@@ -15,7 +15,7 @@ const ErrorModel& model() {
   return kModel;
 }
 
-/// A small error of one channel, one value a frame.
+/// A small error of one channel, with a value for each frame.
 Eigen::VectorXd delta() {
   return 0.01 * synthetic_motion().clip.channels.rightCols<1>();
 }
@@ -33,7 +33,7 @@ void ErrorModelConstruction(benchmark::State& state) {
 }
 BENCHMARK(ErrorModelConstruction)->UseRealTime();
 
-/// One candidate.
+/// Measures one candidate.
 void ErrorStateChange(benchmark::State& state) {
   const ErrorState error(model());
   const Eigen::VectorXd d = delta();
@@ -41,7 +41,7 @@ void ErrorStateChange(benchmark::State& state) {
 }
 BENCHMARK(ErrorStateChange);
 
-/// One accepted move of a channel at the root, which touches every other, and of one at a hand.
+/// Measures one accepted change of a channel at the root, which affects every other, or at a hand.
 void ErrorStateAdd(benchmark::State& state, bool at_root) {
   ErrorState error(model());
   const Eigen::VectorXd d = delta();

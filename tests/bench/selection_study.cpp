@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How much annealing gains at equal coded size: eps_x (joint-origins) of each selection on the
-// study clips, as a Markdown table. Usage: mocapress-selection-study CORPUS/study
+// Measures the gain of annealing at equal coded size: eps_x (joint-origins) of each selection on
+// the study clips. Prints a Markdown table.
+// Usage: mocapress-selection-study CORPUS/study
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -35,7 +36,7 @@ double eps_cm(const Encoder& encoder, Method method, double ratio) {
       .distortion.eps_joint_origins;
 }
 
-/// Prints one row and returns what annealing gains: the factor standard / annealed.
+/// Prints one row and returns the gain of annealing: standard / annealed.
 double study(const std::string& clip, const Encoder& encoder, double ratio) {
   const double per_channel = eps_cm(encoder, Method::PerChannel, ratio);
   const double standard = eps_cm(encoder, Method::Standard, ratio);

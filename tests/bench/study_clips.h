@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What studies run over: clips named or in folders, as they are or thinned.
+// Clips for studies: named files or folders, in full or thinned.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace mocapress {
 
-/// A file itself; of a folder its .amc and .bvh files, sorted.
+/// The file itself, or a folder's .amc and .bvh files, sorted.
 inline std::vector<std::filesystem::path> clips_of(const std::filesystem::path& path) {
   if (!std::filesystem::is_directory(path)) return {path};
   std::vector<std::filesystem::path> clips;
@@ -21,7 +21,7 @@ inline std::vector<std::filesystem::path> clips_of(const std::filesystem::path& 
   return clips;
 }
 
-/// Every so many-th frame, the first of all among them.
+/// Every `every`-th frame, starting with the first.
 inline Motion thinned(Motion motion, int every) {
   const auto frames = Eigen::seq(0, motion.clip.frames() - 1, every);
   motion.clip.channels = motion.clip.channels(frames, Eigen::all).eval();

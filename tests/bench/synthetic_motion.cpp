@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kFrames = 2000;
 
-/// A limb of joints 20 cm apart, each with so many rotation channels.
+/// Adds a limb of joints 20 cm apart, each with `channels` rotation channels.
 void add_limb(Skeleton& skeleton, int parent, const std::string& name, double side, double up,
               std::initializer_list<int> rotations) {
   const std::vector<ChannelKind> order = {ChannelKind::RotationZ, ChannelKind::RotationY,

@@ -5,8 +5,8 @@
 
 namespace mocapress::test {
 
-/// 2,000 frames at 120 Hz of a figure built like CMU's: 62 channels, 25 joints. Smooth, with some
-/// noise, the same at every call.
+/// 2,000 frames at 120 Hz of a figure built like CMU's: 62 channels, 25 joints. The motion is
+/// smooth with some noise, and the same at every call.
 const Motion& synthetic_motion();
 
 }  // namespace mocapress::test

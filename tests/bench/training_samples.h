@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the adaptive coding is fitted to: other clips than those it is judged by, on their own rigs
-// and on ones as games have them, at several rates and errors.
+// Samples for fitting the adaptive coding. They come from other clips than those of the
+// measurements, on their own and on game-like rigs, at several rates and errors.
 #pragma once
 
 #include <cstdio>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What the eye sees of clips at some errors, as Markdown tables: RMS and maximum on the surface,
-// the verdict and its reason, and each cue's worst as times of what is noticed; then where the
-// three put clips in another order, in pictures on a page of HTML if one is asked for.
+// Measures visibility of clips at several errors, as Markdown tables: RMS and maximum on the
+// surface, the verdict with its reason, and each cue's worst in noticeable thresholds. Then lists
+// pairs of clips that the three figures rank in different order, on request with pictures on an
+// HTML page.
 // Usage: mocapress-visibility-study CLIP|FOLDER... [--every N] [--page FILE]
 #include <algorithm>
 #include <array>
@@ -31,7 +32,7 @@ struct Row {
   std::string clip;
   double target_cm = 0;
   double ratio = 0;
-  std::array<double, 3> figures{};  // RMS, maximum (cm), times of what is noticed
+  std::array<double, 3> figures{};  // RMS, maximum (cm), noticeable thresholds
   std::array<double, kCues> times{};
   Sight sight{};
   std::string why;
@@ -98,15 +99,15 @@ void print(const Row& row) {
   std::fflush(stdout);
 }
 
-/// Of all pairs of rows, how many two figures put in another order, and the pair that they disagree
-/// about most.
+/// Prints the number of pairs that two figures rank in opposite order, and returns the pair with
+/// the largest difference.
 std::optional<Disagreement> print_disagreement(const std::vector<Row>& rows, std::size_t a,
                                                std::size_t b) {
   constexpr std::array<const char*, 3> kNames = {"RMS", "maximum", "eye"};
   int pairs = 0;
   int contrary = 0;
   double most = 1;
-  const Row* better = nullptr;  // by a
+  const Row* better = nullptr;  // better by figure a
   const Row* worse = nullptr;
   for (const Row& one : rows)
     for (const Row& other : rows) {

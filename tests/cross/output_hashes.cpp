@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Prints a hash of every output that the runtime gives for files and banks, one a line, so that the
-// lines of two processors can be compared. Fails if the paths of one processor disagree.
+// Prints a hash of every output of the runtime for files and banks, one a line, to compare
+// processors. Fails if the paths of one processor disagree.
 // Usage: output_hashes FILE.mcpr|BANK.mcpk...
 #include <mocapress_runtime.h>
 
@@ -48,7 +48,7 @@ Block contents_of(const char* path) {
   return block;
 }
 
-/// FNV-1a.
+/// FNV-1a hash.
 unsigned long long hash_of(const void* bytes, size_t size) {
   unsigned long long hash = 14695981039346656037ULL;
   for (size_t i = 0; i < size; ++i)
@@ -64,7 +64,7 @@ std::vector<mcpr_path> paths() {
   return found;
 }
 
-/// Prints the hash of what `make(path, floats)` appends on every path.
+/// Prints the hash of the output of `make(path, floats)` for every path.
 template <typename Make>
 void print(const std::string& what, const Make& make) {
   unsigned long long first = 0;

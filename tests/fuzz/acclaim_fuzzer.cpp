@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Any text as an .asf and, after a zero byte, as the .amc to it: read or refused, and what was read
+// Reads any text as an .asf and, after a zero byte, as its .amc. A text is refused, or its motion
 // can be written and read again.
 #include <string_view>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Banks and cooked clips on any bytes: opens them, checksums mended, and plays what opens.
+// Opens any bytes as banks and cooked clips, with corrected checksums, and plays those that open.
 #include <algorithm>
 #include <vector>
 
@@ -11,7 +11,7 @@ namespace {
 
 using mocapress::AlignedBytes;
 
-/// So many beside each other that frames are lifted for them.
+/// Samples enough neighbouring instants that whole frames are computed for them.
 void sample_crowd(const mcpr_cooked* clip) {
   const mcpr_cooked_info info = mcpr_cooked_describe(clip);
   std::vector<float> pose(std::size_t{8} * info.joints);
@@ -84,7 +84,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const mcpr_cooked* alone = nullptr;
   if (mcpr_open_cooked(bytes.data(), size, 1, &alone).status == MCPR_OK) sample(alone);
   const mcpk_bank* bank = nullptr;
-  // The head alone: the index and packed clips may be anything then.
+  // Checks the head only: index and packed clips may be damaged.
   if (mcpk_open(bytes.data(), size, 0, &bank).status == MCPR_OK) {
     char name[MCPK_NAME_BYTES];
     for (std::uint32_t clip = 0; clip < std::min(bank->clips, 20U); ++clip) {

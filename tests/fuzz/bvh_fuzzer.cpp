@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Any text as a .bvh: it is read or refused, and what was read can be written and read again.
+// Reads any text as a .bvh. A text is refused, or its motion can be written and read again.
 #include <string_view>
 
 #include "core/base/error.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Any bytes as the motion of a comparison method: it decodes, or is refused as a file. The first
-// three bytes choose the method, the frames and the skeleton; the others are what is deflated in
-// the file, so that mutations get past DEFLATE, and once more the stream itself.
+// Decodes any bytes as the motion of a comparison method, or sees them refused. The first three
+// bytes choose method, frames and skeleton. The others are decoded twice: deflated first, so that
+// mutations pass DEFLATE, and as the deflated stream itself.
 #include <algorithm>
 #include <cstdlib>
 #include <span>
@@ -15,7 +15,7 @@ namespace {
 
 using namespace mocapress;
 
-/// A tree of one to eight joints, whose number and channels follow from one byte.
+/// A tree of one to eight joints; one byte decides their number and channels.
 Skeleton skeleton_of(unsigned choice) {
   Skeleton skeleton;
   const auto joints = static_cast<int>(1 + choice % 8);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Core's reader and decoder on any bytes: a .mcpr file opens and decodes, or is refused as one.
+// Opens and decodes any bytes as a .mcpr file with core's reader, or sees them refused.
 #include <cstdlib>
 
 #include "core/base/error.h"
@@ -10,13 +10,13 @@
 #include "tests/fuzz/file_sections.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  constexpr Eigen::Index kMostValues = 1 << 16;  // more would only take longer
+  constexpr Eigen::Index kMostValues = 1 << 16;  // keeps runs short
   std::vector<std::byte> file(size);
   if (size > 0) std::memcpy(file.data(), data, size);
   mocapress::test::mend_checksums(file);
   try {
     const mocapress::Container container = mocapress::read_any_container(file);
-    // What is read of the source is what would be written again.
+    // Writing the source again gives the same section.
     const mocapress::SourceFormat source = mocapress::source_of(file);
     if (mocapress::source_of(mocapress::with_source(file, source)) != source) std::abort();
     const mocapress::CompressedClip& clip = container.clip;
@@ -27,7 +27,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const mocapress::CodedTracks tracks = mocapress::coded_tracks_of(file);
     if (tracks.curves.values.size() > kMostValues) return 0;
     mocapress::decode_tracks(tracks);
-    // What a file holds can be written, though it may not have been written so.
+    // The tracks of any file can be written, even if its own bytes differ.
     if (mocapress::coded_tracks_of(mocapress::with_coded_tracks(file, tracks)).tracks !=
         tracks.tracks)
       std::abort();

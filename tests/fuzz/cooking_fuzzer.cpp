@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Any bytes as a .mcpr: what opens is cooked, and the cooked clip is found sound and played in
-// every way, loops and root motion included.
+// Cooks any bytes that open as a .mcpr. The cooked clip must pass its check and be played in every
+// way, with loops and root motion.
 #include <cmath>
 #include <cstdlib>
 
@@ -20,7 +20,7 @@ mcpr_limits fuzzed_limits() {
   return limits;
 }
 
-/// Instants before, in and after the clip, and jumps back and forth between them.
+/// Samples instants before, in and after the clip, and jumps between them.
 void play(const mcpr_cooked* clip) {
   const mcpr_cooked_info info = mcpr_cooked_describe(clip);
   const AlignedBytes memory(mcpr_cursor_bytes(clip));

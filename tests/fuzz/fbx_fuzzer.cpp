@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Any bytes as a .fbx: they are read or refused.
+// Reads any bytes as a .fbx, or sees them refused.
 #include <string_view>
 
 #include "core/base/error.h"

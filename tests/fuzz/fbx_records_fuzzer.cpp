@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Any bytes as the records of a .fbx: all values of all records are read, or the file is refused.
+// Reads all values of all records in any bytes as a .fbx, or sees them refused.
 #include <string_view>
 #include <vector>
 

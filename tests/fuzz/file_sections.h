@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The sections of a .mcpr file as tests change them: bytes, and checksums made anew so that what
-// lies behind them is reached.
+// Changes the sections of a .mcpr file for tests, with corrected checksums, so that readers reach
+// the changed bytes.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace mocapress::test {
 
-/// CRC-32 as zlib has it, bit by bit: independent of both readers.
+/// CRC-32 as in zlib, computed bit by bit, independently of both readers.
 inline std::uint32_t plain_crc32(std::uint32_t crc, const std::byte* bytes, std::size_t size) {
   crc = ~crc;
   for (std::size_t i = 0; i < size; ++i) {
@@ -20,7 +20,7 @@ inline std::uint32_t plain_crc32(std::uint32_t crc, const std::byte* bytes, std:
   return ~crc;
 }
 
-/// Makes the checksums of all whole sections right.
+/// Corrects the checksums of all complete sections.
 inline void mend_checksums(std::vector<std::byte>& file) {
   std::size_t at = 8;
   while (at + 12 <= file.size()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Any bytes as a .glb or .gltf: they are read or refused, and what was read can be written.
+// Reads any bytes as a .glb or .gltf. They are refused, or their motion can be written.
 #include <string_view>
 
 #include "core/base/error.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// PRIO of FORMAT.md, what clips of a bank taught, and a motion that is coded by it, both any bytes.
-// The first four say how many bytes PRIO has, how many signals and frames.
+// Reads any bytes as PRIO of FORMAT.md (priors learned from a bank's clips) and as a motion coded
+// with it. The first four bytes give the size of PRIO, the number of signals and of frames.
 #include <algorithm>
 #include <cstdlib>
 #include <span>
@@ -12,7 +12,7 @@ namespace {
 
 using namespace mocapress;
 
-/// As those of joints that turn about three axes, every other pair of which is on both sides.
+/// Neighbours as of joints that turn about three axes; every other pair is on both sides.
 std::vector<SignalNeighbours> neighbours_of(int signals) {
   std::vector<SignalNeighbours> neighbours(static_cast<std::size_t>(signals));
   for (int s = 1; s < signals; ++s) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Any bytes as a bank, or a cooked clip, whose checksums are right, so that what lies behind them
-// is reached.
+// Corrects the checksums of any bytes as a bank or cooked clip, so that readers reach the bytes
+// behind them.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ class MendedBank {
   const std::byte* data() const { return memory_.data(); }
 
  private:
-  /// Null where it is no cooked clip.
+  /// Null if the bytes are no cooked clip.
   static const mcpr_cooked* mend_cooked(std::byte* bytes, std::size_t size) {
     auto* const clip = reinterpret_cast<mcpr_cooked*>(bytes);
     if (size < sizeof *clip || runtime::check_cooked_head(*clip, size).status != MCPR_OK)
@@ -36,14 +36,14 @@ class MendedBank {
     return clip;
   }
 
-  /// Where what it is of lies within the bytes.
+  /// Corrects a checksum whose region lies within the bytes.
   void mend(const runtime::BankRegion& region, std::uint32_t& checksum) {
     if (region.offset <= size_ && region.bytes <= size_ - region.offset)
       checksum = runtime::bank_checksum(memory_.data() + region.offset,
                                         static_cast<std::size_t>(region.bytes));
   }
 
-  /// Where an index says that clips lie: their own checksums, and that of their block.
+  /// Corrects the checksums of clips at the places in an index, and of their block.
   void mend_block(const mcpk_bank& bank, std::uint32_t block) {
     runtime::BankEntry entry;
     std::uint32_t own[runtime::kClipsOfBlock];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Gives a fuzz target every file of the folders named, once: the corpus as a plain test.
+// Runs a fuzz target on every file of the named folders once, which makes the corpus a plain test.
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Any bytes as a motion: what is encoded of it can be written, read and decoded again, to the very
-// motion that was measured.
+// Makes a motion of any bytes and encodes it. The result can be written, read and decoded again, to
+// the same motion that was measured.
 #include <algorithm>
 #include <cstdlib>
 
@@ -13,7 +13,7 @@ namespace {
 
 using namespace mocapress;
 
-/// Takes bytes one after the other; zeros after the last.
+/// Returns bytes one after the other, and zeros after the last.
 class Bytes {
  public:
   Bytes(const std::uint8_t* data, std::size_t size) : next_(data), left_(size) {}
@@ -72,7 +72,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Encoding encoding;
   try {
     encoding = encoder.encode(options);
-  } catch (const Error&) {  // out of reach
+  } catch (const Error&) {  // the target is out of reach
     return 0;
   }
   const CompressedClip read = read_container(write_container(encoding.compressed));

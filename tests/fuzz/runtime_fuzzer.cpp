@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The runtime decoder on any bytes: opens them, and plays what opens in every way.
+// Opens any bytes with the runtime decoder and plays files that open in every way.
 #include <algorithm>
 
 #include "tests/fuzz/file_sections.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Any bytes as a file on disk, the kind of which is the first of them: read or refused.
+// Reads any bytes as a file on disk, or sees them refused. The first byte chooses the kind of file.
 #include <unistd.h>
 
 #include <cstdlib>
@@ -19,7 +19,7 @@ namespace {
 using namespace mocapress;
 namespace fs = std::filesystem;
 
-/// The one file that each run writes, removed at the end.
+/// The file of a run, removed at its end.
 class StoredFile {
  public:
   StoredFile(const std::byte* bytes, std::size_t size, const char* extension)
@@ -63,7 +63,7 @@ void read_journal(const std::byte* bytes, std::size_t size) {
   if (rows > journal.rows()) std::abort();
 }
 
-/// Writes the motion of a glTF onto it once more.
+/// Writes a glTF's motion onto the glTF itself.
 void write_onto(const std::byte* bytes, std::size_t size) {
   const StoredFile file(bytes, size, ".gltf");
   const MotionFile clip =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Any bytes as a text that users and batches keep, the kind of which is the first of them: read or
-// refused, and what was read comes back when it is written.
+// Reads any bytes as a text that users and batches keep. A text is refused, or comes back when it
+// is written. The first byte chooses the kind of text.
 #include <cstdlib>
 #include <string>
 

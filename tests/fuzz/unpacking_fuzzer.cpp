@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What core does with the clips of any bank that was found sound, its checksums mended: unpacks
-// them as `bank extract` does, and copies them as `bank add` does.
+// Unpacks clips of any sound bank, with corrected checksums, as `bank extract` does, and copies
+// them as `bank add` does.
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -23,7 +23,7 @@ void unpack(const mcpk_bank& bank, const runtime::BankEntry& entry) {
     return items[static_cast<int>(kind)].intern(bytes);
   });
   try {
-    // What came out can be put in again.
+    // An unpacked clip can be packed again.
     pack_clip(unpack_clip(bank, entry));
   } catch (const FormatError&) {
   }

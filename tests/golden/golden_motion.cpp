@@ -42,7 +42,7 @@ Skeleton golden_skeleton() {
   return skeleton;
 }
 
-/// Goes the way of the coding and keeps nothing.
+/// Takes the same steps as the coding, without output.
 struct NoBits {
   static constexpr bool kWrites = true;
   static bool code(bool bit, runtime::Probability) { return bit; }

@@ -5,34 +5,34 @@
 
 namespace mocapress::test {
 
-/// What the golden files hold: 50 frames of a figure with everything a skeleton can have, axes, end
-/// sites, both kinds of channels in several orders, a joint without any. Never change it: a new
-/// version of the format gets new files of the same motion.
+/// The motion of the golden files: 50 frames of a figure with everything that a skeleton can have:
+/// axes, end sites, both kinds of channels in several orders, a joint without channels. Never
+/// change it: a new version of the format gets new files of the same motion.
 Motion golden_motion();
 
-/// golden_motion() with a quarter of its coefficients, by nothing but the transform and the coding,
-/// so that better selections leave the bytes alone.
+/// golden_motion() with a quarter of its coefficients. It uses only the transform and the coding,
+/// so that better selections do not change its bytes.
 CompressedClip golden_clip(Coding coding);
 
-/// The same in steps as Coding::Adaptive has them, one scale for all.
+/// The same in the steps of Coding::Adaptive, one scale for all.
 CompressedClip golden_adaptive_clip();
 
-/// golden_adaptive_clip() as a loop, with something lacking at both ends.
+/// golden_adaptive_clip() as a loop, with coded corrections at both ends.
 CompressedClip golden_ends_clip();
 
-/// golden_adaptive_clip() about turned axes: another motion of the same channels.
+/// golden_adaptive_clip() with turned axes: a different motion of the same channels.
 CompressedClip golden_turned_clip();
 
-/// 540 frames of the same figure in three segments of Coding::Adaptive, each of another scale.
+/// 540 frames of the same figure in three segments of Coding::Adaptive with different scales.
 CompressedClip golden_segmented_clip();
 
-/// The same with ENDS, whose velocity is the first frame's.
+/// golden_segmented_clip() with an ENDS section that corrects the first frame's velocity too.
 CompressedClip golden_velocity_clip();
 
 /// golden_clip(Coding::Rle16) with a correction at ltibia.
 CompressedClip golden_corrected_clip();
 
-/// PRIO of a bank that golden_adaptive_clip() taught: the contexts as they are after it.
+/// PRIO of a bank that learned from golden_adaptive_clip(): the contexts after coding it.
 std::vector<std::byte> golden_lesson();
 
 }  // namespace mocapress::test

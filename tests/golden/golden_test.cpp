@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files of every released version stay readable: README.md beside this file.
+// Files of every released version stay readable: see README.md beside this file.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -20,9 +20,9 @@
 namespace mocapress::test {
 namespace {
 
-constexpr double kValueTolerance = 2e-5;     // cm or radians; the decoder gives 32-bit floats
-constexpr double kSolvedTolerance = 1e-4;    // of angles that a solver found
-constexpr double kSkeletonTolerance = 1e-5;  // cm; the file has 32-bit floats
+constexpr double kValueTolerance = 2e-5;     // cm or radians; the decoder returns 32-bit floats
+constexpr double kSolvedTolerance = 1e-4;    // for angles found by a solver
+constexpr double kSkeletonTolerance = 1e-5;  // cm; files hold 32-bit floats
 
 std::filesystem::path golden(const std::string& name) {
   return std::filesystem::path(MOCAPRESS_SOURCE_DIR) / "tests/golden" / name;
@@ -32,7 +32,7 @@ std::string file_name(Coding coding) {
   return "v1_" + std::string(name(coding)) + ".mcpr";
 }
 
-/// The values of a .csv of csv_text(): frames x channels.
+/// The values of a .csv written by csv_text(): frames x channels.
 Eigen::MatrixXd values_of_csv(const std::string& text, Eigen::Index frames, Eigen::Index channels) {
   std::istringstream lines(text);
   std::string line;
@@ -42,7 +42,7 @@ Eigen::MatrixXd values_of_csv(const std::string& text, Eigen::Index frames, Eige
     std::getline(lines, line);
     std::istringstream cells(line);
     std::string cell;
-    std::getline(cells, cell, ',');  // the time
+    std::getline(cells, cell, ',');  // skips the time
     for (Eigen::Index c = 0; c < channels; ++c) {
       std::getline(cells, cell, ',');
       values(t, c) = std::stod(cell);
@@ -114,7 +114,7 @@ TEST(GoldenAdaptive, Version1ReadsAsItAlwaysDid) {
   EXPECT_LT((decode(clip).channels - expected).cwiseAbs().maxCoeff(), kValueTolerance);
 }
 
-/// What the runtime decoder gives, frames x channels, as bytes.
+/// The runtime decoder's output, frames x channels, as bytes.
 std::vector<std::byte> played(const std::vector<std::byte>& file) {
   const OpenedClip clip(file);
   EXPECT_NE(clip.clip, nullptr) << clip.result.message;
@@ -154,7 +154,7 @@ TEST(GoldenVelocity, TheWriterStillMakesTheSameFile) {
   EXPECT_TRUE(write_container(golden_velocity_clip()) == read_bytes(golden("v1_velocity.mcpr")));
 }
 
-/// Where joints are, cm, as the runtime decoder has them.
+/// Joint positions in cm by the runtime decoder.
 std::vector<float> positions(const std::vector<std::byte>& file) {
   const OpenedClip clip(file);
   EXPECT_NE(clip.clip, nullptr) << clip.result.message;
@@ -206,7 +206,7 @@ std::vector<std::byte> golden_tracks_file() {
   return with_coded_tracks(write_container(clip), some_coded_tracks(clip.frames));
 }
 
-/// All tracks at all frames, as the runtime decoder has them.
+/// All tracks at all frames by the runtime decoder.
 std::vector<std::byte> played_tracks(const std::vector<std::byte>& file) {
   const OpenedClip clip(file);
   EXPECT_NE(clip.clip, nullptr) << clip.result.message;
@@ -226,7 +226,7 @@ TEST(GoldenTracks, TheWriterStillMakesTheSameFile) {
   EXPECT_TRUE(golden_tracks_file() == read_bytes(golden("v1_tracks.mcpr")));
 }
 
-/// The golden files of its clips.
+/// The golden files of the bank's clips.
 std::vector<std::filesystem::path> files_of_bank() {
   std::vector<std::filesystem::path> files;
   for (const char* name : {"joints", "ends", "segments", "source", "tracks"})
@@ -253,7 +253,7 @@ TEST(GoldenBank, TheWriterStillMakesTheSameFile) {
   std::filesystem::remove(now);
 }
 
-/// Its clips taught of each other; that in segments is coded as in its file.
+/// Its clips learn from each other; the segmented clip is coded as in its file.
 void write_learned_bank(const std::filesystem::path& path) {
   BankWriter bank(path, runtime::BankForm::Packed);
   const InternItem intern = [&](runtime::BankItem kind, std::span<const std::byte> bytes) {

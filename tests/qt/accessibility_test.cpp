@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a screen reader says, and what is read in the help.
+// Texts for screen readers, and the help's texts.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -23,7 +23,7 @@ namespace {
 
 bool isInteractive(const QWidget* widget) {
   if (qobject_cast<const QScrollBar*>(widget)) return false;
-  // Parts of a control that has a name itself.
+  // Skips parts of a control that has a name itself.
   for (const QWidget* above = widget->parentWidget(); above; above = above->parentWidget())
     if (qobject_cast<const QComboBox*>(above) || qobject_cast<const QAbstractSpinBox*>(above) ||
         qobject_cast<const QLineEdit*>(above) || qobject_cast<const QAbstractItemView*>(above))

@@ -58,7 +58,7 @@ TEST_F(BatchQueue, ALockedClipKeepsItsSettingsWhenThoseOfAllChange) {
 
 TEST_F(BatchQueue, OnlyClipsWhoseSettingsChangeAreWaitingAgain) {
   for (int row = 0; row < 3; ++row) model_.setEnded(row, Measurement{.ratio = 20}, "");
-  model_.setOwn({1}, model_.common());  // locked, and otherwise as before
+  model_.setOwn({1}, model_.common());  // locks the clip and changes nothing else
   EXPECT_EQ(model_.count(ClipState::Done), 3);
   model_.setCommon(built_in_presets()[2]);
   EXPECT_EQ(model_.count(ClipState::Done), 1);

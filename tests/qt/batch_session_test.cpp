@@ -132,7 +132,7 @@ TEST_F(BatchInTheStudio, PausedItStaysWhereItIsUntilItGoesOn) {
   session_.start();
   session_.pause();
   EXPECT_EQ(session_.state(), BatchState::Paused);
-  // By the time another one has done the same, this one would have too.
+  // This session would have finished before a second one that does the same.
   BatchSession other(&presets_);
   other.queue()->setCommon(session_.queue()->common());
   other.queue()->add(session_.queue()->clips());
@@ -182,7 +182,7 @@ TEST_F(BatchInTheStudio, GoesAwayWhilePausedWithoutWaitingForEver) {
   other.reset();
   BatchSession later(&presets_);
   later.recall(remembered);
-  later.start();  // the batch's folder was let go
+  later.start();  // the lock on the batch's folder was released
   ASSERT_TRUE(QTest::qWaitFor([&] { return !later.running(); }, kPatience));
   EXPECT_EQ(later.state(), BatchState::Complete);
   EXPECT_EQ(later.queue()->count(ClipState::Done), 2);
@@ -483,7 +483,7 @@ TEST_F(BatchInTheStudio, PutsItsCharacterOnEveryClip) {
   ASSERT_TRUE(waitForEnd());
   EXPECT_EQ(count(ClipState::Done), 2);
 
-  // What was done is not what is asked for any more.
+  // The finished clips no longer match the settings.
   session_.undo();
   EXPECT_TRUE(session_.settings().character.isEmpty());
   EXPECT_EQ(count(ClipState::Waiting), 2);
@@ -521,7 +521,7 @@ TEST_F(BatchInTheStudio, KeepsTheCharacterThatEachClipWasTunedOn) {
   EXPECT_EQ(count(ClipState::Failed), 1);
 }
 
-/// Clips of several rigs in one queue.
+/// The queue holds clips of several rigs.
 TEST_F(BatchInTheStudio, LeavesACharacterOffClipsThatItDoesNotFitAndSaysSo) {
   const QString samples = QStringLiteral(MOCAPRESS_SOURCE_DIR "/resources/samples/");
   if (!QFile::exists(samples + QStringLiteral("character.glb"))) GTEST_SKIP() << "no character";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The batch's window beside the studio's: needs an X display with OpenGL (Xvfb will do).
+// The batch window beside the studio's. Needs an X display with OpenGL (Xvfb is enough).
 #include "app/studio/batch/batch_window.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@
 namespace mocapress {
 namespace {
 
-/// Text is never all of its colour: about it will do.
+/// Counts pixels near a colour: antialiasing changes most of a text's pixels.
 int pixelsOf(QRgb colour, const QImage& picture) {
   constexpr int kNear = 40;
   int count = 0;
@@ -48,7 +48,7 @@ int pixelsOf(QRgb colour, const QImage& picture) {
   return count;
 }
 
-/// A picture of the window, kept in the build's folder to be looked at.
+/// A picture of the window, which is also saved in the build folder.
 QImage pictureOf(const BatchWindow& window, const char* name) {
   runDueEvents();
   const QDir folder(QStringLiteral(MOCAPRESS_BINARY_DIR "/pictures"));
@@ -58,7 +58,7 @@ QImage pictureOf(const BatchWindow& window, const char* name) {
   return QImage(path);
 }
 
-/// The bundled samples and parts of them, as a game's folder may have them, one of them broken.
+/// Writes the bundled samples and parts of them as in a game's folder, one of them broken.
 void writeClips(const QString& folder) {
   QDir().mkpath(folder);
   const std::filesystem::path samples =
@@ -103,7 +103,7 @@ TEST(BatchWindowOnScreen, ClipsAreDroppedSetUpExportedAndReportedOn) {
   session->setSettings(settings);
   window->output()->format(OutputFormat::Bvh)->click();
   EXPECT_EQ(session->settings().formats.size(), 2u);
-  // Two clips get settings of their own and are locked by that; then all others change.
+  // Two clips get settings of their own, which lock them; then all others change.
   auto* chosen = window->view()->selectionModel();
   for (const int row : {0, 4})
     chosen->select(session->queue()->index(row, 0),
@@ -114,7 +114,7 @@ TEST(BatchWindowOnScreen, ClipsAreDroppedSetUpExportedAndReportedOn) {
   EXPECT_TRUE(window->view()->selectedRows().empty());
   emit window->editor()->chooser()->box()->activated(1);
 
-  // A character is shown by its name, taken off by a click and put on again by Undo.
+  // The character's name is shown, removed by a click and restored by Undo.
   settings = session->settings();
   settings.character = QStringLiteral(MOCAPRESS_SOURCE_DIR "/resources/samples/character.glb");
   session->setSettings(settings);
@@ -128,7 +128,7 @@ TEST(BatchWindowOnScreen, ClipsAreDroppedSetUpExportedAndReportedOn) {
   session->undo();
   EXPECT_NE(window->character()->file()->text(), QStringLiteral("character.glb"));
 
-  // A packed bank may learn.
+  // The option to learn is enabled for packed banks.
   QComboBox* const bank = window->output()->bank();
   bank->setCurrentIndex(bank->findData(static_cast<int>(runtime::BankForm::Packed)));
   emit bank->activated(bank->currentIndex());
@@ -140,7 +140,7 @@ TEST(BatchWindowOnScreen, ClipsAreDroppedSetUpExportedAndReportedOn) {
   session->undo();
   EXPECT_FALSE(session->settings().bank);
 
-  // What is done to the queue is undone here, and not in the studio.
+  // Undo in this window changes the queue and not the studio.
   window->activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(window));
   emit window->view()->removeRequested({1, 2});

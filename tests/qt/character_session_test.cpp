@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A character of one file on the clip of another.
+// Puts the character of one file on the clip of another.
 #include <gtest/gtest.h>
 
 #include <QSignalSpy>
@@ -38,7 +38,7 @@ class CharacterSession : public testing::Test {
     ASSERT_TRUE(put.wait(kPatience));
   }
 
-  /// A clip of another rig that has all that the sample character hangs on, and a tail.
+  /// A clip of another rig with all joints that the sample character uses, and a tail.
   QString clipOfAnotherRig() const {
     MotionFile walk = read_motion(sample("human_walk.amc").toStdU16String());
     Joint tail;
@@ -69,11 +69,11 @@ TEST_F(CharacterSession, PutsACharacterOnAClipWithoutOne) {
   session_.putCharacter(sample("character.glb"));
   ASSERT_TRUE(put.wait(kPatience));
   ASSERT_TRUE(document_.skin());
-  // The bones are this clip's joints.
+  // The bones refer to this clip's joints.
   const SkinBone& bone = document_.skin()->bones.front();
   EXPECT_LT(bone.joint, document_.skeleton()->joint_count());
 
-  // It stays for the next clip of the rig, and not for others.
+  // The character stays for the next clip of the rig, and not for others.
   open(sample("human_run.amc"));
   EXPECT_TRUE(document_.skin());
   const QString other = folder_.filePath(QStringLiteral("other.bvh"));
@@ -99,13 +99,13 @@ TEST_F(CharacterSession, BelongsToTheClipsOfARig) {
   ASSERT_FALSE(document_.skin());
   open(sample("human_walk.amc"));
   put("character.glb");
-  // It would fit, but nobody put it on this one.
+  // The character would fit, but was not put on this clip.
   open(clipOfAnotherRig());
   EXPECT_FALSE(document_.skin());
   EXPECT_TRUE(document_.character().path.isEmpty());
   put("character.fbx");
   ASSERT_TRUE(document_.skin());
-  // The other rig keeps its own.
+  // The other rig keeps its own character.
   open(sample("human_run.amc"));
   EXPECT_EQ(QFileInfo(document_.character().path).fileName(), QStringLiteral("character.glb"));
   open(clipOfAnotherRig());
@@ -152,7 +152,7 @@ TEST_F(CharacterSession, SaysWhatTheClipLacksAndKeepsItsOwnBones) {
   put("character.glb");
   ASSERT_TRUE(document_.skin());
   EXPECT_NEAR(document_.skin()->lengths.scale, 1.25, 0.01);
-  // It walks from where the clip begins.
+  // The character starts where the clip starts.
   Pose pose;
   document_.original()->poses()(0, pose);
   EXPECT_NEAR(document_.skin()->lengths.centre.x(), pose.origin[0].x(), 1e-6);
@@ -189,13 +189,13 @@ TEST_F(CharacterSession, IsMeasuredOnWhereItWasPutOn) {
   EXPECT_FALSE(document_.decoded()->distortion->skin);
   const std::vector<std::byte> file = document_.decoded()->file;
 
-  // The clip is not compressed again for it.
+  // Putting it on does not compress the clip again.
   settle([&] { session_.putCharacter(sample("character.glb")); });
   ASSERT_TRUE(document_.skeleton()->skin());
   EXPECT_TRUE(document_.decoded()->distortion->skin);
   EXPECT_EQ(document_.decoded()->file, file);
 
-  // It can be: by the mesh.
+  // The clip can be compressed by the mesh.
   EncodeSettings by_skin = document_.options();
   by_skin.weighting = Weighting::Skin;
   by_skin.target = {Target::Kind::Error, 0.4};
@@ -206,13 +206,13 @@ TEST_F(CharacterSession, IsMeasuredOnWhereItWasPutOn) {
   session_.save(saved);
   ASSERT_TRUE(written.wait(kPatience));
 
-  // The next clip has it from the beginning.
+  // The next clip has it from the start.
   settle([&] { session_.open(sample("human_run.amc")); });
   EXPECT_TRUE(document_.skeleton()->skin());
   settle([&] { session_.open(sample("human_walk.amc")); });
   EXPECT_EQ(document_.options().weighting, Weighting::Skin);
 
-  // Without it there is nothing to measure on.
+  // Without it there is no mesh to measure on.
   settle([&] {
     session_.history()->undo();
     session_.history()->undo();
@@ -258,7 +258,7 @@ TEST_F(CharacterSession, ComesBackWithItsProject) {
   EXPECT_EQ(session.document().options().weighting, Weighting::Skin);
   EXPECT_TRUE(session.document().skeleton()->skin());
 
-  // The clips go into a batch with it.
+  // The batch's clips have the character.
   const std::vector<TunedClip> tuned = library.tuned({});
   ASSERT_EQ(tuned.size(), 1u);
   EXPECT_EQ(tuned[0].reading.character,
@@ -270,7 +270,7 @@ TEST_F(CharacterSession, ComesBackWithItsProject) {
   EXPECT_TRUE(library.showsSkin());
 }
 
-/// As of a project that was saved when all its clips had one character.
+/// Projects were saved like this when all their clips had one character.
 TEST_F(CharacterSession, OfAnOlderProjectIsOnTheClipsItFits) {
   const QString project = folder_.filePath(QStringLiteral("walkers.mocapress"));
   Project kept;

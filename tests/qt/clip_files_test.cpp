@@ -36,7 +36,7 @@ class ClipFilesTest : public testing::Test {
     ASSERT_TRUE(settled.count() > 0 || settled.wait(kPatience));
   }
 
-  /// Changes and saves, so that a place to save to is known; then changes again.
+  /// Changes and saves, so that the file's path is known, then changes again.
   void modify() {
     QSignalSpy saved(&session_, &Session::saved);
     session_.save(compressed_);
@@ -234,7 +234,7 @@ TEST_F(Files, TheOriginalIsNotReplacedByItsCompressedMotionUnasked) {
   auto* dialog = window_.findChild<QFileDialog*>();
   ASSERT_TRUE(dialog);
   EXPECT_NE(dialog->selectedFiles().value(0), original);
-  emit dialog->fileSelected(original);  // past the dialog's own question
+  emit dialog->fileSelected(original);  // skips the dialog's own question
   answer(QMessageBox::No);
   EXPECT_EQ(exported.count(), 0);
   EXPECT_EQ(read_text(original.toStdU16String()), before);

@@ -206,7 +206,7 @@ TEST_F(Compressing, AMissedTargetIsAMessageAndTheNextRequestWorks) {
   ASSERT_TRUE(waitForFinal());
   failures_.clear();
   EncodeSettings impossible = ratio(8, Method::Standard);
-  impossible.correction = EncodeCorrection{.joints = {0}};  // nothing is above the root
+  impossible.correction = EncodeCorrection{.joints = {0}};  // the root has no chain above it
   compressor_.request(impossible);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !failures_.empty(); }, kPatience));
   EXPECT_FALSE(out_of_reach_);

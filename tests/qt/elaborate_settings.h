@@ -6,7 +6,8 @@
 
 namespace mocapress::test {
 
-/// Every setting of a clip of smooth_motion() is another than at first, so far as they go together.
+/// Settings for a clip of smooth_motion() in which every value differs from its default, as far as
+/// they can be combined.
 inline ClipSettings elaborate() {
   ClipSettings settings;
   settings.encode = {.method = Method::Standard,

@@ -25,8 +25,8 @@ std::vector<Capsule> posed(const FigureShape& shape, const Eigen::MatrixXd& trac
   return shape.posed(tracks, frame, {});
 }
 
-/// A human of 180 cm with arms down, without hands' and head's ends; `floor`: a game's, whose root
-/// stays on the ground.
+/// A human of 180 cm with arms down, without ends of hands and head. `floor`: the root stays on the
+/// ground, as in games.
 Skeleton human(bool floor) {
   Skeleton skeleton;
   const auto add = [&](const std::string& name, int parent, double x, double y, double z) {
@@ -55,7 +55,7 @@ Skeleton human(bool floor) {
   return skeleton;
 }
 
-/// How far a point is from the surface of the nearest capsule, cm; negative: within.
+/// The distance (cm) of a point from the nearest capsule's surface; negative inside.
 double outside(const std::vector<Capsule>& capsules, const QVector3D& point) {
   double nearest = 1e9;
   for (const Capsule& each : capsules) {
@@ -78,19 +78,19 @@ TEST(FigureShape, OfAHumanIsABody) {
     const Eigen::MatrixXd tracks =
         landmark_tracks(skeleton, {.channels = Eigen::MatrixXd::Zero(1, skeleton.channel_count())});
     const std::vector<Capsule> body = posed(FigureShape(skeleton), tracks, 0);
-    // A skull above the joint of the head, as high as a human is.
+    // The skull is above the head joint and as high as a human's.
     EXPECT_LT(outside(body, {0, 168, 2}), 0);
     EXPECT_GT(outside(body, {0, 184, 2}), 0);
     EXPECT_LT(outside(body, {6, 169, 2}), 0);
-    // A trunk with volume between its bones, which ends before the arms.
+    // The trunk has volume between its bones and ends before the arms.
     EXPECT_LT(outside(body, {9, 135, 0}), 0);
     EXPECT_LT(outside(body, {6, 135, 7}), 0);
     EXPECT_GT(outside(body, {0, 135, 20}), 0);
     EXPECT_LT(outside(body, {8, 108, 0}), 0);
-    // Hands that no joint ends, and heels.
+    // There are heels, and hands beyond the last joints.
     for (const float side : {18.0f, -18.0f}) EXPECT_LT(outside(body, {side, 80, 0}), 0);
     for (const float side : {9.0f, -9.0f}) EXPECT_LT(outside(body, {side, 4, 0}), 0);
-    // Nothing lies on the ground but feet, nor between the legs.
+    // Only feet touch the ground, and nothing is between the legs.
     EXPECT_GT(outside(body, {0, 3, 0}), 2);
     EXPECT_GT(outside(body, {0, 50, 0}), 0);
   }
@@ -106,7 +106,7 @@ TEST(FigureShape, IsTheSameOnBothSides) {
       EXPECT_NEAR(outside(body, {x, y, 3}), outside(body, {-x, y, 3}), 1e-3) << x << ' ' << y;
 }
 
-/// As FBX and glTF have it: what the joints are turned by is in the channels, and without it both
+/// In FBX and glTF files the joints' rest rotations are in the channels: with channels at zero both
 /// arms are above the chest.
 TEST(FigureShape, HasTheProportionsOfTheClipNotOfItsChannelsAtZero) {
   const Skeleton standing = human(false);

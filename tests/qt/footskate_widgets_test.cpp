@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What shows and sets the IK correction, contacts and footskate.
+// Widgets for the IK correction, contacts and footskate.
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>

@@ -48,7 +48,7 @@ TEST(ImportOptions, TakeANumberOfOnesOwn) {
   EXPECT_FALSE(field->isEnabled());
   unit->setCurrentIndex(unit->count() - 1);
   EXPECT_TRUE(field->isEnabled());
-  EXPECT_EQ(dialog.options().cm_per_unit, 2.54);  // as it was read
+  EXPECT_EQ(dialog.options().cm_per_unit, 2.54);  // as the clip was read
   field->setValue(3);
   EXPECT_EQ(dialog.options().cm_per_unit, 3);
 }

@@ -44,7 +44,7 @@ TEST_F(ImportancePanelTest, ASliderIsTheFactorOfAllJointsOfItsPart) {
     EXPECT_DOUBLE_EQ(factorOf(told_[0], j), foot ? 4 : 1) << j;
   }
   EXPECT_DOUBLE_EQ(panel_.part(BodyPart::Feet)->number()->value(), 4);
-  panel_.part(BodyPart::Feet)->slider()->setValue(505);  // near the middle it is the middle
+  panel_.part(BodyPart::Feet)->slider()->setValue(505);  // snaps to the middle
   EXPECT_TRUE(told_.back().is_even());
 }
 

@@ -25,7 +25,7 @@ TEST(ErrorProfile, HasGreatestAndMeanOfEveryFrame) {
 TEST(WorstFrames, ComeWorstFirstAndApart) {
   Eigen::VectorXf max = Eigen::VectorXf::Zero(100);
   max[20] = 5;
-  max[22] = 4;  // of the same peak
+  max[22] = 4;  // belongs to the same peak
   max[60] = 9;
   max[90] = 1;
   const std::vector<int> worst = worstFrames(max, 10, 3);
@@ -89,7 +89,7 @@ TEST(ContactEdit, MovesAnEndAsFarAsTheNextContactAndItsOwnOtherEnd) {
   EXPECT_EQ(lastAt(0, 70), 39);
   EXPECT_EQ(lastAt(0, 0), 10);
   EXPECT_EQ(lastAt(1, 500), 99);
-  EXPECT_EQ(lastAt(2, 50), 50);  // another foot is not in the way
+  EXPECT_EQ(lastAt(2, 50), 50);  // another foot's contacts do not limit it
 }
 
 TEST(ContactEdit, NeverMakesContactsOfOneFootOverlap) {
@@ -110,7 +110,7 @@ TEST(ContactEdit, AddsWhereThereIsRoomAndRemoves) {
   const auto added = withContactAt(kStands, 2, 30, 40, 100);
   ASSERT_EQ(added.size(), 4u);
   EXPECT_EQ(added[1], (ContactSpan{2, 20, 39}));
-  EXPECT_EQ(withContactAt(kStands, 2, 15, 10, 100), kStands);  // there is one
+  EXPECT_EQ(withContactAt(kStands, 2, 15, 10, 100), kStands);  // the frame has one already
   EXPECT_EQ(withContactAt(kStands, 5, 90, 40, 100).back(), (ContactSpan{5, 70, 99}));
   EXPECT_EQ(withContactAt({}, 7, 50, 10, 100).front(), (ContactSpan{7, 45, 54}));
   EXPECT_EQ(withoutContact(added, 1), kStands);

@@ -95,7 +95,7 @@ TEST(JobRunner, DeliversNothingOfAnAbandonedJob) {
   runner.abandon();
   EXPECT_FALSE(runner.busy());
   ASSERT_TRUE(QTest::qWaitFor([&] { return ended.load(); }, kPatience));
-  bool later = false;  // comes after all that the first could deliver
+  bool later = false;  // runs after everything that the first could deliver
   runner.start([](const Job&) { return 2; }, [&](int) { later = true; }, kNoFailure);
   ASSERT_TRUE(QTest::qWaitFor([&] { return later; }, kPatience));
   EXPECT_FALSE(delivered);

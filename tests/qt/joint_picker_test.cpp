@@ -13,8 +13,8 @@ OrbitCamera camera() {
   return camera;
 }
 
-/// Two frames of three joints and an end site; in the second all is 500 cm further up. Joint 2
-/// lies where joint 1 does.
+/// Two frames of three joints and an end site; the second is 500 cm higher. Joint 2 is in the same
+/// place as joint 1.
 Eigen::MatrixXd tracks() {
   Eigen::MatrixXd tracks(2, 12);
   tracks.row(0) << 0, 90, 0, 40, 90, 0, 40, 90, 0, 0, 150, 0;

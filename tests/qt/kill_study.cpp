@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is lost when the studio is killed: its window is used at random (see studio_at_random.cpp),
-// killed at a random instant, started again, and what the next start finds is compared with the
-// journal of what was done. Exit status 0: never more than the edits of the last seconds, never
-// another project than the one in use, and nothing of any project that was left before.
+// Measures the losses when the studio is killed. Its window is used at random (see
+// studio_at_random.cpp), killed at a random instant and started again; the state found by the next
+// start is compared with the journal of all actions. Exit status 0: only edits of the last seconds
+// were lost, the project in use was found, and no other project lost anything.
 //
 //   mocapress-kill-study [--kills 100] [--seed N] [--within 2] [--window-time]
 //
-// --within: seconds of edits that a kill may take; --window-time: counted while the window ran
-// only, for machines so loaded that it stands still.
+// --within: seconds of edits that a kill may lose. --window-time: counts only time in which the
+// window ran, for machines so loaded that it may stall.
 #include <unistd.h>
 
 #include <QCommandLineParser>
@@ -43,27 +43,27 @@ constexpr int kClips = 8;
 constexpr int kFrames = 120;
 constexpr int kLongestRun = 6000;       // ms from the start of the window to its kill
 constexpr int kLongestStart = 120'000;  // ms
-constexpr int kKillsAtStart = 10;       // one in so many comes while the window starts
+constexpr int kKillsAtStart = 10;       // share of kills during the start: one in this many
 
 const QDir kRoot(QStringLiteral("/"));
 
-/// A project at an instant.
+/// A project's state at an instant.
 struct State {
   qint64 t = 0;  // ms
   QString path;
-  QByteArray text;  // as it is read and written again
+  QByteArray text;  // as read and written again
   bool operator==(const State& other) const { return path == other.path && text == other.text; }
 };
 
-/// What one process did, as far as it came.
+/// Actions of one process until its kill.
 struct Run {
-  std::vector<State> states;  // the first is what it found
-  std::size_t saved = 0;      // it said that this one, by index, was on the disk
-  QString title;              // at the start
+  std::vector<State> states;  // the first is the state found at the start
+  std::size_t saved = 0;      // index of the last state reported as saved
+  QString title;              // title at the start
   std::vector<qint64> beats;
-  std::map<QString, QByteArray> left;  // projects that were left, and how
-  std::optional<State> intended;       // the project it was about to change to
-  bool naming = false;                 // by giving this one a name
+  std::map<QString, QByteArray> left;  // other projects, as they were left
+  std::optional<State> intended;       // project to which it was about to switch
+  bool naming = false;                 // the switch gives the project a name
 };
 
 QByteArray readAgain(const QByteArray& text) {
@@ -88,7 +88,8 @@ std::vector<QJsonObject> readJournal(const QString& path) {
   return records;
 }
 
-/// Nothing where it did not come so far as to find a project. `left`: the projects of before.
+/// Reads the run's journal; unset if it was killed before it found a project. `left`: projects left
+/// earlier.
 std::optional<Run> runOf(const QString& path, const std::map<QString, QByteArray>& left) {
   Run run;
   run.left = left;
@@ -124,7 +125,7 @@ std::optional<Run> runOf(const QString& path, const std::map<QString, QByteArray
   return run.states.empty() ? std::nullopt : std::optional(run);
 }
 
-/// How long the window ran between two instants: a machine may let it stand still.
+/// The time that the window ran between two instants, as it may stall on a loaded machine.
 qint64 windowTime(const Run& run, qint64 from, qint64 to) {
   qint64 time = 0;
   qint64 before = from;
@@ -151,7 +152,7 @@ class Study {
                    smooth_motion(kFrames, static_cast<unsigned>(i)));
   }
 
-  /// Uses the studio and kills it. False: what it found is not what was there.
+  /// Starts the studio, uses it and kills it. False: the state found differs from the one left.
   bool kill(int number) {
     QFile::remove(journal_);
     QProcess process;
@@ -168,7 +169,7 @@ class Study {
     process.waitForFinished(-1);
 
     std::optional<Run> run = runOf(journal_, {});
-    if (!run) return true;  // killed before it had found anything
+    if (!run) return true;  // killed before it found anything
     if (last_) {
       if (!isAsLeft(*run)) return false;
       run = runOf(journal_, last_->left);
@@ -206,7 +207,7 @@ class Study {
     return false;
   }
 
-  /// Compares what a start found with what the process before it had done.
+  /// Compares the state found by a start with the actions of the process before it.
   bool isAsLeft(const Run& next) {
     const State& found = next.states.front();
     const QString name = isUnnamed(found.path) ? QStringLiteral("Unnamed Project")
@@ -216,7 +217,7 @@ class Study {
     return isInUse(found);
   }
 
-  /// The projects that are not in use are in their files as they were left.
+  /// Checks that other projects' files are as they were left.
   bool keepsOthers() const {
     for (const auto& [path, text] : last_->left) try {
         const QByteArray now = projectText(readProject(path), kRoot);
@@ -236,7 +237,7 @@ class Study {
                                                    : found.path == intended->path);
       if (is_it) return changedTo(found);
     }
-    // The file of a project comes with the first thing in it.
+    // A project's file is created with the first thing in it.
     if (isUnnamed(found.path) && isUnnamed(states.back().path) && isEmpty(found) &&
         isEmpty(states.back()))
       return true;
@@ -261,7 +262,7 @@ class Study {
     return disagree("it never was so", found, states.back());
   }
 
-  /// To the project that was intended: the one before is one that was left.
+  /// Checks a switch to the intended project, which leaves the previous one.
   bool changedTo(const State& found) {
     const State& before = last_->states.back();
     const bool is_gone = isEmpty(before) || last_->naming;
@@ -283,10 +284,10 @@ class Study {
   std::mt19937 random_;
   qint64 within_;  // ms
   bool window_time_;
-  std::optional<Run> last_;  // that found a project
-  qint64 killed_ = 0;        // when it was killed
+  std::optional<Run> last_;  // last run that found a project
+  qint64 killed_ = 0;        // time of its kill
   std::size_t states_ = 0;
-  qint64 oldest_lost_ = 0;  // ms before a kill
+  qint64 oldest_lost_ = 0;  // ms between the oldest lost edit and the kill
 };
 
 int study(int argc, char** argv) {
@@ -307,7 +308,7 @@ int study(int argc, char** argv) {
   Study study(QDir(folder.path()).canonicalPath(), parser.value(seed).toUInt(),
               static_cast<int>(1e3 * parser.value(within).toDouble()), parser.isSet(window_time));
   const int count = parser.value(kills).toInt();
-  // The start after the last kill is looked at too.
+  // The last kill's restart is checked too.
   for (int i = 1; i <= count + 1; ++i)
     if (!study.kill(i)) {
       folder.setAutoRemove(false);

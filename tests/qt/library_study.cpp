@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the studio takes a folder of many short clips into its library: pieces of 1 to 4 s, cut at
-// random from the clips named, as BVH. Prints how long it takes until all are listed and until all
-// have their picture, and for how long the window did not answer meanwhile: a timer that is due
-// every few milliseconds tells. Needs a screen, such as Xvfb's.
+// Measures the loading of a folder with many short clips into the library: BVH pieces of 1 to 4 s,
+// cut at random from the named clips. Prints the times until all are listed and until all have
+// their picture, and the longest time that the window did not respond, measured by a timer of a few
+// milliseconds. Needs a screen, such as Xvfb's.
 //
 //   mocapress-library-study CLIP|FOLDER... [--clips 3000] [--seed 16]
 #include <QApplication>
@@ -51,7 +51,7 @@ void cutClips(const QStringList& sources, int count, unsigned seed, const QStrin
   }
 }
 
-/// Quits the application once all clips have their picture.
+/// Quits the application once all clips have a picture.
 class Watch : public QObject {
  public:
   Watch(const LibraryModel& model, int clips) : model_(model), clips_(clips) {
@@ -119,7 +119,7 @@ int run(int argc, char** argv) {
   window.show();
   window.library().beginEmpty(data.path());
   Watch watch(*window.findChild<LibraryModel*>(), count);
-  QTimer::singleShot(2000, &window, [&] {  // the window has been drawn
+  QTimer::singleShot(2000, &window, [&] {  // by then the window has been drawn
     watch.start();
     window.library().addFolder(clips.path());
   });

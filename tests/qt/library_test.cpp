@@ -28,7 +28,7 @@ EncodeSettings standard(double ratio) {
 
 class InALibrary : public testing::Test {
  protected:
-  /// One run of the studio, without its window.
+  /// One run of the studio without its window.
   struct Run {
     Session session;
     LibraryModel model;
@@ -48,7 +48,7 @@ class InALibrary : public testing::Test {
     ASSERT_TRUE(settled.count() > 0 || settled.wait(kPatience));
   }
 
-  /// Where a studio keeps its data.
+  /// The folder of the studio's data.
   QString data() const { return path("data"); }
 
   QString path(const char* name) const {
@@ -60,8 +60,7 @@ class InALibrary : public testing::Test {
     return written.open(QIODevice::ReadOnly) && written.readAll().contains(text);
   }
 
-  /// In the place of a project, as a studio leaves it that is killed: with a lock of a process that
-  /// is no more.
+  /// Replaces a project by the one of a killed studio, with the lock of a process that is gone.
   static void putBackAsAfterAKill(const QString& crashed, const QString& path) {
     QFile::remove(path);
     ASSERT_TRUE(QFile::rename(crashed, path));
@@ -206,7 +205,7 @@ TEST_F(InALibrary, WhatNewTakesAwayCanBeHadBack) {
   run.library.setNote(0, QStringLiteral("knee"));
   run.library.setVerdict({1}, Verdict::Approved);
   EXPECT_TRUE(run.library.needsName());
-  ASSERT_TRUE(run.library.startNew());  // at once: nothing is written yet
+  ASSERT_TRUE(run.library.startNew());  // at once, before anything is written
   EXPECT_EQ(run.model.rowCount(), 0);
   EXPECT_FALSE(run.library.needsName());
   const std::vector<FormerProject> former = run.library.formerProjects();
@@ -278,7 +277,7 @@ TEST_F(InALibrary, DoesNotGoOnWhereTheLastChangesCannotBeWritten) {
   const QString lost = path("lost");
   QDir(directory_.path()).mkpath(QStringLiteral("lost"));
   ASSERT_TRUE(run.library.saveAs(lost + QStringLiteral("/knights.mocapress")));
-  // A folder in the place of the file: nobody can write it, the super-user neither.
+  // A folder in the file's place makes writing fail, even for the super-user.
   QDir(lost).removeRecursively();
   QDir(directory_.path()).mkpath(QStringLiteral("lost/knights.mocapress/full"));
   run.library.setNote(0, QStringLiteral("still here"));
@@ -289,7 +288,7 @@ TEST_F(InALibrary, DoesNotGoOnWhereTheLastChangesCannotBeWritten) {
   EXPECT_FALSE(run.library.open(path("other.mocapress")));
   EXPECT_FALSE(run.library.end());
   ASSERT_EQ(run.library.project().clips.size(), 1u);
-  // Elsewhere it is all there.
+  // Saving elsewhere keeps everything.
   const QString found = path("found.mocapress");
   EXPECT_TRUE(run.library.saveAs(found));
   EXPECT_FALSE(run.library.stuck());
@@ -394,7 +393,7 @@ TEST_F(InALibrary, AVerdictDoesNotTravelWithAFileThatWasReplaced) {
   run.library.checkFiles();
   QTRY_COMPARE_WITH_TIMEOUT(run.model.entry(0).stale, Staleness::Source, kPatience);
   EXPECT_EQ(run.model.entry(0).outdated, Staleness::Source);
-  // What is said of the figures that are still shown is not about the new file either.
+  // A verdict on the old figures, which are still shown, does not apply to the new file.
   run.library.setVerdict({0}, Verdict::Approved);
   EXPECT_EQ(run.model.entry(0).stale, Staleness::Source);
   settleAfter(run, [&] { run.library.openClip(0); });
@@ -434,7 +433,7 @@ TEST_F(InALibrary, AVerdictOfASelectionIsOneStep) {
   run.library.setVerdict({0, 1, 2}, Verdict::Approved);
   for (int row = 0; row < 3; ++row)
     EXPECT_EQ(run.model.entry(row).review.verdict, Verdict::Approved) << row;
-  // The files are looked at in the background; the verdicts are about what they were.
+  // Files are checked in the background; verdicts are about their earlier contents.
   for (int row = 0; row < 3; ++row)
     QTRY_COMPARE_WITH_TIMEOUT(run.model.entry(row).stale, Staleness::None, kPatience);
   run.library.history()->undo();
@@ -458,7 +457,7 @@ TEST_F(InALibrary, APresetOfASelectionIsOneStepAndReachesTheOpenClip) {
   EXPECT_FALSE(run.library.project().clips[1].settings);
 }
 
-/// Else a verdict would be stale as soon as its clip is opened.
+/// Opening must not change settings, or a verdict would become stale at once.
 TEST_F(InALibrary, OpeningAClipDoesNotChangeTheSettingsItHas) {
   Run run;
   run.library.add({clip("a.bvh", 1), clip("b.bvh", 2)});
@@ -472,7 +471,7 @@ TEST_F(InALibrary, OpeningAClipDoesNotChangeTheSettingsItHas) {
                 preset);
       EXPECT_EQ(run.model.entry(row).stale, Staleness::None) << preset.name;
     }
-    // Chosen for the open clip, it is the same as chosen in the library or for a batch.
+    // A setting chosen for the open clip equals one chosen in the library or for a batch.
     settleAfter(run, [&] { run.session.setOptions(standard(17)); });
     settleAfter(run, [&] { run.session.choosePreset(preset); });
     EXPECT_EQ(run.library.project().clips[1].settings->preset, preset);
@@ -562,8 +561,8 @@ TEST_F(InALibrary, MissingClipsAreFoundByNameAndBytesInOneStep) {
   run.library.add({a, b, c});
   run.library.setVerdict({0}, Verdict::Approved);
   QTRY_VERIFY_WITH_TIMEOUT(!run.library.project().clips[2].stamp.hash.empty(), kPatience);
-  // Two files are named as one of them; the bytes tell which it is. Of one there is another
-  // version.
+  // Two files have the missing one's name; the bytes decide. One of the missing clips has only
+  // another version.
   ASSERT_TRUE(QFile::rename(a, path("new/other/a.bvh")));
   clip("new/a.bvh", 9);
   ASSERT_TRUE(QFile::remove(b));
@@ -603,7 +602,7 @@ TEST_F(InALibrary, WhatABatchMadeOfAClipIsInItsRow) {
   EXPECT_EQ(entry.outcome->sight, Sight::Borderline);
   EXPECT_EQ(entry.outcome->warnings.size(), 1);
   EXPECT_EQ(entry.outdated, Staleness::None);
-  // Of a clip that is tuned otherwise it says nothing.
+  // An export with other settings does not change the outcome of a clip with its own.
   const Outcome tuned = *run.model.entry(1).outcome;
   run.library.noteExported(run.model.entry(1).path, preset, {}, step);
   EXPECT_EQ(*run.model.entry(1).outcome, tuned);
@@ -742,7 +741,7 @@ TEST_F(InALibrary, AChangeOfFileLosesNothingOfTheOneBefore) {
   run.library.begin(data());
   ASSERT_TRUE(run.library.saveAs(a));
   run.library.add({clip("walk.bvh", 1)});
-  // At once: what is to be written to the first file still waits.
+  // Saves at once, while a write to the first file is pending.
   ASSERT_TRUE(run.library.saveAs(b));
   run.library.add({clip("jump.bvh", 2)});
   ASSERT_TRUE(run.library.open(a));
@@ -835,8 +834,8 @@ TEST_F(InALibrary, SlotsAreSwitchedCopiedAndUndone) {
   EXPECT_EQ(session.history()->count(), steps) << "they are the same";
   settleAfter(run, [&] { session.switchSlot(); });
   EXPECT_DOUBLE_EQ(target(), 10);
-  settleAfter(run, [&] { session.history()->undo(); });  // the switch
-  settleAfter(run, [&] { session.history()->undo(); });  // the copy
+  settleAfter(run, [&] { session.history()->undo(); });  // undoes the switch
+  settleAfter(run, [&] { session.history()->undo(); });  // undoes the copy
   EXPECT_NEAR(ratio_of(1), 40, 1);
   settleAfter(run, [&] { session.switchSlot(); });
   EXPECT_DOUBLE_EQ(target(), 40);

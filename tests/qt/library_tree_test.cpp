@@ -21,7 +21,7 @@ LibraryEntry entry(const char* path, std::optional<bool> met = {}) {
   return made;
 }
 
-/// "walks[fast[b] a c]": folders with what is in them.
+/// The tree as a text: "walks[fast[b] a c]" for folders with their content.
 QString textOf(const LibraryTree& tree, const QModelIndex& above = {}) {
   QStringList parts;
   for (int row = 0; row < tree.rowCount(above); ++row) {
@@ -127,7 +127,7 @@ TEST_F(ALibraryTree, AllThatIsSelectedIsChosenAndStaysSoWhenOneOfThemIsCurrent) 
   LibraryPanel panel(&clips_);
   panel.setCurrent(0);
   QItemSelectionModel* selection = panel.view()->selectionModel();
-  for (const int clip : {2, 1})  // as with Ctrl
+  for (const int clip : {2, 1})  // selects as with Ctrl
     selection->setCurrentIndex(panel.tree()->indexOf(clip), QItemSelectionModel::Select);
   EXPECT_EQ(panel.chosenRows().size(), 3u);
   panel.setCurrent(1);
@@ -140,7 +140,7 @@ TEST_F(ALibraryTree, AllThatIsSelectedIsChosenAndStaysSoWhenOneOfThemIsCurrent) 
   EXPECT_EQ(removed[0][0].value<QList<int>>().size(), 3);
   panel.setCurrent(3);
   EXPECT_EQ(panel.chosenRows(), std::vector<int>{3}) << "another clip is chosen alone";
-  // A folder and a clip in it: each clip once.
+  // A selected folder and a clip in it count each clip once.
   selection->select(panel.tree()->indexOf(0).parent(), QItemSelectionModel::Select);
   EXPECT_EQ(panel.chosenRows().size(), 3u);
 }

@@ -13,15 +13,15 @@
 int main(int argc, char** argv) {
   mocapress::add_rivals();
   testing::InitGoogleTest(&argc, argv);
-  // CTest asks for the names where there need not be a display.
+  // CTest lists the tests, possibly without a display.
   if (GTEST_FLAG_GET(list_tests)) return RUN_ALL_TESTS();
   mocapress::prepareViewport();
   const QTemporaryDir settings;
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
   qputenv("XDG_CACHE_HOME", settings.path().toUtf8());
   qputenv("XDG_DATA_HOME", settings.filePath(QStringLiteral("data")).toUtf8());
-  // No desktop has a say in tests. Where there is none, libdbus would start a bus of its own, and
-  // leaks where it cannot.
+  // Tests do not depend on a desktop. Without one, libdbus would start a bus of its own, and leak
+  // memory if it cannot.
   qputenv("DBUS_SESSION_BUS_ADDRESS", "disabled:");
   QApplication application(argc, argv);
   QCoreApplication::setOrganizationName(QStringLiteral("mocapress-tests"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole studio on a screen: needs an X display with OpenGL (Xvfb will do).
+// The whole studio on a screen. Needs an X display with OpenGL (Xvfb is enough).
 #include "app/studio/window/main_window.h"
 
 #include <gtest/gtest.h>
@@ -134,7 +134,7 @@ TEST_F(StudioWindow, ASliderMovementIsFollowedByAPictureSoon) {
   std::sort(milliseconds.begin(), milliseconds.end());
   std::printf("slider-to-picture: 2000 frames, %zu movements: median %.1f ms, worst %.1f ms\n",
               milliseconds.size(), milliseconds[kMovements / 2], milliseconds.back());
-  EXPECT_LT(milliseconds[kMovements / 2], 2000);  // generous: machines differ
+  EXPECT_LT(milliseconds[kMovements / 2], 2000);  // generous, since machines differ
 }
 
 TEST_F(StudioWindow, IsNotAwayForLongWhileALongClipIsCompressed) {
@@ -160,7 +160,7 @@ TEST_F(StudioWindow, IsNotAwayForLongWhileALongClipIsCompressed) {
       "5000 frames of a body of 31 joints: longest time away from events %.1f ms, most work at a "
       "time %.1f ms\n",
       longest.away, longest.worked);
-  EXPECT_LT(longest.worked, 500);  // generous: machines differ
+  EXPECT_LT(longest.worked, 500);  // generous, since machines differ
 }
 
 TEST_F(StudioWindow, AnUnreadableFileIsAMessageInTheWindow) {

@@ -156,14 +156,14 @@ TEST_F(StudioWithoutAScreen, UndoActsOnWhatIsWorkedIn) {
   const auto clips = [this] { return window_.library().project().clips.size(); };
   QAction* undo = window_.actions().undo;
 
-  // Where a step was done last.
+  // Undo goes to the last step.
   window_.library().remove({0});
   EXPECT_TRUE(undo->text().contains(QStringLiteral("Remove Clip"))) << qPrintable(undo->text());
   undo->trigger();
   EXPECT_EQ(clips(), 2u);
   EXPECT_DOUBLE_EQ(document_.options().target.value, before / 2);
 
-  // Where the focus went last.
+  // Undo goes to the last focus.
   window_.libraryPanel().view()->setFocus();
   window_.views().viewport->setFocus();
   settleAfter([&] { undo->trigger(); });
@@ -174,11 +174,11 @@ TEST_F(StudioWithoutAScreen, UndoActsOnWhatIsWorkedIn) {
   EXPECT_EQ(clips(), 1u);
   EXPECT_DOUBLE_EQ(document_.options().target.value, before);
 
-  // Whoever opens another clip in the library is still there.
+  // A user who opens another clip from the library stays in the library.
   settleAfter([&] { window_.library().openClip(0); });
   undo->trigger();
   EXPECT_EQ(clips(), 2u);
-  // A key that changes the clip.
+  // A shortcut changes the clip.
   options = document_.options();
   options.target.value = before / 4;
   settleAfter([&] { window_.session().setOptions(options); });
@@ -240,7 +240,7 @@ TEST_F(StudioWithoutAScreen, WhatABatchMadeIsInTheLibrary) {
     EXPECT_TRUE(made.outcome->sight);
     EXPECT_EQ(outdated(made), Staleness::None);
   }
-  // Approved was what nobody had compressed yet.
+  // The clip was approved before it was compressed.
   EXPECT_EQ(staleVerdict(window_.library().project().clips[0]), Staleness::Settings);
 }
 
@@ -365,7 +365,7 @@ TEST_F(StudioWithoutAScreen, HeatMapAndGraphTellDegreesByOneSwitchThatIsRemember
   finest->trigger();
   EXPECT_NE(picture(), by_five_degrees);
   const ErrorScaleChoice* angles = window_.errorDisplay()->scales(ErrorQuantity::Angle);
-  window_.actions().angle_scales->actions().back()->trigger();  // automatic
+  window_.actions().angle_scales->actions().back()->trigger();  // automatic scale
   EXPECT_EQ(angles->scaleFor(document_.decoded()),
             errorScaleFor(document_.decoded()->distortion->p99_degrees, ErrorQuantity::Angle));
   MainWindow next;

@@ -40,7 +40,7 @@ TEST(OrbitCamera, SeesTheWholeSphereInAnyShapeOfWindow) {
   }
 }
 
-/// A figure with its arms spread, of any height.
+/// A figure with its arms spread, `height` cm high.
 std::vector<QVector3D> figure(float height) {
   std::vector<QVector3D> points;
   for (const QVector3D point : {QVector3D(0.1f, 0, 0.05f),

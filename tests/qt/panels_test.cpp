@@ -38,7 +38,7 @@
 namespace mocapress {
 namespace {
 
-/// As a user does: text and Enter.
+/// Types a text and Enter.
 void type(NumberBox* box, const QString& text) {
   box->selectAll();
   QTest::keyClicks(box, text);
@@ -111,9 +111,9 @@ TEST(TargetControl, AnotherKindAsksForWhatTheResultHasOfIt) {
   choose(control, Target::Kind::Size);
   EXPECT_DOUBLE_EQ(control.target().value, 9876);
   choose(control, Target::Kind::MaxError);
-  EXPECT_DOUBLE_EQ(control.target().value, 2.35);  // which the result does not exceed
+  EXPECT_DOUBLE_EQ(control.target().value, 2.35);  // rounded up, so that the result meets it
   choose(control, Target::Kind::Error);
-  EXPECT_DOUBLE_EQ(control.target().value, 0.5);  // nothing came of the others yet
+  EXPECT_DOUBLE_EQ(control.target().value, 0.5);  // the other kinds have no achieved value yet
 }
 
 TEST(TargetControl, ADraggedNumberHasThreeDigitsAndEveryStepOfTheSliderCounts) {
@@ -170,7 +170,7 @@ TEST(StudioStyle, ASliderThatIsDisabledIsPaler) {
   slider.setPalette(lightPalette());
   slider.resize(200, 30);
   slider.setValue(50);
-  // From white: how dark all of it is.
+  // Sums the darkness of all pixels.
   const auto ink = [&slider] {
     QImage picture(slider.size(), QImage::Format_RGB32);
     picture.fill(Qt::white);
@@ -402,7 +402,7 @@ TEST(AnnealingPanel, AnAnswerThatTakesItsTimeIsSeenToBeOnItsWay) {
   AnnealingPanel panel;
   const auto* bar = panel.findChild<QProgressBar*>();
   panel.await();
-  panel.end();  // of the run before
+  panel.end();  // belongs to the earlier run
   EXPECT_TRUE(QTest::qWaitFor([&] { return shown(bar); }, 60'000));
   EXPECT_EQ(bar->maximum(), 0);
   panel.rest();
@@ -482,7 +482,7 @@ TEST(ErrorGraph, AClickSeeksToTheFrameThere) {
   graph.setCurves({{QStringLiteral("a"), Qt::red, 0}, {QStringLiteral("b"), Qt::blue, 2}});
   runDueEvents();
   auto* plot = graph.findChild<QCustomPlot*>();
-  EXPECT_EQ(plot->graphCount(), 3);  // and the worst of all
+  EXPECT_EQ(plot->graphCount(), 3);  // and the maximum of all landmarks
   const QSignalSpy sought(&graph, &ErrorGraph::seekRequested);
   const int x = static_cast<int>(plot->xAxis->coordToPixel(0.4));
   QTest::mouseClick(plot, Qt::LeftButton, {}, {x, plot->height() / 2});

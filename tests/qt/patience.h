@@ -5,10 +5,10 @@
 
 namespace mocapress {
 
-/// How long a test waits for what must come; only ever waited for when something is broken.
+/// The longest wait for an event; it is only reached when something is broken.
 inline constexpr int kPatience = 120'000;  // ms
 
-/// Lets everything happen that is due now: layouts, queued replots, and what follows from these.
+/// Handles everything that is due: layouts, queued replots, and events that follow from them.
 inline void runDueEvents() {
   constexpr int kConsequences = 4;
   for (int i = 0; i < kConsequences; ++i) {

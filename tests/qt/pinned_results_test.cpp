@@ -85,7 +85,7 @@ TEST_F(Pinning, FourHaveColoursOfTheirOwnAndAFifthHasNoRoom) {
   QSet<QRgb> colours;
   for (const PinnedEntry& entry : model_.entries()) colours.insert(entry.colour.rgb());
   EXPECT_EQ(colours.size(), 4);
-  // One that is freed is given again.
+  // A freed colour is used again.
   const QColor freed = model_.entries()[1].colour;
   results_.unpin(1);
   results_.pinCurrent();
@@ -94,7 +94,7 @@ TEST_F(Pinning, FourHaveColoursOfTheirOwnAndAFifthHasNoRoom) {
 
 TEST_F(Pinning, OneIsMadeCurrentAndThatIsUndone) {
   results_.pinCurrent();
-  // By two steps of two kinds: quick ones of one kind are undone together.
+  // The two steps differ in kind, since quick steps of one kind merge.
   EncodeSettings other = standardAt(10);
   other.weighting = Weighting::JointOrigins;
   settleAfter([&] { session_.setOptions(other); });
@@ -180,7 +180,7 @@ TEST_F(Pinning, AreThereAgainWithTheirClipMadeAnew) {
     EXPECT_DOUBLE_EQ(now.ratio, before[i].ratio);
     EXPECT_DOUBLE_EQ(now.max_cm, before[i].max_cm);
   }
-  // One that is taken away meanwhile does not come back.
+  // A result that is unpinned meanwhile does not come back.
   results_.unpin(0);
   open("jump.bvh", 2);
   open("walk.bvh", 1);

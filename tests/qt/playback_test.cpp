@@ -161,7 +161,7 @@ TEST_F(Playing, ShuttlesEitherWayAndFasterEachTime) {
   playback_.shuttle(-1);
   passAndTick(1);
   EXPECT_EQ(playback_.frame(), 200);
-  playback_.shuttle(1);  // turns round at the usual pace
+  playback_.shuttle(1);  // starts at normal speed after a change of direction
   passAndTick(1);
   EXPECT_EQ(playback_.frame(), 300);
   playback_.pause();

@@ -42,7 +42,7 @@ TEST_F(PresetShelfTest, SharesThemAsFiles) {
   shelf_.exportTo(path("mine.json"), mine());
   EXPECT_EQ(find_preset(path("mine.json").toStdString()), mine());
   shelf_.importFrom(path("mine.json"));
-  shelf_.importFrom(path("mine.json"));  // the same again takes its place
+  shelf_.importFrom(path("mine.json"));  // a second import replaces the first
   ASSERT_EQ(own(), 1u);
   EXPECT_EQ(shelf_.all().back(), mine());
   QSignalSpy noted(&shelf_, &PresetShelf::noted);
@@ -55,7 +55,7 @@ TEST_F(PresetShelfTest, SharesThemAsFiles) {
 TEST_F(PresetShelfTest, GivesNoNameTwice) {
   QSignalSpy noted(&shelf_, &PresetShelf::noted);
   EXPECT_FALSE(shelf_.save({.name = "Crowd"}));
-  EXPECT_FALSE(shelf_.save({.name = "hero-close-up"}));  // the command line would not find it
+  EXPECT_FALSE(shelf_.save({.name = "hero-close-up"}));  // the command line prefers its own
   shelf_.save(mine());
   shelf_.save({.name = "Other"});
   EXPECT_FALSE(shelf_.rename(QStringLiteral("Other"), QStringLiteral("Mine")));

@@ -36,7 +36,7 @@ class OfProjectFiles : public testing::Test {
 
   void addClips() { library_.add({path("walk.bvh"), path("jump.bvh")}); }
 
-  /// The question that is open, if any.
+  /// The open question, if any.
   QMessageBox* question() const {
     for (QMessageBox* box : window_.findChildren<QMessageBox*>())
       if (box->isVisible()) return box;
@@ -48,13 +48,14 @@ class OfProjectFiles : public testing::Test {
     question()->button(button)->click();
   }
 
-  /// In the file dialog that comes next.
+  /// Chooses a file in the next file dialog.
   void chooseSoon(const QString& file) {
     auto* look = new QTimer(&window_);
     QObject::connect(look, &QTimer::timeout, look, [look, file] {
       auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
       if (!dialog) return;
-      // Typed, as a user does: what selectFile() chose is lost when the folder is listed later.
+      // Types the name as a user does: the choice of selectFile() is lost when the folder is listed
+      // later.
       dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(file);
       static_cast<QDialog*>(dialog)->accept();
       if (!dialog->isVisible()) look->deleteLater();

@@ -41,7 +41,7 @@ std::vector<StudyRow> rows() {
   return all;
 }
 
-/// Fills a part of the window, and gives it a size.
+/// Puts a widget of a fixed size into a window.
 template <typename Widget>
 void lay(Widget& widget) {
   widget.resize(700, 500);

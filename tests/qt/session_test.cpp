@@ -90,7 +90,7 @@ TEST_F(Studio, SpeaksOfACancelOnlyWhereSomebodyDid) {
   EXPECT_FALSE(says_cancelled()) << stateOf(document_).toStdString();
   EXPECT_TRUE(document_.unanswered());
 
-  // One run after the other, each superseded.
+  // Each request replaces the one before it.
   QSignalSpy settled(&session_, &Session::settled);
   for (int i = 0; i < 5; ++i) {
     session_.setOptions(ratio(12 + i));
@@ -216,7 +216,7 @@ TEST_F(Studio, ReadingAClipByOtherOptionsIsUndoneAmongItsOtherSteps) {
   EXPECT_EQ(document_.options().target.value, 14);
 }
 
-/// A knee that turns for so many seconds in each of its animations.
+/// Writes a knee that turns for the given seconds in each animation.
 QString writeTakes(const QString& path, const std::vector<int>& seconds) {
   test::SmallGltf gltf;
   for (const int length : seconds) {
@@ -445,7 +445,7 @@ TEST_F(Studio, CanBeClosedInTheMiddleOfAnything) {
   const QString clip = writeClip("motion.bvh", 2000);
   EncodeSettings annealed = ratio(10);
   annealed.method = Method::Annealed;
-  // While it is read, once it is open and encoded, and while it is refined.
+  // Moments of an action: while the clip is read, while it is encoded, and while it is refined.
   enum class Moment { Reading, Encoding, Refining };
   for (const Moment moment : {Moment::Reading, Moment::Encoding, Moment::Refining}) {
     auto brief = std::make_unique<Session>();
@@ -501,7 +501,7 @@ TEST_F(Studio, KeepsTracksByABoundOfTheirOwn) {
   const std::size_t before = track_bytes();
   QSignalSpy decoded(&document_, &Document::decodedChanged);
   session_.setTrackError(0.1);
-  ASSERT_TRUE(waitFor(decoded));  // the size in the result is another
+  ASSERT_TRUE(waitFor(decoded));  // the result's size has changed
   EXPECT_LT(track_bytes(), before);
   EXPECT_TRUE(document_.modified());
   saveAndWait(path("face.mcpr"));

@@ -112,7 +112,7 @@ TEST_F(History, UndoAndRedoBringSettingsAndTheirAnswersBackAtOnce) {
   QSignalSpy settled(&session_, &Session::settled);
   session_.history()->undo();
   EXPECT_EQ(session_.document().options().method, Method::Standard);
-  EXPECT_EQ(settled.count(), 1);  // from the cache
+  EXPECT_EQ(settled.count(), 1);  // comes from the cache
   EXPECT_NE(session_.document().decoded(), last);
   session_.history()->redo();
   EXPECT_EQ(session_.document().decoded(), last);
@@ -231,7 +231,7 @@ TEST_F(History, TheCurveOfTheClipFillsAndOutlivesAnotherTarget) {
   EncodeSettings joints = standard(33);
   joints.weighting = Weighting::JointOrigins;
   settleAfter([&] { session_.setOptions(joints); });
-  EXPECT_LE(curve.ratios().size(), 2u);  // others were of another weighting
+  EXPECT_LE(curve.ratios().size(), 2u);  // other points had another weighting
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Characters in the 3D view: needs an X display with OpenGL (Xvfb will do).
+// Characters in the 3D view. Needs an X display with OpenGL (Xvfb is enough).
 #include <gtest/gtest.h>
 
 #include <QBuffer>
@@ -32,8 +32,8 @@ Skeleton post() {
   return skeleton;
 }
 
-/// A blue box of 30 x 100 x 20 cm around it: its lower half is the foot's, its upper one the
-/// head's.
+/// A blue box of 30 x 100 x 20 cm around it: the foot carries its lower half, the head its upper
+/// half.
 std::shared_ptr<const Skin> box() {
   Skin skin;
   skin.bones = {{0, Eigen::Affine3d(Eigen::Translation3d(0, -10, 0))},
@@ -66,7 +66,7 @@ std::shared_ptr<const Skin> box() {
   return std::make_shared<const Skin>(std::move(skin));
 }
 
-/// The box in a picture whose upper half is red and whose lower half is blue.
+/// The box with a picture whose upper half is red and whose lower half is blue.
 std::shared_ptr<const Skin> pictured_box() {
   QImage image(16, 16, QImage::Format_RGB32);
   image.fill(Qt::blue);
@@ -129,7 +129,7 @@ class SkinScreen : public testing::Test {
     return captured.isEmpty() ? QImage() : captured.first().first().value<QImage>();
   }
 
-  /// On the front of the box, 10 cm beside the bone.
+  /// The colour on the front of the box, 10 cm beside the bone.
   QRgb front(const QImage& picture, double foot_x, float y) const {
     const QVector3D place(static_cast<float>(foot_x) + 10, y, 10);
     return picture.pixel(viewport_.camera().project(place)->toPoint());
@@ -222,7 +222,7 @@ TEST_F(SkinScreen, IsASkeletonWithoutASkin) {
       viewport_.camera().project({static_cast<float>(compressed_at_), 60, 0})->toPoint())));
 }
 
-/// The sample character as it walks, for those who look at pictures: $MOCAPRESS_PICTURES is where.
+/// Draws the sample character walking, for people who look at pictures in $MOCAPRESS_PICTURES.
 TEST_F(SkinScreen, DrawsTheSampleCharacter) {
   const std::filesystem::path file =
       std::filesystem::path(MOCAPRESS_SOURCE_DIR) / "resources/samples/character.fbx";

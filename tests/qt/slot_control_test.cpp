@@ -18,7 +18,7 @@ TEST(SlotControl, AsksToSwitchOnlyForTheOther) {
   EXPECT_TRUE(control.slot(0)->isChecked());
   control.slot(1)->click();
   EXPECT_EQ(asked.count(), 1);
-  EXPECT_TRUE(control.slot(0)->isChecked());  // until it is told
+  EXPECT_TRUE(control.slot(0)->isChecked());  // keeps its state until setSlots()
   control.setSlots(1, {});
   EXPECT_TRUE(control.slot(1)->isChecked());
   EXPECT_FALSE(control.slot(0)->isChecked());

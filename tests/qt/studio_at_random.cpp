@@ -33,7 +33,7 @@ namespace {
 constexpr int kShortestPause = 20;  // ms between two actions
 constexpr int kLongestPause = 300;
 
-/// Written at once, so that it outlives its process.
+/// Writes each line at once, so that it survives a kill.
 class Journal {
  public:
   explicit Journal(const QString& path) : file_(path) {
@@ -84,7 +84,7 @@ class RandomUser : public QObject {
   }
 
   void noteChange() {
-    if (!begun_ || library_.path().isEmpty()) return;  // between two projects
+    if (!begun_ || library_.path().isEmpty()) return;  // between two projects there is no state
     const QByteArray text = projectText(library_.project(), QDir(QStringLiteral("/")));
     if (text != text_ || library_.path() != path_) noteState(journal::kState, text);
   }
@@ -201,8 +201,8 @@ class RandomUser : public QObject {
   std::mt19937 random_;
   QTimer beat_, next_;
   bool begun_ = false;
-  QString path_;     // of the state that was noted last
-  QByteArray text_;  // likewise
+  QString path_;     // path in the last noted state
+  QByteArray text_;  // text in the last noted state
 };
 
 }  // namespace

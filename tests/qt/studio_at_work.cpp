@@ -11,7 +11,7 @@
 namespace mocapress::test {
 namespace {
 
-// Each picture is kept at the guide's width too. In resources/guide compare.png is view-wipe,
+// Each picture is also saved in the guide's width. In resources/guide compare.png is view-wipe,
 // inspect session-3-heat-map, curve session-3-rate-distortion and pinned pinned-side-by-side; the
 // README's studio.png is library.
 constexpr int kGuideWidth = 900;
@@ -52,7 +52,7 @@ int pixelsNear(const QImage& picture, const QRect& area, const QColor& colour) {
 void drop(QWidget& widget, const QList<QUrl>& urls) {
   QMimeData data;
   data.setUrls(urls);
-  // Qt drops only where something was dragged in.
+  // Qt delivers a drop only after a drag entered.
   QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QCoreApplication::sendEvent(&widget, &enter);
   EXPECT_TRUE(enter.isAccepted());
@@ -67,7 +67,7 @@ QImage Studio::picture(const QString& name) {
   runDueEvents();
   EXPECT_TRUE(writeScreenshot(window_, picturePath(name)));
   QImage picture(picturePath(name));
-  // As the guide takes it.
+  // In the size that the guide uses.
   picture.scaledToWidth(kGuideWidth, Qt::SmoothTransformation)
       .save(picturePath(QStringLiteral("guide/") + name));
   return picture;

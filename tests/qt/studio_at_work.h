@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The real window at work, and pictures of it. Needs an X display with OpenGL (Xvfb will do).
+// The real window at work, and pictures of it. Needs an X display with OpenGL (Xvfb is enough).
 #pragma once
 
 #include <gtest/gtest.h>
@@ -17,18 +17,18 @@
 
 namespace mocapress::test {
 
-/// In the build folder.
+/// The path of a picture in the build folder.
 QString picturePath(const QString& name);
 
 int differing(const QImage& a, const QImage& b);
 
-/// How many colours there are to see: of an empty or grey area hardly any.
+/// The number of distinct colours; an empty or grey area has few.
 std::size_t coloursIn(const QImage& picture, const QRect& area);
 
-/// Of about that hue, whatever the light.
+/// The number of pixels of about that hue, whatever the light.
 int pixelsNear(const QImage& picture, const QRect& area, const QColor& colour);
 
-/// Files or folders let fall on a widget.
+/// Drops files or folders on a widget.
 void drop(QWidget& widget, const QList<QUrl>& urls);
 
 /// A window at work.
@@ -54,7 +54,7 @@ class Studio {
     settleAfter([&] { window_.files().open(path); });
   }
 
-  /// Once the 3D view has drawn what was done last.
+  /// Takes a picture once the 3D view has drawn the latest changes.
   QImage picture(const QString& name);
 
   QRect areaOf(const QWidget* widget) {
@@ -69,7 +69,7 @@ class StudioTour : public testing::Test {
  protected:
   StudioTour() {
     QSettings().clear();
-    // English has plural forms too: the pictures are to be shown.
+    // English needs its translation for plural forms, since the pictures are published.
     EXPECT_TRUE(english_.load(QStringLiteral(":/i18n/mocapress_en.qm")));
     QCoreApplication::installTranslator(&english_);
   }

@@ -46,7 +46,7 @@ namespace {
 
 using namespace test;
 
-/// The bundled samples and parts of them, as a game's folder may have them.
+/// Writes the bundled samples and parts of them as in a game's folder.
 void writeGame(const QString& folder) {
   const std::filesystem::path samples =
       std::filesystem::path(MOCAPRESS_SOURCE_DIR) / "resources/samples";
@@ -78,7 +78,7 @@ TEST_F(StudioTour, AFolderIsReviewedClipByClip) {
   const auto tune = [&](int row, double ratio) {
     studio.settleAfter([&] { panel.view()->setCurrentIndex(tree.indexOf(row)); });
     EncodeSettings options = studio->session().document().options();
-    // A clip begins with the settings of the one before it.
+    // A new clip starts with the settings of the one before it.
     if (options.target.kind == Target::Kind::Ratio && options.target.value == ratio) return;
     options.method = Method::ClosedLoop;
     options.target = {Target::Kind::Ratio, ratio};
@@ -103,7 +103,7 @@ TEST_F(StudioTour, AFolderIsReviewedClipByClip) {
   EXPECT_GT(differing(all, studio.picture(QStringLiteral("library-approved"))), 3000);
 }
 
-/// The 15 study clips, through the real window.
+/// Exports the 15 study clips through the real window.
 void batch(Studio& studio) {
   const QString folder = QStringLiteral(MOCAPRESS_SOURCE_DIR "/../shared/corpus/study");
   if (!QFile::exists(folder)) {
@@ -147,7 +147,7 @@ void batch(Studio& studio) {
   window->close();
 }
 
-/// The whole of it, as an artist would do it.
+/// Runs a whole session as an artist would.
 TEST_F(StudioTour, OpensTunesInspectsEditsComparesUndoesSavesAndIsRecovered) {
   const QString data = directory_.filePath(QStringLiteral("data"));
   const QString project = directory_.filePath(QStringLiteral("walks.mocapress"));
@@ -246,7 +246,7 @@ TEST_F(StudioTour, OpensTunesInspectsEditsComparesUndoesSavesAndIsRecovered) {
   EXPECT_GT(coloursIn(again, studio.areaOf(studio->views().viewport)), 500u);
 }
 
-/// The program itself, killed.
+/// Kills the program itself.
 TEST_F(StudioTour, IsThereAgainAfterAKill) {
   const QString program = QStringLiteral(MOCAPRESS_BINARY_DIR "/app/studio/mocapress-studio");
   if (!QFile::exists(program)) GTEST_SKIP() << "mocapress-studio is not built";

@@ -149,7 +149,7 @@ TEST_F(StudioTour, WhatTheEyeSeesIsPlainInBothThemes) {
   Studio studio;
   studio.open(sampleClip());
   QSlider* const target = studio->views().compression->target()->slider();
-  studio.settleAfter([&] { target->setValue(600); });  // at the preset nothing is
+  studio.settleAfter([&] { target->setValue(600); });  // with the preset it would be met
   studio->findChild<QDockWidget*>(QStringLiteral("heat-map"))->raise();
   studio->actions().as_seen->trigger();
   for (const char* theme : {"light", "dark"}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the study's window shows and asks for, as values.
+// Models of the study window: displayed values and settings.
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
@@ -73,7 +73,7 @@ TEST(StudySettings, BecomeAPlanOfEveryClipAtEveryTarget) {
   EXPECT_EQ(plan.settings.weighting, Weighting::JointOrigins);
   EXPECT_EQ(plan.ik_ratios, Numbers{16});
   EXPECT_EQ(jobs_of(plan).size(),
-            2 * (settings.methods.size() * 3 + 2u));  // feet are held at ratios only
+            2 * (settings.methods.size() * 3 + 2u));  // feet are held only for ratios
 }
 
 TEST(StudySettings, UsualOnesNameMethodsAndUsualTargets) {
@@ -126,7 +126,7 @@ TEST(RateCurves, AverageIsTheGeometricMeanOverCompleteClipsBeforeThePointsOfAll)
   EXPECT_NEAR(one[1].line.front().ratio, 10, 1e-9);
   EXPECT_EQ(one[1].points.size(), 4u);
   const auto both = rateCurves(twoClips(), "", {"a.bvh", "b.bvh"});
-  EXPECT_NEAR(both[1].line.front().ratio, 20, 1e-9);  // of 10 and 40
+  EXPECT_NEAR(both[1].line.front().ratio, 20, 1e-9);  // the mean of 10 and 40
   EXPECT_NEAR(both[1].line.back().ratio, 40, 1e-9);
   EXPECT_TRUE(both[0].line.empty()) << "not every clip has it";
   EXPECT_EQ(both[0].points.size(), 2u);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A row of a study, loaded into the studio, is what the study measured.
+// A study's row that is loaded into the studio gives the study's figures.
 #include <gtest/gtest.h>
 
 #include <QSignalSpy>

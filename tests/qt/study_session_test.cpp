@@ -37,7 +37,7 @@ class StudySessionTest : public testing::Test {
     return path(name);
   }
 
-  /// Of quick methods.
+  /// Settings with quick methods.
   StudySettings settings(const QStringList& clips) const {
     StudySettings settings;
     settings.clips = clips;
@@ -107,7 +107,7 @@ TEST_F(StudyInTheStudio, CancelKeepsWhatIsDoneAndTheNextRunGoesOn) {
   EXPECT_LT(done, 20u);
   EXPECT_TRUE(session_.completeClips().empty());
 
-  // Rows are made side by side: those that are there need not be the plan's first.
+  // Rows are made in parallel, so the finished ones need not be the plan's first.
   long_one.ratios.clear();
   for (const StudyRow& row : session_.rows()) long_one.ratios.push_back(row.settings.target.value);
   run(long_one);
@@ -141,7 +141,7 @@ TEST_F(StudyInTheStudio, ItsTablesCarryWhatTheLibrarySays) {
   const QString file = path("rows.csv");
   session_.exportRows(file);
   EXPECT_TRUE(written(file).contains(",approved,mended,"));
-  // Not of other bytes.
+  // The verdict was on other bytes.
   session_.setReviews({{clip, {said(Verdict::Approved, "mended"), "another"}}});
   session_.exportRows(file);
   const QByteArray table = written(file);
@@ -246,7 +246,7 @@ TEST_F(StudyInTheStudio, CanBeDroppedInTheMiddleOfARun) {
     brief.run();
     ASSERT_TRUE(QTest::qWaitFor([&] { return brief.rows().size() >= rows; }, kPatience));
   }
-  StudySession later(path("brief"));  // its rows were let go, and are whole
+  StudySession later(path("brief"));  // its rows were released and are complete
   later.setSettings(settings({writeClip("two.bvh", 120)}));
   later.run();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !later.running(); }, kPatience));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The study's window beside the studio's: needs an X display with OpenGL (Xvfb will do).
+// The study window beside the studio's. Needs an X display with OpenGL (Xvfb is enough).
 #include "app/studio/study/study_window.h"
 
 #include <gtest/gtest.h>

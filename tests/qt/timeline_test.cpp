@@ -115,13 +115,13 @@ TEST_F(TimelineStrips, AContactsEndCanBeDragged) {
   drag(20, 5);
   EXPECT_EQ(edited, (std::vector<ContactSpan>{{1, 5, 79}}));
   EXPECT_EQ(seek.count(), 0);
-  drag(40, 45);  // between the ends: nothing is edited
+  drag(40, 45);  // starts between the ends: nothing changes
   EXPECT_EQ(edited, (std::vector<ContactSpan>{{1, 5, 79}}));
   EXPECT_GT(seek.count(), 0);
 }
 
-/// Two windows of the hip and the toe: the toe is borderline in the first, visible from frame 40
-/// on.
+/// Visibility in two windows for hip and toe: the toe is borderline in the first, visible from
+/// frame 40 on.
 SightPtr toeIsSeen() {
   SightTable table{.window_frames = 40};
   table.times_noticed.resize(2, 2);
@@ -286,7 +286,7 @@ TEST(HeatMap, AClickTellsFrameAndLandmark) {
   EXPECT_EQ(chosen[1][1].toInt(), 0);
 }
 
-/// Both are off by 1 cm at all frames; the toe is turned by 10 degrees at the last.
+/// Errors of both: each is off by 1 cm at all frames; the toe turns by 10 degrees at the last.
 ErrorsPtr errorsOfBoth() {
   Distortion errors{.distances = Eigen::MatrixXf::Ones(kFrames, 2),
                     .turns = Eigen::MatrixXf::Zero(kFrames, 2)};
@@ -322,7 +322,7 @@ TEST(HeatMap, ShowsWhatTheEyeSeesByJointAndTime) {
   map.resize(600, 240);
   map.show();
   map.setErrors(errorsOfBoth(), kNames, {1, ErrorQuantity::Distance});
-  const QPoint toe(300, 180);  // before the middle
+  const QPoint toe(300, 180);  // in the left half
   const QPoint toe_at_the_end(600 - 8 - 2, 180);
   const auto colourAt = [&](const QPoint& place) { return map.grab().toImage().pixelColor(place); };
   map.setSight(toeIsSeen(), false);
@@ -354,8 +354,8 @@ TEST(SightImage, KeepsTheWorstOfFramesThatShareAColumn) {
           << column << ' ' << row;
 }
 
-/// How far apart two colours are to somebody without red cones, or green ones (Vienot et al. 1999),
-/// and how much lighter one is.
+/// Colour difference for viewers without red or green cones (Vienot et al. 1999), and the
+/// difference in lightness.
 double apartWithoutRedOrGreen(const QColor& a, const QColor& b) {
   const auto seen = [](const QColor& colour) {
     const auto linear = [](double part) { return std::pow(part / 255, 2.2); };

@@ -45,7 +45,7 @@ TEST(GhostTrail, IsThePosesOfThoseFramesFadingWithTheirDistance) {
     EXPECT_EQ(trail[i * each].start,
               landmarkAt(tracks, frames[i], motion.skeleton.segments().front().joint));
     const QVector4D tint = trail[i * each].start_tint;
-    // Past ones are blue, future ones red, both paler the farther they are.
+    // Past poses are blue, future ones red, and both fade with distance.
     EXPECT_EQ(tint.z() > tint.x(), frames[i] < 50);
     EXPECT_NEAR(tint.y(), std::abs(frames[i] - 50) / 40.0, 0.01);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program in its other languages: nothing left in English, nothing cut off.
+// Checks the translated program: no text left in English, and none cut off.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -33,7 +33,7 @@ const QString kFolder = QStringLiteral(MOCAPRESS_SOURCE_DIR "/translations");
 
 struct Text {
   QString source;
-  QStringList translations;  // one a plural form
+  QStringList translations;  // one for each plural form
   bool finished = true;
   bool plural = false;
 };
@@ -72,7 +72,7 @@ QString fileOf(const QString& language) {
   return QStringLiteral("%1/mocapress_%2.ts").arg(kFolder, language);
 }
 
-/// "%1", "%L2", "%Ln": sorted.
+/// Placeholders of a text such as "%1", "%L2", "%Ln", sorted.
 QStringList placesIn(const QString& text) {
   QStringList places;
   static const QRegularExpression kPlace(QStringLiteral("%L?(\\d|n)"));
@@ -88,7 +88,7 @@ TEST(Translations, LeaveNoTextOfTheSourcesOut) {
     const QTemporaryDir directory;
     const QString copy = directory.filePath(QStringLiteral("texts.ts"));
     ASSERT_TRUE(QFile::copy(fileOf(language), copy));
-    // As the build's own target would: from the sources as they are now.
+    // Runs lupdate on the current sources, as the build's own target does.
     QProcess lupdate;
     lupdate.setWorkingDirectory(QStringLiteral(MOCAPRESS_SOURCE_DIR));
     lupdate.start(
@@ -144,7 +144,7 @@ TEST(Translations, AreInTheProgram) {
             QStringLiteral("%Ln images"));
 }
 
-/// Visible labels and buttons that have less room than their text needs.
+/// Visible labels and buttons that are narrower than their text.
 QStringList cutOff(const QWidget& window) {
   QStringList found;
   const auto judge = [&](const QWidget* widget, const QString& text) {
@@ -162,7 +162,7 @@ QStringList cutOff(const QWidget& window) {
   return found;
 }
 
-/// Keys that stand for more than one entry of a menu, or of one of those in it.
+/// Shortcut keys used by more than one entry of a menu or submenu.
 QStringList sharedKeys(const QList<QAction*>& entries) {
   QStringList shared;
   QMap<QString, QString> taken;
@@ -176,8 +176,8 @@ QStringList sharedKeys(const QList<QAction*>& entries) {
   return shared;
 }
 
-/// Keys that stand for more than one thing in a window: a menu of its bar, a button, the label of a
-/// field. A key that stands for two opens neither.
+/// Shortcut keys used more than once in a window, by menus, buttons or labels of fields. Such a key
+/// opens neither.
 QStringList sharedKeysIn(const QWidget& window) {
   QStringList shared;
   QMap<QString, QString> taken;
@@ -227,7 +227,7 @@ TEST(Translations, LayoutsHoldInEveryLanguage) {
       window.actions().batch->trigger();
       auto* batch = window.findChild<BatchWindow*>();
       ASSERT_NE(batch, nullptr);
-      for (const char* start : {"&Go On", "&Pause", "&Export"}) {  // what its button says by turns
+      for (const char* start : {"&Go On", "&Pause", "&Export"}) {  // the three texts of its button
         const QString key =
             QKeySequence::mnemonic(QCoreApplication::translate("mocapress::BatchStatus", start))
                 .toString();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Presets and importance in the real window: needs an X display with OpenGL (Xvfb will do).
+// Presets and importances in the real window. Needs an X display with OpenGL (Xvfb is enough).
 #include <gtest/gtest.h>
 
 #include <QAction>

@@ -40,7 +40,7 @@ TEST(ViewArrangement, WipesAtTheDividerWithoutGapOrOverlap) {
       EXPECT_EQ(left.to, right.from);
       EXPECT_EQ(right.to, 1);
       EXPECT_EQ(wipe.dividerAt(), left.to);
-      EXPECT_GT(left.to, -1);  // it can always be dragged back
+      EXPECT_GT(left.to, -1);  // the divider can be dragged back
       EXPECT_LT(left.to, 1);
       EXPECT_EQ(left.shift, 0);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ways to compare the figures in the 3D view: needs an X display with OpenGL (Xvfb will do).
+// Ways to compare figures in the 3D view. Needs an X display with OpenGL (Xvfb is enough).
 #include <gtest/gtest.h>
 
 #include <QSignalSpy>
@@ -142,7 +142,7 @@ TEST_F(ViewModes, ColoursByErrorFromVioletToYellowWithALegend) {
   const QImage worst = picture({.by_error = true});
   EXPECT_GT(qGreen(worst.pixel(joint)), qBlue(worst.pixel(joint)) + 60);  // yellow
   EXPECT_GT(qRed(worst.pixel(joint)), qBlue(worst.pixel(joint)) + 60);
-  // The legend's ramp, in the lower right corner, begins violet and ends yellow.
+  // The legend's colours, in the lower right corner, run from violet to yellow.
   const int y = 480 - 12 - 46 + 13;
   const QRgb from = worst.pixel(800 - 12 - 252 + 20, y);
   const QRgb to = worst.pixel(800 - 12 - 34, y);
@@ -152,7 +152,7 @@ TEST_F(ViewModes, ColoursByErrorFromVioletToYellowWithALegend) {
 
 TEST_F(ViewModes, NamesTheFiguresAtTheTopOfTheirPanes) {
   const QImage sides = picture({.mode = ViewMode::SideBySide});
-  const QPoint dot(12 + 8 + 5, 12 + 13);  // in each title
+  const QPoint dot(12 + 8 + 5, 12 + 13);  // one in each title
   EXPECT_TRUE(isDarkGrey(sides.pixel(dot)));
   EXPECT_TRUE(isRed(sides.pixel(dot + QPoint(400, 0))));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The 3D view on a screen: needs an X display with OpenGL (Xvfb will do).
+// The 3D view on a screen. Needs an X display with OpenGL (Xvfb is enough).
 #include "tests/qt/patience.h"
 #include "tests/qt/pixel_colour.h"
 #include "widgets/viewport/viewport.h"
@@ -28,10 +28,10 @@ Joint joint(int parent, const Eigen::Vector3d& offset) {
   return joint;
 }
 
-/// Foot, knee and neck above each other and a hand to one side: nothing about it is symmetric.
+/// Foot, knee and neck above each other and a hand at one side: the figure has no symmetry.
 Skeleton pillar() {
   Skeleton skeleton;
-  Joint foot = joint(-1, {0, 5, 25});  // off the lines of the grid
+  Joint foot = joint(-1, {0, 5, 25});  // beside the grid's lines
   foot.channels = {ChannelKind::TranslationX};
   skeleton.add(foot);
   skeleton.add(joint(0, {0, 60, 0}));
@@ -43,7 +43,7 @@ Skeleton pillar() {
 constexpr int kKnee = 1;
 constexpr int kNeck = 2;
 
-/// Two frames, `cm` apart along x.
+/// Two frames, moved by `cm` along x.
 Viewport::Tracks pillarTracks(double start, double cm) {
   Clip clip;
   clip.channels = Eigen::Vector2d(start, start + cm);
@@ -78,14 +78,14 @@ class ViewportScreen : public testing::Test {
     return viewport_.camera().project(landmarkAt(*tracks, frame, landmark))->toPoint();
   }
 
-  /// Shows other tracks and takes their picture.
+  /// Shows other tracks and takes a picture.
   QImage pictureOf(const Viewport::Tracks& original, const Viewport::Tracks& compressed) {
     viewport_.setOriginal(original);
     viewport_.setCompressed(compressed);
     return picture();
   }
 
-  /// The window the mouse is over.
+  /// The window under the mouse.
   QWindow* scene() {
     for (QWindow* window : QGuiApplication::allWindows())
       if (window->inherits("mocapress::Scene")) return window;
@@ -166,7 +166,7 @@ TEST_F(ViewportScreen, CapturesTheScreenTheRightWayUp) {
   EXPECT_FALSE(isRed(image.pixel(mirrored)));
 }
 
-/// Pixels of a square around a place that differ between two pictures.
+/// Pixels of a square around a point that differ between two pictures.
 std::vector<QPoint> changedNear(const QPoint& place, const QImage& before, const QImage& after) {
   constexpr int kReach = 30;
   std::vector<QPoint> changed;
@@ -257,7 +257,8 @@ TEST_F(ViewportScreen, HasANewFigureOnTheScreenWhenItSaysDrawn) {
   }
 }
 
-/// Where a picture has colours that another lacks: the red figure, without its grey shadow.
+/// The rectangle with colours that only one of two pictures has: the red figure, without its grey
+/// shadow.
 QRect coloured(const QImage& a, const QImage& b) {
   QRect area;
   for (int y = 0; y < a.height(); ++y)
@@ -296,7 +297,7 @@ TEST_F(ViewportScreen, ShowsTheWholeFigureOfAnySizeWhenItIsOpenedAndOnReset) {
         QCoreApplication::sendEvent(scene(), &wheel);
         viewport_.resetCamera();
       }
-      waitUntilDrawn();  // at its new size
+      waitUntilDrawn();  // with its new size
       const QImage nothing = bare();
       const QImage image = picture();
       ASSERT_EQ(image.size(), nothing.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Without OpenGL; the view itself is tested on a screen.
+// The view without OpenGL; other tests run it on a screen.
 #include "widgets/viewport/viewport.h"
 
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 
 namespace mocapress::test {
 
-/// Why a page cannot be read as XML; empty: it can.
+/// The reason why a page is not well-formed XML; empty: it is.
 inline std::string ill_formed(const QString& page) {
   QXmlStreamReader xml(page);
   while (!xml.atEnd()) xml.readNext();

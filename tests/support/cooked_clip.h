@@ -9,11 +9,11 @@
 
 namespace mocapress::test {
 
-/// A clip cooked with memory of its own, as an engine would.
+/// A clip cooked into its own memory, as an engine would do it.
 struct CookedClip {
-  mcpr_result result{};  // of the first step that failed, or of the last
+  mcpr_result result{};  // result of the step that failed, or of the last one
   std::optional<AlignedBytes> bytes;
-  const mcpr_cooked* clip = nullptr;  // null where it was refused
+  const mcpr_cooked* clip = nullptr;  // null if it was refused
 
   explicit CookedClip(const mcpr_clip* from, const mcpr_cook_options& options = {}) {
     const AlignedBytes scratch(mcpr_cook_scratch_bytes(from, &options));
@@ -24,7 +24,7 @@ struct CookedClip {
     result = mcpr_cook(from, &options, scratch.data(), scratch.size(), bytes->data(), size, &clip);
   }
 
-  /// Empty where it was refused.
+  /// Empty if it was refused.
   std::vector<float> sample(const mcpr_sample_request& request, double time) const {
     std::vector<float> out(mcpr_sample_values(clip, &request));
     if (out.empty() || mcpr_sample(clip, &request, time, out.data()).status != MCPR_OK) return {};

@@ -8,7 +8,7 @@
 namespace mocapress::test {
 
 /// The folder of real motions: $MOCAPRESS_CORPUS, or ../shared/corpus beside the source tree. Tests
-/// skip where it is absent.
+/// are skipped without it.
 inline std::optional<std::filesystem::path> corpus() {
   const char* named = std::getenv("MOCAPRESS_CORPUS");
   const std::filesystem::path folder =

@@ -9,7 +9,7 @@
 namespace mocapress::test {
 namespace {
 
-constexpr int kChannels = 6;  // of each joint
+constexpr int kChannels = 6;  // for each joint
 
 Skeleton rig_of(const Skeleton& source) {
   using enum ChannelKind;
@@ -34,7 +34,7 @@ Eigen::Vector3d translation_of(const Joint& joint, const Eigen::RowVectorXd& val
   return translation;
 }
 
-/// The one of its angles that is nearest to the one before.
+/// The heading that is nearest to the one before.
 double heading_of(const Eigen::Matrix3d& rotation, double before) {
   const double heading = std::atan2(-rotation(2, 0), rotation(0, 0));
   return before + std::remainder(heading - before, 2 * std::numbers::pi);
@@ -58,7 +58,7 @@ Motion game_like(const Motion& motion) {
       Eigen::Vector3d translation = translation_of(joint, values);
       const Eigen::Index first = kChannels * (j + 1);
       if (j == 0) {
-        const Eigen::Vector3d hips = joint.offset + translation;  // in the world
+        const Eigen::Vector3d hips = joint.offset + translation;  // in world space
         const double heading = heading_of(parent_from_joint, to(before, 5));
         to(t, 0) = hips.x();
         to(t, 2) = hips.z();

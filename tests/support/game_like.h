@@ -5,10 +5,10 @@
 
 namespace mocapress::test {
 
-/// The same motion on a rig as games have them: a root that walks on the floor and heads where the
-/// hips do, below it the joints, each with six channels (translations that stay zero but for the
-/// hips' height; angles in the order ZXY, its own axes those of its parent), end sites at zero. Of
-/// a motion with one root, y up. Joint j + 1 is where joint j was.
+/// The same motion on a rig like those of games: a root on the floor that faces as the hips do, and
+/// below it the joints with six channels each (translations of zero except the hips' height; angles
+/// in order ZXY about the parent's axes), and end sites at zero. Requires one root and y up. Joint
+/// j becomes joint j + 1.
 Motion game_like(const Motion& motion);
 
 }  // namespace mocapress::test

@@ -5,11 +5,11 @@
 
 namespace mocapress::test {
 
-/// How each landmark moves with each channel (3 * landmarks x channels, cm per unit), by finite
-/// differences of forward kinematics: slow, and sharing nothing with the error model.
+/// The movement of each landmark by each channel (3 * landmarks x channels, cm per unit), by finite
+/// differences of forward kinematics. It is slow and shares no code with the error model.
 Eigen::MatrixXd landmark_jacobian(const Motion& motion, int frame);
 
-/// The same of any points.
+/// The same for any points.
 Eigen::MatrixXd point_jacobian(const Motion& motion, const std::vector<Landmark>& points,
                                int frame);
 

@@ -9,7 +9,8 @@
 namespace mocapress::test {
 namespace {
 
-/// Where landmarks are from the first of them on the floor, and how they move: frames x values.
+/// Landmarks' positions relative to the first one's place on the floor, and their velocities:
+/// frames x values.
 Eigen::MatrixXd poses(const Motion& motion) {
   Eigen::MatrixXd places = landmark_tracks(motion.skeleton, motion.clip);
   const Eigen::VectorXd x = places.col(0);

@@ -5,10 +5,10 @@
 
 namespace mocapress::test {
 
-/// The stretch of a motion whose two ends are most alike, closed to a loop whose last frame shows
-/// the first pose again: what is left of the difference is taken back little by little, but for
-/// where the root stands. At least so long; of a motion with one root, y up. Empty where the motion
-/// is shorter.
+/// The stretch of a motion whose ends are most alike, closed to a loop in which the last frame
+/// repeats the first pose. The remaining difference is removed gradually over the stretch, except
+/// in the root's position. It is at least `least_seconds` long. Requires one root and y up. Empty
+/// if the motion is shorter.
 Motion loop_of(const Motion& motion, double least_seconds = 0.7);
 
 }  // namespace mocapress::test

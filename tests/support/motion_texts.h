@@ -28,7 +28,7 @@ inline const std::string kSmallBvh =
     "1 2 3 10 20 30 1 2 3\n"
     "4 5 6 11 21 31 4 5 6\n";
 
-/// A root, a turned leg in two bones and an arm without dof.
+/// A root, a turned leg with two bones and an arm without dof.
 inline const std::string kSmallAsf =
     "# a comment\n"
     ":version 1.10\n"

@@ -10,12 +10,12 @@
 
 namespace mocapress::test {
 
-/// A clip opened by the runtime decoder, with memory of its own, as an engine would.
+/// A clip opened by the runtime decoder into its own memory, as an engine would do it.
 struct OpenedClip {
   mcpr_info info{};
-  mcpr_result result{};  // of the first step that failed, or of the last
+  mcpr_result result{};  // result of the step that failed, or of the last one
   std::optional<AlignedBytes> resident;
-  const mcpr_clip* clip = nullptr;  // null where it was refused
+  const mcpr_clip* clip = nullptr;  // null if it was refused
 
   explicit OpenedClip(std::span<const std::byte> file, const mcpr_limits* limits = nullptr) {
     result = mcpr_inspect(file.data(), file.size(), limits, &info);
@@ -28,7 +28,7 @@ struct OpenedClip {
     result = mcpr_build(scratch.data(), scratch.size(), resident->data(), size, &clip);
   }
 
-  /// Frames as a request wants them, row after row; empty where it was refused.
+  /// Requested frames, row after row; empty if they were refused.
   std::vector<float> frames(const mcpr_request& request, std::uint32_t first,
                             std::uint32_t count) const {
     const AlignedBytes scratch(mcpr_scratch_bytes(clip, &request));
@@ -39,7 +39,7 @@ struct OpenedClip {
     return out;
   }
 
-  /// All tracks, row after row; empty where that was refused.
+  /// All tracks, row after row; empty if they were refused.
   std::vector<float> tracks(std::uint32_t first, std::uint32_t count) const {
     return frames_of(mcpr_clip_tracks(clip), first, count);
   }

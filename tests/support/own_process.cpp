@@ -24,7 +24,7 @@ bool write_setting(const char* file, const std::string& text) {
   return open && write_all(open.number(), text);
 }
 
-/// Root of a name space of its own, in which it may mount.
+/// Becomes root of its own namespace, in which it may mount.
 bool enter_own_mounts() {
   const uid_t user = ::geteuid();
   const gid_t group = ::getegid();
@@ -50,7 +50,7 @@ std::string in_own_process(const std::function<std::string()>& work) {
       answer = std::string("threw: ") + error.what();
     }
     write_all(ends[1], answer);
-    ::_exit(0);  // what the test process does at its end is not for this one
+    ::_exit(0);  // skips the test process's own exit handlers
   }
   ::close(ends[1]);
   const FileDescriptor pipe(ends[0]);

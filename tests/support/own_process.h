@@ -7,22 +7,22 @@
 
 namespace mocapress::test {
 
-/// What a process that may not try something answers.
+/// The answer of a process that lacks the rights for a test.
 inline constexpr const char* kSkip = "skip";
 
-/// Runs `work` in a process of its own, whose user, limits and mounts it may change, and gives what
-/// it answers; "threw: ..." or "killed by ..." when it comes to no answer.
+/// Runs `work` in a process of its own, which may change its user, limits and mounts, and returns
+/// its answer, or "threw: ..." or "killed by ...".
 std::string in_own_process(const std::function<std::string()>& work);
 
-// To be called there. False: not allowed here.
+// The functions below are called in that process. They return false if they are not allowed.
 
-/// Mounts an empty disk of `bytes` at a folder; nobody else sees it.
+/// Mounts an empty disk of `bytes` bytes at a folder, which no other process sees.
 bool mount_small_disk(const std::filesystem::path& folder, std::size_t bytes);
 
-/// Files may not become larger; a write that would make them fails.
+/// Limits the size of files; a write beyond it fails.
 bool limit_file_size(std::size_t bytes);
 
-/// Goes on as somebody to whom permissions apply: root becomes nobody.
+/// Continues as a user to whom permissions apply: root becomes nobody.
 bool become_ordinary_user();
 
 }  // namespace mocapress::test

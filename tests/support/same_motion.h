@@ -11,8 +11,8 @@
 
 namespace mocapress::test {
 
-/// How far (cm) any landmark of `original` is from its namesake in `reread`, at the worst frame.
-/// `names` gives the joints of `original` as `reread` calls them.
+/// The largest distance (cm) of a landmark of `original` from the one with its name in `reread`,
+/// over all frames. `names` are the names of `original`'s joints in `reread`.
 inline double largest_move(const Motion& original, const Motion& reread,
                            const std::vector<std::string>& names) {
   const std::vector<Landmark> places = landmarks(original.skeleton);

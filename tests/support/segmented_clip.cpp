@@ -34,7 +34,7 @@ CompressedClip segmented_clip(const Motion& motion, const SegmentLayout& layout,
                                                     effector_at(motion.skeleton, joints - 4)}};
   for (int k = 0; k < layout.count(); ++k) {
     const int first = layout.first(k);
-    const float scale = file_scale(0.4 + 0.1 * k);  // neighbours differ, so that blends are seen
+    const float scale = file_scale(0.4 + 0.1 * k);  // other than before, so that blends show
     const Motion part = frames_of(motion, first, layout.frames_of(k));
     QuantisedSignals signals_of_part = coded(part.clip, kept_share, scale);
     if (corrected) {

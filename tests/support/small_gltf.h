@@ -10,8 +10,8 @@
 
 namespace mocapress::test {
 
-/// A glTF that is put together piece by piece: at first hips, 1 m above the ground, a knee 0.5 m
-/// below them and an ankle 0.4 m below that. All three are joints of a skin.
+/// A glTF assembled piece by piece. It starts with hips 1 m above the ground, a knee 0.5 m below
+/// them and an ankle 0.4 m below that, all joints of a skin.
 struct SmallGltf {
   Json json = Json::parse(R"({
     "asset": {"version": "2.0"},
@@ -25,7 +25,7 @@ struct SmallGltf {
     "buffers": [{"byteLength": 0}]})");
   std::string data;
 
-  /// The index of a new bufferView.
+  /// Adds a bufferView and returns its index.
   template <typename T>
   std::size_t add_view(const std::vector<T>& values) {
     data.resize((data.size() + 3) / 4 * 4);
@@ -37,7 +37,7 @@ struct SmallGltf {
     return json["bufferViews"].size() - 1;
   }
 
-  /// The index of a new accessor.
+  /// Adds an accessor and returns its index.
   template <typename T>
   std::size_t add(const std::string& type, const std::vector<T>& values, int component_type = 5126,
                   bool normalised = false) {
@@ -51,7 +51,7 @@ struct SmallGltf {
     return json["accessors"].size() - 1;
   }
 
-  /// A channel in the last animation. `path` is of a node or, "weights", of its mesh.
+  /// Adds a channel to the last animation. `path` belongs to a node or, for "weights", to its mesh.
   void move(std::size_t node, const std::string& path, std::size_t input, std::size_t output,
             const std::string& interpolation = "LINEAR") {
     Json& animation = json["animations"].back();
@@ -88,7 +88,7 @@ struct SmallGltf {
   }
 };
 
-/// The knee turns by a right angle about x within a second, at 10 Hz.
+/// The knee bends by a right angle about x within a second, at 10 Hz.
 inline SmallGltf bending_knee() {
   SmallGltf gltf;
   gltf.begin_animation();

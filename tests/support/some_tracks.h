@@ -25,8 +25,8 @@ inline ScalarTracks some_tracks(int frames) {
   return tracks;
 }
 
-/// The same as a file has them, smile and heat as other curves: by whole numbers alone, so that
-/// every machine makes the same bytes.
+/// The same in a file's form, with other curves for smile and heat: integers only, so that every
+/// machine makes the same bytes.
 inline CodedTracks some_coded_tracks(int frames) {
   CodedTracks coded{some_tracks(frames), {}, Basis::Linear, {}};
   coded.curves = {.scale = 0.5F, .step_exponent = {3, -4}, .values = Eigen::MatrixXi(frames, 2)};

@@ -11,7 +11,7 @@
 
 namespace mocapress::test {
 
-/// What the ends of all lines and arcs of some SVG paths span.
+/// The bounding box of the end points of lines and arcs in SVG paths.
 struct DrawnExtent {
   double left = std::numeric_limits<double>::infinity();
   double top = left;
@@ -22,10 +22,10 @@ struct DrawnExtent {
   double height() const { return bottom - top; }
 };
 
-/// Of every `d` in some markup; unset where one has anything but commands and numbers in it.
+/// The extent of every `d` in some markup; unset if one has more than commands and numbers.
 inline std::optional<DrawnExtent> drawn_extent(const std::string& markup) {
   static const std::regex kPath(R"re( d="([^"]*)")re");
-  // Letters take 2 numbers, but A takes 7, the last two of which are a point.
+  // A letter has two numbers, except A with seven, of which the last two are a point.
   static const std::regex kStep(R"(([ML]|A\S+ \S+ 0 [01] [01] )(-?\d+\.\d) (-?\d+\.\d)|Z)");
   DrawnExtent extent;
   for (std::sregex_iterator path(markup.begin(), markup.end(), kPath), end; path != end; ++path) {
@@ -44,9 +44,9 @@ inline std::optional<DrawnExtent> drawn_extent(const std::string& markup) {
   return extent;
 }
 
-/// What is wrong with the first picture of a page that does not fill its frame; empty: all do. A
-/// chart takes half of both sides. In scenes the figure alone, without the floor, takes a quarter
-/// of the width or height at least.
+/// The first picture of a page that does not fill its frame, as a text; empty: all do. A chart must
+/// take half of both sides. In scenes, the figure without the floor must take a quarter of the
+/// width or height.
 inline std::string misfit(const std::string& html) {
   static const std::regex kPicture(R"re(<svg class="(scene|chart)" viewBox="([^"]*)")re");
   static const std::regex kFrame(R"re(0 0 (\d+\.\d) (\d+\.\d))re");

@@ -9,8 +9,8 @@ namespace mocapress::test {
 /// turned axes, end sites, and 1, 2 and 3-channel joints in different rotation orders.
 Skeleton small_skeleton();
 
-/// A smooth motion of it: a few sines of different speed a channel, translations of metres, angles
-/// of about a radian. The same for the same arguments.
+/// A smooth motion of that figure: each channel is a sum of sines, translations of metres, angles
+/// of about a radian. Equal arguments give equal motions.
 Motion smooth_motion(int frames, unsigned seed = 1);
 
 }  // namespace mocapress::test

@@ -5,7 +5,7 @@
 
 namespace mocapress::test {
 
-/// About turned axes wherever a joint may have them.
+/// Turned axes for every joint that may have them.
 inline RotationForms turned_forms(const Skeleton& skeleton) {
   RotationForms forms = rotation_forms(skeleton);
   for (std::size_t j = 0; j < forms.size(); ++j)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The figures promised: for real clips, which need the study corpus, and for the bundled ones.
+// Tests promised figures on real clips, which need the study corpus, and on the bundled clips.
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -36,7 +36,7 @@ INSTANTIATE_TEST_SUITE_P(StudyClips, Acceptance,
                                          Promise{"09_01.amc", "15", 0.42, 20}),
                          [](const auto& promise) { return std::string(promise.param.clip, 5); });
 
-/// Ratios as they were when they were written down: a better codec brings new ones.
+/// The expected ratios were measured once: a better codec gets new ones.
 class ClosedLoopRatios : public CommandLine {};
 
 TEST_F(ClosedLoopRatios, OfTheBundledClipsAreWhatTheyWere) {

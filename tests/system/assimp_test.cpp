@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// FBX files of ours as assimp reads them (Debian's package assimp-utils). It hands on what it read
-// as glTF, in the file's numbers.
+// Our FBX files as read by assimp (Debian's package assimp-utils). It converts them to glTF in the
+// file's units.
 #include <gtest/gtest.h>
 
 #include <iostream>

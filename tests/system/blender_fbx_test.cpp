@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// FBX files that Blender wrote, and as Blender reads them (Debian's package blender): strangers'
-// and ours.
+// FBX files written by Blender, and our own and other programs' files as read by Blender (Debian's
+// package blender).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,7 +29,8 @@ namespace fs = std::filesystem;
 
 class BlenderFbx : public CommandLine {
  protected:
-  /// The words that ask blender_fbx.py for every frame of a file whose first one is at that time.
+  /// Arguments for blender_fbx.py that ask for every frame of a file whose first frame is at
+  /// `first_s`.
   static std::string all_frames(const fs::path& path, double first_s, const Clip& clip) {
     std::ostringstream words;
     words.imbue(std::locale::classic());
@@ -44,9 +45,9 @@ class BlenderFbx : public CommandLine {
     return all_frames(path, read_fbx_take(file, {}).first_s, clip);
   }
 
-  /// The farthest (cm) that Blender puts any joint from where it is, at any frame.
+  /// The largest distance (cm) between a joint's position in Blender and ours, over all frames.
   static double largest_move(const Motion& motion, const nlohmann::json& found) {
-    constexpr std::size_t kLongestName = 63;  // bytes; Blender cuts the rest off
+    constexpr std::size_t kLongestName = 63;  // bytes; Blender truncates longer names
     const Eigen::MatrixXd tracks = landmark_tracks(motion.skeleton, motion.clip);
     const std::vector<std::string> names = without_namespace(fbx_names(motion.skeleton));
     double largest = 0;
@@ -88,7 +89,7 @@ TEST_F(BlenderFbx, ReadsEveryFrameAsWeDo) {
   const auto folder = corpus();
   if (!folder || !fs::exists(*folder / "fbx"))
     GTEST_SKIP() << "the corpus of real motions is not here";
-  std::map<std::string, Motion> ours;  // by what blender_fbx.py is asked for
+  std::map<std::string, Motion> ours;  // by the arguments for blender_fbx.py
   std::vector<std::string> asked;
   for (const char* name : {"85_12.fbx", "animation_with_skeleton.fbx", "huesitos.fbx"}) {
     const fs::path path = *folder / "fbx" / name;
@@ -105,7 +106,7 @@ TEST_F(BlenderFbx, ReadsEveryFrameAsWeDo) {
   }
 }
 
-// By hand: prints Blender's table of JUDGED.md, of joints that are bones to Blender.
+// Prints Blender's table of JUDGED.md, for joints that are bones in Blender. Run by hand.
 TEST_F(BlenderFbx, DISABLED_ReadsTheCorpus) {
   const auto folder = corpus();
   if (!folder) GTEST_SKIP() << "the corpus of real motions is not here";
@@ -165,7 +166,7 @@ TEST_F(BlenderFbx, PutsEveryJointOfOursInItsPlace) {
     for (const char* clip : {"study/09_01.amc", "bvh/iclone_006_05_60hz_100joints.bvh",
                              "gltf/simple_skin.gltf", "fbx/85_12.fbx"})
       clips[clip] = read_motion(*folder / clip);
-  std::map<std::string, std::string> written;  // what blender_fbx.py is asked for
+  std::map<std::string, std::string> written;  // arguments for blender_fbx.py
   std::vector<std::string> asked;
   for (const auto& [title, clip] : clips) {
     const std::string path = file("ours" + std::to_string(written.size()) + ".fbx").string();
@@ -207,7 +208,7 @@ TEST_F(BlenderFbx, OpensACharacterWithOurMotionAndItsSkin) {
       farthest = std::max(farthest, std::abs(found["points"][i][a].get<double>() -
                                              wanted["points"][i][a].get<double>()));
   std::cout << farthest << " cm on the skin\n";
-  EXPECT_GT(farthest, 0);    // the motion is the clip's,
+  EXPECT_GT(farthest, 0);    // the motion is that of the clip,
   EXPECT_LT(farthest, 0.2);  // which was compressed to an error of 0.01 cm (RMS)
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// BVH files against a reader that is not ours: Blender's (Debian's package blender).
+// Our BVH files as read by Blender (Debian's package blender).
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 constexpr double kMove = 1e-3;  // cm
 constexpr int kSampledFrames = 12;
 
-/// A motion that Blender is given as a BVH, and the unit it is written in.
+/// A motion for Blender as a BVH, and the unit of the file.
 struct Exported {
   std::string title;
   Motion motion;
@@ -34,13 +34,13 @@ class Blender : public CommandLine {
     exported_.push_back({title, motion, style});
   }
 
-  /// A file, as it comes back by its source's conventions.
+  /// Adds a file, written again in its source's conventions.
   void add_file(const fs::path& path) {
     const MotionFile file = read_motion(path);
     add(path.string(), file.motion, bvh_style(file.source));
   }
 
-  /// Where Blender puts the bones of each; empty where there is no Blender that starts.
+  /// Bone positions in Blender for each file; empty without a Blender that starts.
   nlohmann::json positions() {
     std::vector<std::string> arguments = {std::to_string(kSampledFrames)};
     for (std::size_t i = 0; i < exported_.size(); ++i)
@@ -49,10 +49,10 @@ class Blender : public CommandLine {
     return run_blender("blender_positions.py", arguments);
   }
 
-  /// The farthest (cm) that Blender puts any joint's origin from where it is, and everything else
-  /// that is wrong.
+  /// The largest distance (cm) between a joint's origin in Blender and ours; reports all other
+  /// differences.
   static double largest_move(const Exported& exported, const nlohmann::json& found) {
-    constexpr std::size_t kLongestName = 63;  // bytes; Blender cuts the rest off
+    constexpr std::size_t kLongestName = 63;  // bytes; Blender truncates longer names
     const Motion& motion = exported.motion;
     if (found.contains("error")) {
       ADD_FAILURE() << exported.title << ": " << found["error"];
@@ -89,9 +89,9 @@ class Blender : public CommandLine {
   std::vector<Exported> exported_;
 };
 
-/// A figure with everything that importers stumble over: joints without channels or with one or
-/// two, names of several words, names that are keywords or quotes, the same name twice, joints that
-/// move, two at one place, and two roots.
+/// A figure with everything that confuses importers: joints with no, one or two channels, names of
+/// several words, names that are keywords or quotes, a repeated name, joints that translate, two
+/// joints in one place, and two roots.
 Motion awkward_motion() {
   using enum ChannelKind;
   Skeleton skeleton;
@@ -153,7 +153,7 @@ TEST_F(Blender, OpensEveryExportAndPutsEveryJointInItsPlace) {
     EXPECT_LT(largest_move(exported_[i], found[i]), kMove) << exported_[i].title;
 }
 
-// By hand: some minutes.
+// Takes some minutes. Run by hand.
 TEST_F(Blender, DISABLED_OpensEveryClipOfTheCorpus) {
   const auto folder = corpus();
   if (!folder) GTEST_SKIP() << "the corpus of real motions is not here";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `mocapress bank` from outside.
+// Runs `mocapress bank` as a process.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -18,7 +18,7 @@ using testing::HasSubstr;
 
 class CliBank : public CommandLine {
  protected:
-  /// Makes the folder `clips` of walk.mcpr and slow/walk.mcpr.
+  /// Makes the folder `clips` with walk.mcpr and slow/walk.mcpr.
   void compress_two() {
     fs::create_directories(file("clips/slow"));
     const std::string clip = write("walk.bvh", test_bvh());
@@ -28,7 +28,7 @@ class CliBank : public CommandLine {
         0);
   }
 
-  /// A folder of one clip by many names, long enough that to do all of them takes seconds.
+  /// Makes a folder with one clip under many names, enough to take seconds.
   void write_many(const std::string& folder, int count) {
     const std::string walk =
         std::string(MOCAPRESS_SOURCE_DIR) + "/resources/samples/human_walk.amc";
@@ -38,7 +38,7 @@ class CliBank : public CommandLine {
       fs::create_hard_link(file("many.mcpr"), file(folder) / ("c" + std::to_string(i) + ".mcpr"));
   }
 
-  /// Everything in a folder of files, by name.
+  /// The names of all files in a folder.
   std::set<std::string> names(const std::string& folder) const {
     std::set<std::string> all;
     for (const auto& entry : fs::recursive_directory_iterator(file(folder)))
@@ -46,10 +46,10 @@ class CliBank : public CommandLine {
     return all;
   }
 
-  /// Runs a command of banks, and sends a signal once it tells of its clips.
+  /// Runs a bank command, and sends a signal once it reports clips.
   std::optional<int> stopped(std::vector<std::string> words, int signal) {
     words.insert(words.begin(), {MOCAPRESS_EXECUTABLE, "bank"});
-    fs::remove(file("err"));  // what an earlier one told
+    fs::remove(file("err"));  // removes earlier output
     Running running(words, "/dev/null", file("err"));
     const auto tells = [&] {
       return running.ended() || (fs::exists(file("err")) && fs::file_size(file("err")) > 0);

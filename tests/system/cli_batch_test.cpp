@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A batch from outside: files, reports, exit codes, signals and being killed.
+// Runs batches as a process: files, reports, exit codes, signals and kills.
 #include <gmock/gmock.h>
 #include <signal.h>
 
@@ -88,7 +88,7 @@ TEST_F(CliBatch, KilledAnywhereAndResumedIsTheSameBytesAsUndisturbed) {
         }(),
         file("progress"));
     if (kills < 6) {
-      // As soon as it has done something more, and a little further on each time.
+      // The kill comes after some progress, a little later each time.
       const std::size_t progress = 600 + 100 * static_cast<std::size_t>(kills);
       ASSERT_TRUE(comes_true(
           [&] { return fs::file_size(file("progress")) >= progress || running.ended(); }));
@@ -133,7 +133,7 @@ TEST_F(CliBatch, ABadFileAmongGoodOnesIsARowAndSeven) {
   EXPECT_THAT(rows[0]["error"].get<std::string>(), HasSubstr("No such file"));
   EXPECT_THAT(rows[1]["error"].get<std::string>(), HasSubstr("broken.bvh:2"));
   for (std::size_t i = 2; i < 5; ++i) EXPECT_TRUE(rows[i]["error"].is_null()) << rows[i];
-  write_clips(4);  // and mended: only what failed and what is new is done
+  write_clips(4);  // mended files and new ones are done, and nothing else
   fs::remove(file("in") / "broken.bvh");
   const Outcome mended = mocapress(batch("out", {"--resume", "--json-progress"}));
   EXPECT_EQ(mended.exit_code, 0);
@@ -236,7 +236,7 @@ TEST_F(CliBatch, LearnsFromTheClipsOfItsBank) {
   const auto plain = read_bytes(file("out/bank.mcpk"));
   const Outcome learned = mocapress(batch("out", {"--bank", "packed", "--learn", "--resume"}));
   ASSERT_EQ(learned.exit_code, 0) << learned.err;
-  EXPECT_EQ(read_bytes(file("out/bank.mcpk")), plain);  // two clips teach nothing that pays
+  EXPECT_EQ(read_bytes(file("out/bank.mcpk")), plain);  // two clips give no priors that pay off
 }
 
 TEST_F(CliBatch, MeasuresOnTheSkinOfACharacterThatFits) {
@@ -254,12 +254,12 @@ TEST_F(CliBatch, MeasuresOnTheSkinOfACharacterThatFits) {
   EXPECT_GT(report("out")[0]["skin_rms_cm"], 0.1);
   const Outcome bare = mocapress(batch("bare", {"--weighting", "skin", "--target-error", "0.3"}));
   EXPECT_EQ(bare.exit_code, 7);
-  // A character that was edited since is not what rows were measured on.
+  // Rows measured on a character that was edited since are done again.
   more.insert(more.end(), {"--resume", "--overwrite"});
   EXPECT_THAT(mocapress(batch("out", more)).err, HasSubstr("1 of them before"));
   write("hero.glb", hero + '\0');
   EXPECT_THAT(mocapress(batch("out", more)).err, testing::Not(HasSubstr("of them before")));
-  // Another character than before is another batch.
+  // A different character makes a different batch.
   const Outcome other =
       mocapress(batch("out", {"--target-error", "0.3", "--resume", "--overwrite"}));
   ASSERT_EQ(other.exit_code, 0) << other.err;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// When feet stand, as the command line finds, writes and reads it.
+// Contacts of the feet as the command line finds, writes and reads them.
 #include <gmock/gmock.h>
 
 #include "core/base/file.h"

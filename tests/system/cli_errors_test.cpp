@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Exit codes, and what a failed run leaves behind. Codes: 2 usage, 3 bad input, 4 quality target
-// missed, 5 cannot write.
+// Exit codes and leftovers of failed runs. Codes: 2 usage, 3 bad input, 4 quality target missed, 5
+// cannot write.
 #include <gmock/gmock.h>
 
 #include "core/base/file.h"
@@ -17,7 +17,8 @@ class CliErrors : public CommandLine {
   const std::string clip_ = write("walk.bvh", test_bvh());
   const std::string packed_ = file("walk.mcpr");
 
-  /// One that fails with this code, one sentence on standard error and nothing on standard output.
+  /// Runs a command that must fail with this code, print one sentence on standard error and nothing
+  /// on standard output.
   static std::string error_of(int exit_code, const std::vector<std::string>& arguments) {
     const Outcome outcome = mocapress(arguments);
     EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
@@ -104,7 +105,7 @@ TEST_F(CliErrors, ATruncatedOrForeignMcprIsThreeAndNamesTheByte) {
 TEST_F(CliErrors, MeasuringAgainstAnotherClipIsThree) {
   ASSERT_EQ(mocapress({"compress", clip_, "-o", packed_}).exit_code, 0);
   std::string text = test_bvh();
-  text.erase(text.rfind('\n', text.size() - 2) + 1);  // the last frame
+  text.erase(text.rfind('\n', text.size() - 2) + 1);  // removes the last frame
   const std::string shorter = write("shorter.bvh", text);
   EXPECT_THAT(error_of(3, {"measure", shorter, packed_, "--json"}), HasSubstr("600"));
 }

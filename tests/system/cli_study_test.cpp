@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A study from outside: one command, its files, being stopped and gone on with.
+// Runs studies as a process: one command, its files, stopping and resuming.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -79,7 +79,7 @@ TEST_F(CliStudy, StoppedByASignalGoesOnWithTheSameCommand) {
   std::string command = "'" MOCAPRESS_EXECUTABLE "'";
   for (const std::string& word : study({"--json-progress", "--jobs", "1"}))
     command += " '" + word + "'";
-  // A signal as soon as two rows are there.
+  // The signal comes as soon as two rows are done.
   const Outcome stopped =
       run_program({"bash", "-c",
                    ": > " + lines + "; " + command + " > " + lines +

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What scripts depend on: the keys and types of the JSON, targets met, files that read again.
+// Tests the things that scripts depend on: keys and types of the JSON, targets that are met, files
+// that can be read again.
 #include <gmock/gmock.h>
 
 #include <set>
@@ -81,7 +82,7 @@ const std::set<std::string> kNumberKeys = {"sample_rate_hz",
                                            "head_window_degrees",
                                            "root_flight_cm_per_s"};
 const std::set<std::string> kEncodingKeys = {"coefficient_ratio", "iterations", "encode_seconds"};
-// Null: the clip has neither feet nor hands, and no tracks.
+// Null for a clip without feet, hands and tracks.
 const std::set<std::string> kNullKeys = {"hand_degrees",
                                          "finger_degrees",
                                          "finger_worst_degrees",
@@ -106,7 +107,7 @@ const std::set<std::string> kNullKeys = {"hand_degrees",
 
                                          "hand_worst_degrees"};
 
-/// Exactly the keys of a report, each of its type; those of the encoding are numbers or null.
+/// Expects exactly the keys of a report with their types; keys of the encoding are numbers or null.
 void expect_report(const json& report, bool encoded) {
   std::set<std::string> all;
   const auto expect_all = [&](const std::set<std::string>& keys, auto has_type) {
@@ -180,7 +181,7 @@ TEST_F(Cli, HoldsTheFeetOfASampleAndReportsIt) {
   EXPECT_GE(measured["footskate_worst_cm"], measured["footskate_mean_cm"]);
   EXPECT_LE(measured["footskate_worst_cm"], measured["footskate_cm"]);
   EXPECT_GE(measured["footskate_drift_worst_cm"], measured["footskate_drift_mean_cm"]);
-  // From one error to another it is no further than twice the largest.
+  // The distance between two errors is at most twice the larger one.
   EXPECT_LE(measured["footskate_drift_worst_cm"].get<double>(),
             2 * measured["max_error_cm"].get<double>() + 1e-9);
 }
@@ -305,7 +306,7 @@ TEST_F(Cli, DecompressedFilesReadAgainAsTheDecodedMotion) {
     const Motion again = read_motion(output, skeleton).motion;
     ASSERT_EQ(again.clip.frames(), decoded.frames()) << output;
     EXPECT_NEAR(again.clip.sample_rate_hz, packed.sample_rate_hz, 1e-3) << output;
-    // Formats may add joints: every point must be where one of the file's is.
+    // Formats may add joints, so every point of the file must be one of the points read.
     const Eigen::MatrixXd tracks_again = landmark_tracks(again.skeleton, again.clip);
     for (Eigen::Index p = 0; p + 2 < tracks.cols(); p += 3) {
       double nearest = std::numeric_limits<double>::infinity();
@@ -318,7 +319,7 @@ TEST_F(Cli, DecompressedFilesReadAgainAsTheDecodedMotion) {
   }
 }
 
-/// The lines of a file that begin with `word`, indents left out.
+/// The lines of a file that begin with `word`, without their indents.
 std::vector<std::string> lines_of(const std::string& path, const std::string& word) {
   std::vector<std::string> found;
   std::istringstream lines(read_text(path));

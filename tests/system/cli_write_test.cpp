@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every command leaves behind where it cannot write, and what it leaves alone.
+// Leftovers of commands that cannot write, and files that they must not touch.
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
@@ -16,7 +16,7 @@ using testing::HasSubstr;
 
 class CliWriting : public CommandLine {
  protected:
-  /// Where no file may become larger than 2 kB, as on a disk that fills up.
+  /// Runs a command with files limited to 2 kB, as on a full disk.
   static Outcome cramped(const std::vector<std::string>& arguments) {
     std::vector<std::string> words = {"sh", "-c", "trap '' XFSZ; ulimit -f 4; exec \"$@\"", "sh",
                                       MOCAPRESS_EXECUTABLE};
@@ -24,7 +24,7 @@ class CliWriting : public CommandLine {
     return run_program(words);
   }
 
-  /// Everything below a folder.
+  /// The names of all files below a folder.
   std::vector<std::string> names(const std::string& folder) const {
     std::vector<std::string> all;
     for (const auto& entry : fs::recursive_directory_iterator(file(folder)))

@@ -25,7 +25,7 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
-/// A new folder of this process and call.
+/// A new folder for this process and call.
 fs::path new_folder() {
   std::string pattern = (fs::temp_directory_path() / "mocapress-XXXXXX").string();
   if (!mkdtemp(pattern.data())) throw std::runtime_error("no temporary folder");
@@ -92,7 +92,7 @@ bool comes_true(const std::function<bool()>& condition) {
   while (!condition()) {
     const Clock::duration passed = Clock::now() - begin;
     if (passed > std::chrono::minutes(5)) return false;
-    // Often at first, and no burden later.
+    // Checks often at first, and less often later.
     std::this_thread::sleep_for(std::clamp<Clock::duration>(
         passed / 10, std::chrono::milliseconds(1), std::chrono::milliseconds(100)));
   }

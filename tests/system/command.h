@@ -11,19 +11,19 @@
 
 namespace mocapress::test {
 
-/// What a finished process left behind.
+/// The result of a finished process.
 struct Outcome {
   int exit_code = -1;  // -1: ended by a signal
   std::string out;     // standard output
   std::string err;
 };
 
-/// Runs a program found like the shell does, words as they are.
+/// Runs a program found as the shell finds it, with unchanged arguments.
 Outcome run_program(const std::vector<std::string>& words);
 
 bool is_installed(const std::string& program);
 
-/// Waits for what another process does, for as long as a slow machine may take.
+/// Waits for another process to do something, as long as a slow machine may take.
 bool comes_true(const std::function<bool()>& condition);
 
 /// Tests of the `mocapress` executable, each in a folder of its own that is removed at the end.
@@ -42,16 +42,15 @@ class CommandLine : public testing::Test {
   /// The same, expecting success and nothing but one JSON value on standard output.
   static nlohmann::json json_of(const std::vector<std::string>& arguments);
 
-  /// What a script of this folder, run by Blender with a file for its answer and `arguments`, put
-  /// into that file; null where there is no Blender that starts.
+  /// Runs a script of this folder in Blender and returns the JSON that it wrote to its output file;
+  /// null without a Blender that starts.
   nlohmann::json run_blender(const std::string& script, const std::vector<std::string>& arguments);
 
  private:
   std::filesystem::path folder_;
 };
 
-/// A figure of five joints with 14 channels moving for five seconds at
-/// 120 Hz, as text.
+/// A BVH of five joints with 14 channels that moves for five seconds at 120 Hz.
 std::string test_bvh();
 
 }  // namespace mocapress::test

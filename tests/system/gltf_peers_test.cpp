@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// glTF files of ours in the hands of others: the Khronos validator (npm's gltf-validator) and
-// Blender's importer (Debian's package blender).
+// Our glTF files in other programs: the Khronos validator (npm's gltf-validator) and Blender's
+// importer (Debian's package blender).
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr double kImportedMove = 1e-3;  // cm
 
-/// A motion that others are given, and the file they are given.
+/// A motion, and its file for the other programs.
 struct Given {
   std::string title;
   Motion motion;
@@ -37,7 +37,7 @@ class GltfPeers : public CommandLine {
         {title, read.motion, write(name, gltf_bytes(read.motion, container, read.source))});
   }
 
-  /// `source` with its own motion put onto it again.
+  /// Adds `source` with its own motion written onto it.
   void give_onto(const fs::path& source) {
     const MotionFile read = read_motion(source);
     const bool binary = source.extension() == ".glb";
@@ -74,9 +74,9 @@ class GltfPeers : public CommandLine {
   std::vector<Given> given_;
 };
 
-/// The farthest (cm) that Blender puts any joint's origin from where it is.
+/// The largest distance (cm) between a joint's origin in Blender and ours.
 double largest_move(const Given& given, const nlohmann::json& found) {
-  constexpr std::size_t kLongestName = 63;  // bytes; Blender cuts the rest off
+  constexpr std::size_t kLongestName = 63;  // bytes; Blender truncates longer names
   if (found.contains("error")) {
     ADD_FAILURE() << given.title << ": " << found["error"];
     return 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A batch over files that were made to do harm, with good clips between them.
+// A batch over malicious files, with good clips between them.
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -18,11 +18,11 @@ namespace fs = std::filesystem;
 
 class HostileBatch : public CommandLine {};
 
-/// Seconds for one file: by the clock in a batch, of a processor alone. Ten, and a third more for
-/// what others at work beside it cost; code that is not optimised or is instrumented takes longer.
+/// Seconds allowed for one file: of the clock in a batch, of a processor alone. Ten, plus a third
+/// for other work on the machine; debug and instrumented builds get more.
 constexpr const char* kMostSeconds = MOCAPRESS_MOST_SECONDS;
 
-/// The program in 2 GiB of memory, by prlimit(1). Sanitizers map far more than they use.
+/// Runs the program with 2 GiB of memory by prlimit(1). Sanitizers map far more than they use.
 std::vector<std::string> in_two_gigabytes(const std::vector<std::string>& arguments) {
   std::vector<std::string> words{"prlimit", "--core=0"};
 #ifndef MOCAPRESS_INSTRUMENTED
@@ -33,7 +33,7 @@ std::vector<std::string> in_two_gigabytes(const std::vector<std::string>& argume
   return words;
 }
 
-/// Without the folders of the file that it names, of a length that fits a table.
+/// Expects one short sentence, not counting the folders in the file's path.
 bool is_one_sentence(const std::string& error) {
   const std::size_t slash = error.rfind('/');
   const std::string said = error.substr(slash == error.npos ? 0 : slash + 1);
@@ -70,7 +70,7 @@ TEST_F(HostileBatch, DoesEveryGoodClipAndRefusesTheOthersInOneSentence) {
   EXPECT_EQ(good, 6U);
 }
 
-/// Each alone, since a batch does not say how long one took.
+/// Runs each file alone, since a batch does not report times of single clips.
 TEST_F(HostileBatch, NoneTakesLongOrMoreThanTwoGigabytes) {
   const auto corpus = test::corpus();
   if (!corpus || !fs::exists(*corpus / "attack")) GTEST_SKIP() << "the corpus is not here";

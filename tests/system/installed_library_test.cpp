@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a program gets: the library installed to a folder of its own, the example built from there.
+// Tests the library as programs get it: installed into a folder of its own, with the example built
+// against it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -34,7 +35,7 @@ class InstalledLibrary : public CommandLine {
     return outcome.out;
   }
 
-  /// A shell command that may call pkg-config for what is installed here.
+  /// Runs a shell command in which pkg-config finds the installed library.
   std::string run_shell(const std::string& command) const {
     return run({"sh", "-c",
                 "PKG_CONFIG_PATH=$(dirname $(find " + prefix() +
@@ -97,7 +98,7 @@ TEST_F(InstalledLibrary, ItsHeadersNeedEigenAndTheStandardLibraryAlone) {
                   header.find_first_of("/.\"") == std::string::npos)
           << entry.path() << " includes " << header;
     }
-    // Each public one twice, and by itself.
+    // Includes each public header twice, and alone.
     const std::string name = entry.path().filename().string();
     if (entry.path().parent_path() == headers)
       tests += " " + write(name + ".cpp", "#include <mocapress/" + name +

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What an engine gets: the decoder installed to a folder of its own, the example built from there.
+// Tests the decoder as engines get it: installed into a folder of its own, with the example built
+// against it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -40,7 +41,7 @@ TEST_F(InstalledDecoder, BuildsAndRunsTheExampleByCMakeAndByPkgConfig) {
   run({"cmake", "--build", build});
   const std::string by_cmake = play(file("build") / "play");
 
-  // The folder that holds mocapress-runtime.pc is lib or lib/<machine>, as CMake installs.
+  // CMake installs mocapress-runtime.pc below lib or lib/<machine>.
   const std::string by_pkg_config = file("play").string();
   run({"sh", "-c",
        "PKG_CONFIG_PATH=$(dirname $(find " + file("prefix").string() +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The runtime decoder as two files: what somebody gets who copies them into a game.
+// Tests the runtime decoder in the form of two files, for users who copy them into a game.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -27,8 +27,7 @@ class JoinedRuntime : public CommandLine {
 
   std::string prefix() const { return file("prefix").string(); }
 
-  /// Runs shell words in the folder with the two files, expects success and returns standard
-  /// output.
+  /// Runs a shell command in the folder with the two files, expects success and returns its output.
   std::string run(const std::string& words) const {
     const std::string folder = fs::exists(file("game")) ? file("game").string() : ".";
     const Outcome outcome = run_program({"sh", "-c", "cd " + folder + " && " + words});
@@ -36,7 +35,7 @@ class JoinedRuntime : public CommandLine {
     return outcome.out;
   }
 
-  /// What the example shows, with the decoder compiled like this.
+  /// The example's output with the decoder compiled by `compiler`.
   std::string played_by(const std::string& compiler, const std::string& options) const {
     run(compiler + " -std=c++20 -Wall -Wextra -Wpedantic -Werror -fno-exceptions -fno-rtti " +
         options + " -c mocapress_runtime.cpp");
@@ -45,7 +44,7 @@ class JoinedRuntime : public CommandLine {
     return run("./play " + (example_ / "walk.mcpr").string());
   }
 
-  /// What it shows with the installed library.
+  /// The example's output with the installed library.
   std::string played_by_the_library() const {
     run("PKG_CONFIG_PATH=$(dirname $(find " + prefix() +
         " -name mocapress-runtime.pc)) && export PKG_CONFIG_PATH && cc -std=c11 " +
@@ -57,7 +56,7 @@ class JoinedRuntime : public CommandLine {
   fs::path example_;
 };
 
-/// All that was compiled is in one file: no other symbol is missing than those of C.
+/// The object file lacks no symbols but those of C.
 TEST_F(JoinedRuntime, CompilesAloneNeedsNothingOfCxxAndPlaysAsTheLibraryDoes) {
   const std::string expected = played_by_the_library();
   EXPECT_NE(expected.find('#'), std::string::npos) << "nobody is to be seen";
@@ -71,7 +70,7 @@ TEST_F(JoinedRuntime, CompilesAloneNeedsNothingOfCxxAndPlaysAsTheLibraryDoes) {
   EXPECT_EQ(missing.find("mocapress"), std::string::npos) << missing;
 }
 
-/// In one source a pragma for AVX2 would count for all templates: the rest must run without it.
+/// A pragma for AVX2 would apply to all templates of a joined source, which must run without it.
 TEST_F(JoinedRuntime, HasAvx2InTheFunctionsThatAskForItAlone) {
   run("g++ -std=c++20 -O2 -c mocapress_runtime.cpp");
   std::istringstream lines(run("objdump -dC --no-show-raw-insn mocapress_runtime.o"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which room may include which, and what every source file must and must not say.
+// Checks the includes between rooms, and rules for every source file.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,15 +20,15 @@ namespace {
 namespace fs = std::filesystem;
 
 struct RoomRules {
-  std::set<std::string> may_include;  // besides its own: folders with all below them, or files
+  std::set<std::string> may_include;  // beside its own: folders and all below, or files
   bool may_use_qt = false;
-  bool stands_alone = false;  // an engine takes it: nothing but the standard library beside it
+  bool stands_alone = false;  // an engine takes it: it depends on the standard library only
 };
 
-/// The engine's C header, which every part of the runtime knows its result codes from.
+/// The engine's C header, which defines result codes for every part of the runtime.
 const std::string kCInterface = "core/runtime/mocapress_runtime.h";
 
-/// From the ground up: a room includes only what stands before it.
+/// The rooms from the ground up: a room includes only earlier ones.
 const std::map<std::string, RoomRules> kRooms = {
     {"core/base", {}},
     {"core/runtime/processor", {{kCInterface}, false, true}},
@@ -44,7 +44,7 @@ const std::map<std::string, RoomRules> kRooms = {
       true}},
     {"core/runtime/bank", {{kCInterface, "core/runtime/format", "core/runtime/pose"}, false, true}},
     {"core/runtime", {{"core/runtime"}, false, true}},
-    // A program over the interface, as an engine's.
+    // A program that uses the interface, as an engine does.
     {"core/runtime/web", {{kCInterface}, false, true}},
     {"core/motion", {{"core/base", "core/runtime"}}},
     {"core/formats", {{"core/base", "core/motion", "core/runtime"}}},
@@ -107,7 +107,7 @@ const std::map<std::string, RoomRules> kRooms = {
     {"translations", {{}, true}},
 };
 
-/// The deepest room of the table that a file is in; its own folder where the table has none.
+/// The deepest room of the table that holds a file, else its own folder.
 std::string room_of(const std::string& path) {
   const fs::path folder = fs::path(path).parent_path();
   for (fs::path room = folder; !room.empty(); room = room.parent_path())
@@ -115,12 +115,12 @@ std::string room_of(const std::string& path) {
   return folder.generic_string();
 }
 
-/// A grant names a file, or a folder with all that is below it.
+/// A grant names a file, or a folder with everything below it.
 bool covers(const std::string& grant, const std::string& path) {
   return path == grant || path.starts_with(grant + "/");
 }
 
-/// The rooms that a room may include, itself left out.
+/// The rooms that a room may include, without itself.
 std::vector<std::string> rooms_below(const std::string& room) {
   std::vector<std::string> below;
   for (const auto& [other, rules] : kRooms)
@@ -129,7 +129,7 @@ std::vector<std::string> rooms_below(const std::string& room) {
   return below;
 }
 
-/// The rooms that include one another in a circle, and those above them.
+/// Rooms that include one another in a circle, and rooms that depend on those.
 std::set<std::string> rooms_in_circles() {
   std::set<std::string> left;
   for (const auto& [room, rules] : kRooms) left.insert(room);
@@ -145,7 +145,7 @@ bool is_qt(const std::string& header) {
   return std::regex_match(header, kQt);
 }
 
-/// What is wrong with including `header` in `room`; empty: nothing.
+/// The fault of including `header` in `room`; empty: none.
 std::string complaint(const std::string& room, const std::string& header, bool quoted) {
   const RoomRules& rules = kRooms.at(room);
   if (is_qt(header)) return rules.may_use_qt ? "" : room + " uses Qt: " + header;
@@ -164,7 +164,7 @@ std::string licence_of(const std::string& path) {
   return "MIT";
 }
 
-/// Everything wrong with one source file, one sentence each. `path` is relative to the root.
+/// All faults of one source file, a sentence each. `path` is relative to the root.
 std::vector<std::string> findings(const std::string& path, const std::string& text) {
   static const std::regex kInclude(R"(\s*#\s*include\s*([<"])([^>"]+)[>"].*)");
   static const std::regex kMachinePath(R"((^|[^\w./])/(home|work|root|Users)/\w.*)");
@@ -278,7 +278,7 @@ TEST(LayeringChecker, FindsTheWrongLicenceOrNone) {
 }
 
 TEST(LayeringChecker, FindsAPathOfOneMachine) {
-  // In two parts, for this file is checked too.
+  // The text is split, since this file is checked too.
   EXPECT_EQ(findings_in_body("core/base/file.cpp",
                              "open(\"/home"
                              "/ann/walk.bvh\");")

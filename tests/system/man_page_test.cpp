@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The manual against the program.
+// Compares the manual with the program.
 #include <gmock/gmock.h>
 
 #include <regex>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every method of `compress --method`, from the command line to the file and back.
+// Runs every method of `compress --method` from the command line to the file and back.
 #include <gmock/gmock.h>
 
 #include "core/base/file.h"
@@ -30,7 +30,7 @@ class CliMethods : public CommandLine, public testing::WithParamInterface<Compre
   }
 };
 
-/// Numbers but for their last digits: they are sums, over frames in pieces or all at once.
+/// Ignores the last digits of numbers: sums of frames depend on their grouping.
 void expect_alike(const json& a, const json& b, const std::string& key) {
   if (b.is_object()) {
     ASSERT_EQ(a.size(), b.size()) << key;
@@ -57,7 +57,7 @@ TEST_P(CliMethods, MeasureSaysWhatCompressSaid) {
   for (const auto& [key, value] : made.items()) {
     ASSERT_TRUE(measured.contains(key)) << key;
     if (key == "coefficient_ratio" || key == "iterations" || key == "encode_seconds") continue;
-    if (key == "verified_by") continue;  // what was read by whom is no matter of the file
+    if (key == "verified_by") continue;  // depends on the reader, not on the file
     expect_alike(measured[key], value, key);
   }
   EXPECT_EQ(measured.size(), made.size());

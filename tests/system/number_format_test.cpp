@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Text that programs read is the same in every locale: no source formats or parses a fraction by a
-// function that follows the locale. core/base/number_text.h has those that do not.
+// Text for programs is the same in every locale: no source formats or parses fractions by functions
+// that follow the locale. core/base/number_text.h has functions that do not.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a source says that depends on the locale, each with its line.
+/// Uses of the locale in a source, each with its line.
 std::vector<std::string> findings(const std::string& path, const std::string& text) {
   static const std::regex kLocal(R"(%[-+#0]*(\d+|\*)?(\.(\d+|\*))?[lL]?[eEfFgG]\b)"
                                  R"(|\b(asprintf|atof|sto(d|f|ld)|strto(d|f|ld)|sscanf)\s*\()"
@@ -40,7 +40,7 @@ TEST(NumberFormat, FollowsNoLocaleInAnySource) {
       if (extension != ".cpp" && extension != ".h" && extension != ".c") continue;
       const std::string path = fs::relative(entry.path(), root).generic_string();
       if (path.find("/example/") != std::string::npos)
-        continue;  // programs of their own, for people
+        continue;  // programs of their own, with output for people
       EXPECT_THAT(findings(path, read_text(entry.path())), testing::IsEmpty());
       ++files;
     }

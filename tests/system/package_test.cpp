@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The package for Debian, made of what is built here and looked at as Debian does.
+// Makes the Debian package from this build and checks it as Debian does.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -17,7 +17,7 @@ class Package : public CommandLine {
     return std::system(("command -v " + tool + " > /dev/null").c_str()) == 0;
   }
 
-  /// Nothing here is built for the test's sake: where a program is missing, so is the package.
+  /// The test builds nothing: it is skipped if a program is missing.
   static bool everything_is_built() {
     const fs::path studio = fs::path(MOCAPRESS_BINARY_DIR) / "app/studio";
     return !fs::exists(studio) || fs::exists(studio / "mocapress-studio");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What desktops read about the studio, by the tools that judge it where they are installed.
+// Checks the studio's desktop files with the desktops' own tools, if these are installed.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -31,7 +31,7 @@ int judge(const std::string& command, const char* name) {
   return std::system((command + " '" + (kFolder / name).string() + "' > /dev/null").c_str());
 }
 
-/// The commands that compile and link a release build. Nothing is built: Ninja is asked.
+/// Reads the commands that compile and link a release build from Ninja, without building.
 TEST(Packaging, ReleaseBuildsAreHardened) {
   if (!installed("ninja") || !installed("cmake")) GTEST_SKIP() << "needs cmake and ninja";
   const std::filesystem::path build =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The reports that the command line writes, as another program reads them.
+// Checks the command line's reports with another program.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -21,7 +21,7 @@ class ReportFiles : public CommandLine {
  protected:
   ReportFiles() { write_sample_clips(file("clips"), 3); }
 
-  /// What libxml2 says about a page; empty: it is well-formed.
+  /// The complaints of libxml2 about a page; empty: it is well-formed.
   static std::string complaints(const std::filesystem::path& page) {
     const Outcome outcome = run_program({"xmllint", "--noout", page.string()});
     return outcome.exit_code == 0 ? outcome.err : "not well-formed: " + outcome.err;

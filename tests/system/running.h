@@ -17,10 +17,10 @@
 
 namespace mocapress::test {
 
-/// A program that runs while the test looks on.
+/// A program that runs while the test goes on.
 class Running {
  public:
-  /// What it prints goes into files.
+  /// Its output goes to files.
   Running(const std::vector<std::string>& words, const std::filesystem::path& out,
           const std::filesystem::path& err = "/dev/null") {
     std::vector<char*> arguments;
@@ -55,7 +55,7 @@ class Running {
     return status_.has_value();
   }
 
-  /// The exit code, or the number of the signal that ended it, negative. Unset: it does not end.
+  /// The exit code, or a negative signal number. Unset: it does not end.
   std::optional<int> wait() {
     if (!comes_true([this] { return ended(); })) return std::nullopt;
     return WIFEXITED(*status_) ? WEXITSTATUS(*status_) : -WTERMSIG(*status_);

@@ -11,7 +11,7 @@
 
 namespace mocapress::test {
 
-/// Clips of different lengths: the starts of the bundled samples, as clip_100.bvh and on.
+/// Writes clips of different lengths, the starts of the bundled samples, as clip_100.bvh and so on.
 inline void write_sample_clips(const std::filesystem::path& folder, int count) {
   std::filesystem::create_directories(folder);
   const std::vector<Motion> samples = {samples::walk_clip(), samples::run_clip(),
@@ -24,7 +24,7 @@ inline void write_sample_clips(const std::filesystem::path& folder, int count) {
   }
 }
 
-/// Everything a batch wrote, by name: not journals, which have clocks in them, and not logs.
+/// Everything that a batch wrote, by name, without journals, which contain times, and logs.
 inline std::map<std::string, std::string> batch_contents(const std::filesystem::path& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {

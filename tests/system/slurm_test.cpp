@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A batch on a real Slurm, of one node that the test starts. Skipped where it is not installed
-// (Debian: slurmctld slurmd slurm-client munge) or does not come up.
+// Runs a batch on a real Slurm with one node, which the test starts. Skipped if Slurm is not
+// installed (Debian: slurmctld slurmd slurm-client munge) or does not start.
 #include <gmock/gmock.h>
 #include <unistd.h>
 
@@ -32,8 +32,7 @@ class Slurm : public CommandLine {
   fs::path node() const { return file("node"); }
   fs::path out() const { return file("out"); }
 
-  /// Slurm's programs ask daemons, which may be slow to answer but must not be waited for without
-  /// end.
+  /// Slurm's programs wait for daemons, so their time is limited.
   static Outcome slurm(std::vector<std::string> words) {
     words.insert(words.begin(), {"timeout", "120"});
     return run_program(words);
@@ -51,7 +50,7 @@ class Slurm : public CommandLine {
     return "";
   }
 
-  /// Everything that Slurm and the tasks said, for who has to find out what went wrong.
+  /// All logs of Slurm and of the tasks, for finding errors.
   std::string logs() const {
     std::string all = slurm({"squeue", "--long"}).out;
     for (const fs::path& folder : {out(), node()})
@@ -65,7 +64,7 @@ class Slurm : public CommandLine {
 };
 
 TEST_F(Slurm, AnArrayOfShardsOneOfThemRequeuedAndItsMergeAreAsOneRun) {
-  write_sample_clips(file("in"), 24);  // so many that the task has work left when it is requeued
+  write_sample_clips(file("in"), 24);  // enough that work is left when the task is requeued
   const std::vector<std::string> settings = {"--max-error", "0.1", "--jobs", "1"};
   std::vector<std::string> whole = {"batch", file("in"), "-o", file("whole")};
   whole.insert(whole.end(), settings.begin(), settings.end());

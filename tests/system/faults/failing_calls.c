@@ -35,13 +35,13 @@ enum { kFiles = 1 << 16, kMostPath = 4096, kLeastAllocation = 1024 };
 static char under[kMostPath];
 static char kind[16];
 static long at;
-static int error_number;  // 0: a part is done
+static int error_number;  // 0: only a part is done
 static bool lasting;
 static bool cwd_is_below;
 static bool is_set_up;
-static atomic_bool has_begun;  // a file below the folder was named
+static atomic_bool has_begun;  // the program has named a file below the folder
 static atomic_long calls;
-static atomic_bool is_below[kFiles];  // by the number of an open file
+static atomic_bool is_below[kFiles];  // by file descriptor
 
 __attribute__((constructor)) static void set_up(void) {
   const char* folder = getenv("FAULT_UNDER");
@@ -88,14 +88,14 @@ static bool is_counted_at(int folder, const char* path) {
   return counts;
 }
 
-// Whether this call is the one.
+// True if this call is the one to fail.
 static bool is_hit(bool counts, const char* of) {
   if (!counts || strcmp(kind, of) != 0) return false;
   const long call = ++calls;
   return at > 0 && (call == at || (lasting && call > at));
 }
 
-// errno is set then.
+// Sets errno if it returns true.
 static bool fails(bool counts, const char* of) {
   if (!is_hit(counts, of)) return false;
   errno = error_number;
@@ -158,12 +158,12 @@ int close(int file) {
   return next(file);
 }
 
-// Half of it, and never nothing: that would be the end of a file.
+// Half of the bytes, but at least one: none would mean the end of a file.
 static size_t part_of(size_t bytes) {
   return bytes < 2 ? bytes : bytes / 2;
 }
 
-// Fails, or does a part.
+// Defines a call that fails or does only a part.
 #define MOVES(name, of, PARAMETERS, ARGUMENTS) \
   ssize_t name PARAMETERS {                    \
     NEXT(name);                                \
@@ -186,7 +186,7 @@ MOVES(pwrite, "write", (int file, const void* from, size_t bytes, off_t offset),
 MOVES(pwrite64, "write", (int file, const void* from, size_t bytes, off64_t offset),
       (file, from, bytes, offset))
 
-// A part: the first of several pieces.
+// Does only the first of several pieces.
 #define MOVES_PIECES(name, of)                                                \
   ssize_t name(int file, const struct iovec* pieces, int count) {             \
     NEXT(name);                                                               \
@@ -289,13 +289,14 @@ int mkdir(const char* path, mode_t mode) {
   return fails(is_counted_at(AT_FDCWD, path), "make") ? -1 : next(path, mode);
 }
 
-// The C library's own, for dlsym() allocates.
+// The C library's own function, since dlsym() allocates.
 extern void* __libc_malloc(size_t bytes);
 extern void* __libc_calloc(size_t count, size_t bytes);
 extern void* __libc_realloc(void* old, size_t bytes);
 extern void* __libc_memalign(size_t alignment, size_t bytes);
 
-// While a thread is being started. Where none can be, oneTBB ends the program: that is not tried.
+// True while a thread is being started. oneTBB ends the program if that fails, so such failures are
+// not tried.
 static _Thread_local bool starts_thread;
 
 int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*work)(void*),

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Files of Maya, 3ds Max, MotionBuilder and Blender, held against the mesh that these programs
-// wrote beside them, corner by corner. Prints the tables of JUDGED.md.
+// Compares files of Maya, 3ds Max, MotionBuilder and Blender, corner by corner, with the meshes
+// that these programs exported beside them. Prints the tables of JUDGED.md.
 //
-// The frame of an .obj counts from time 0, but of Maya's game sausage, whose clips are cut from one
-// time line, from the beginning of its take.
+// The frame number of an .obj counts from time 0. Maya's game sausage is an exception: its clips
+// are cut from one time line and count from the start of their take.
 #include <gtest/gtest.h>
 
 #include <algorithm>
