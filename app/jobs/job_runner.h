@@ -108,7 +108,7 @@ class JobRunner : public QObject {
   void setBusy(bool busy);
 
   Workers workers_;
-  std::uint64_t current_id_ = 0;  // other jobs are void
+  std::uint64_t current_id_ = 0;  // jobs with another id are void
   bool busy_ = false;
   std::stop_source stop_;  // stops the newest job
   std::shared_ptr<Queue> queue_ = std::make_shared<Queue>();

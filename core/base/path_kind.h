@@ -12,10 +12,10 @@ enum class PathKind { Absent, File, Folder, Other };
 /// nothing is absent: any other failure, such as a disk that does not answer, throws InputError.
 PathKind path_kind(const std::filesystem::path& path);
 
-/// Whether there is anything at the path. Throws InputError as path_kind() does.
+/// True if there is anything at the path. Throws InputError as path_kind() does.
 bool is_there(const std::filesystem::path& path);
 
-/// Whether two paths lead to the same file; false if either is absent. Throws InputError as
+/// True if two paths lead to the same file; false if either is absent. Throws InputError as
 /// path_kind() does.
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 

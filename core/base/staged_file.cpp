@@ -57,7 +57,7 @@ FileDescriptor open_folder_of(const std::filesystem::path& file) {
   return FileDescriptor(::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
 }
 
-/// Whether an error means that nothing is at a path. Any other error leaves that open.
+/// True if an error means that nothing is at a path. Any other error leaves that open.
 static bool is_absence(int error) {
   return error == ENOENT || error == ENOTDIR;
 }

@@ -121,8 +121,8 @@ class StagedFile {
   std::string name_;  // the random name; empty: none
 };
 
-/// Whether an open file is still the one at a place, or was replaced. Throws InputError if the
-/// system cannot tell.
+/// True if an open file is still the one at a place; false if it was replaced. Throws InputError if
+/// the system cannot tell.
 bool is_at(int file, const std::filesystem::path& place);
 
 /// The warning that a file is not locked against other processes, since flock(2) failed.

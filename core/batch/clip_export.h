@@ -36,7 +36,7 @@ std::set<FileIdentity> source_files(const Batch& batch);
 /// The row of a clip that failed.
 BatchRow failed_row(const Batch& batch, std::size_t index, const std::string& why);
 
-/// Whether everything that a row records is unchanged: clip, settings, options for reading and
+/// True if everything that a row records is unchanged: clip, settings, options for reading and
 /// writing, and the written files.
 bool still_done(const BatchRow& row, const Batch& batch, const BatchItem& item,
                 const std::filesystem::path& folder);

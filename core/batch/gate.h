@@ -23,7 +23,7 @@ std::string_view name(Gate gate);
 /// The gate of this name; unset if there is none.
 std::optional<Gate> gate_named(std::string_view word);
 
-/// Whether one of the gates refuses a clip that is done.
+/// True if one of the gates refuses a clip that is done.
 bool is_refused(const BatchRow& row, const std::vector<Gate>& gates);
 
 }  // namespace mocapress

@@ -9,7 +9,7 @@
 
 namespace mocapress {
 
-/// Whether the extension is .mocapress.
+/// True if the extension is .mocapress.
 bool is_project_file(const std::string& path);
 
 /// Adds the clips of a project to a batch, with their skeletons, settings, import options and

@@ -34,7 +34,7 @@ InputStamp stamp(const BatchItem& item, const ReadOptions& reading);
 InputStamp stamp_again(const BatchItem& item, const ReadOptions& reading,
                        const InputStamp& earlier);
 
-/// Whether the files still match the stamp. Bytes are read only if their times differ.
+/// True if the files still match the stamp. Bytes are read only if their times differ.
 bool unchanged(const BatchItem& item, const ReadOptions& reading, const InputStamp& stamp);
 
 /// A hash of everything that shapes a clip's file: settings without their name, and options for
@@ -81,7 +81,7 @@ struct BatchRow {
 /// there is no verdict, or the clip was not read.
 std::optional<std::string> stale_reason(const BatchRow& row);
 
-/// Whether a measurement keeps the preset's promise: a ratio within 2 %, a bound not exceeded.
+/// True if a measurement keeps the preset's promise: a ratio within 2 %, a bound not exceeded.
 bool keeps_promise(const Settings& preset, const Measurement& measured);
 
 /// The whole row as one line of JSON, without a line end.

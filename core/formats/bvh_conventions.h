@@ -37,7 +37,7 @@ void subtract_offsets(const Skeleton& skeleton, bool of_roots, Clip& clip);
 /// of one that lies.
 double rest_height(const Skeleton& skeleton);
 
-/// Whether the figure clearly stands along Z and not along Y, both at rest and on average over
+/// True if the figure clearly stands along Z and not along Y, both at rest and on average over
 /// time: its head is above its feet. False if no names tell head and feet.
 bool stands_along_z(const Motion& motion);
 

@@ -21,7 +21,7 @@ bool translates(const Joint& joint) {
                      [](ChannelKind kind) { return !is_rotation(kind); });
 }
 
-/// Whether all its rotation channels turn about different axes, which a BVH requires.
+/// True if all its rotation channels turn about different axes, which a BVH requires.
 bool has_an_order(const Joint& joint) {
   std::array<int, kChannelKinds> times{};
   for (const ChannelKind kind : joint.channels) ++times[static_cast<std::size_t>(kind)];

@@ -15,7 +15,7 @@ namespace mocapress {
 /// with ", " between and nothing before each; "*.bvh *.amc *.fbx ..." with " " and "*".
 std::string readable_extensions(std::string_view between, std::string_view before = "");
 
-/// Whether the extension is one of these, in upper or lower case.
+/// True if the extension is one of these, in upper or lower case.
 bool is_clip(const std::filesystem::path& path);
 
 /// A clip below a folder, or a folder that could not be searched.

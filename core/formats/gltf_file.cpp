@@ -84,7 +84,7 @@ std::optional<std::string> base64_decoded(std::string_view text) {
   return bytes;
 }
 
-/// Whether a URI begins with "http:", "file:", "C:" or the like.
+/// True if a URI begins with "http:", "file:", "C:" or the like.
 bool has_scheme(std::string_view uri) {
   return uri.substr(0, uri.find('/')).find(':') != std::string_view::npos;
 }

@@ -79,7 +79,7 @@ class GltfFile {
   /// The bytes behind a `uri`: a data URI, or a file in this file's folder or below.
   std::string resource(const std::string& uri) const;
 
-  /// Whether a buffer has no bytes and only states the unpacked size of bufferViews.
+  /// True if a buffer has no bytes and only states the unpacked size of bufferViews.
   bool is_placeholder(std::size_t buffer) const;
 
   /// The bytes of a bufferView, without gaps.
@@ -121,7 +121,7 @@ class GltfFile {
   std::size_t unpacked_bytes_ = 0;
 };
 
-/// Whether a URI contains its bytes.
+/// True if a URI contains its bytes.
 bool is_data_uri(std::string_view uri);
 
 }  // namespace mocapress

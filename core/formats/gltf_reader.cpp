@@ -208,7 +208,8 @@ LocalTransform TakeReader::rest_of(const Json& node) const {
   return local;
 }
 
-/// Whether an animation has a channel of morph weights, or one of any other kind.
+/// True if an animation has a channel of morph weights, or for `of_weights` false, one of any other
+/// kind.
 bool TakeReader::has_channel(const Json& animation, bool of_weights) const {
   const Json& channels = file_.list(animation, "channels");
   return std::any_of(channels.begin(), channels.end(), [&](const Json& channel) {
@@ -258,7 +259,7 @@ void TakeReader::read_animation() {
   result_.warnings = std::move(warnings);
 }
 
-/// Whether any curve changes its value.
+/// True if any curve changes its value.
 bool TakeReader::changes() const {
   const auto differs = [](const KeyCurve& curve) {
     const std::size_t width = KeyCurveReader::width_of(curve.path);

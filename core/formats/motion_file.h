@@ -102,7 +102,7 @@ std::shared_ptr<const Skin> put_character(const std::filesystem::path& file,
                                           const Character& character, Skeleton& skeleton,
                                           Warnings& warnings);
 
-/// As read_character(), perhaps parsed before.
+/// A function that does what read_character() does; it may keep characters that it has read.
 using CharacterReader =
     std::function<std::shared_ptr<const Character>(const std::filesystem::path& file)>;
 

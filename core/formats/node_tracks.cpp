@@ -75,7 +75,7 @@ class SourceTracks {
     std::vector<NodeTrack> tracks;
     for (std::size_t n = 0; n < tracks_.size(); ++n) {
       if (joint_of_node_[n] < 0) continue;
-      // Where a changing scale is not known, joints are in their places all the same.
+      // Joints are in their places even if a changing scale is not known.
       if (const Vector3d scale = still(n).scale;
           tracks_[n].scales.empty() && !scale.isApprox(tracks_[n].rest.scale, 1e-6))
         tracks_[n].scale = scale;

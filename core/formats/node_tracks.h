@@ -48,12 +48,12 @@ Pose resting_pose(const Motion& motion, const SourceFormat& source);
 std::vector<NodeTrack> tracks_of(const Motion& motion, const Pose& rest, double cm_per_unit,
                                  const JointScales& scales);
 
-/// Where these nodes rest, in cm.
+/// The rest positions of these nodes, in cm.
 std::vector<NodePlacement> rest_placements(const Skeleton& skeleton,
                                            const std::vector<NodeTrack>& tracks,
                                            double cm_per_unit);
 
-/// Where a bone of a joint ends, seen from its node: scales move it.
+/// The end of a joint's bone, in its node's axes: scales move it.
 Eigen::Vector3d end_in_node(const NodePlacement& node, const Eigen::Vector3d& end_site);
 
 /// The tracks of the nodes of a take that are the joints of `motion`, one for each, so that they

@@ -21,7 +21,7 @@ std::size_t index(char c) {
   return static_cast<unsigned char>(c);
 }
 
-/// Whether a text is UTF-16: it has the byte order mark, or every other byte of plain words is
+/// True if a text is UTF-16: it has the byte order mark, or every other byte of plain words is
 /// zero.
 bool is_utf16(std::string_view text) {
   return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") ||
@@ -29,7 +29,7 @@ bool is_utf16(std::string_view text) {
           (text[0] == '\0') == (text[2] == '\0') && (text[1] == '\0') == (text[3] == '\0'));
 }
 
-/// Whether a word is a number such as "0,5".
+/// True if a word is a number such as "0,5".
 bool has_decimal_comma(std::string_view text) {
   const std::size_t comma = text.find(',');
   if (comma == text.npos || comma + 1 == text.size()) return false;
@@ -38,7 +38,7 @@ bool has_decimal_comma(std::string_view text) {
   return parse_number(with_point).has_value();
 }
 
-/// Whether digits are "1.#QNAN", "-1.#IND00", "1.#INF" or the like, as older Microsoft libraries
+/// True if digits are "1.#QNAN", "-1.#IND00", "1.#INF" or the like, as older Microsoft libraries
 /// print numbers that are not finite.
 bool is_microsoft_nan(std::string_view digits) {
   return digits.starts_with("1.#");

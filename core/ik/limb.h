@@ -47,7 +47,7 @@ class Limb {
     return vector((*limb_)->velocity(effector, angle));
   }
 
-  /// Whether it is a ball joint with a hinge below it and one effector, which is solved in closed
+  /// True if it is a ball joint with a hinge below it and one effector, which is solved in closed
   /// form.
   bool is_two_bones() const { return plan().is_two_bones; }
 

@@ -19,7 +19,7 @@ class Jitter {
   /// The last window also takes the remaining frames.
   Jitter(int joints, int windows, int window_frames, double sample_rate_hz);
 
-  /// Whether a sample rate carries frequencies above 10 Hz. If not, add() does nothing.
+  /// True if a sample rate carries frequencies above 10 Hz. If not, add() does nothing.
   static bool is_defined(double sample_rate_hz) { return sample_rate_hz > 2 * kAboveHz; }
 
   /// Adds rows of tracks whose first columns are the joints' origins.

@@ -27,7 +27,7 @@
 
 namespace mocapress {
 
-/// Whether a viewer of a decoded clip sees that it is not the original.
+/// Verdict whether a viewer of a decoded clip sees that it is not the original.
 enum class Sight { NotVisible, Borderline, Visible };
 
 /// "not-visible", "borderline", "visible".

@@ -11,9 +11,9 @@
 
 namespace mocapress {
 
-/// Where every joint is in its parent's frame; a root is in the world. 7 x joints, a column for
-/// each joint: the unit quaternion w x y z of parent_from_joint, then the joint's origin x y z in
-/// cm.
+/// Transforms of all joints in their parents' frames; a root's is in the world. 7 x joints, a
+/// column for each joint: the unit quaternion w x y z of parent_from_joint, then the joint's origin
+/// x y z in cm.
 struct LocalPose {
   Eigen::Matrix<float, 7, Eigen::Dynamic> joints;
 

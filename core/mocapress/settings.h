@@ -55,7 +55,7 @@ struct Settings {
   std::uint64_t seed = 1;                    // of the annealing; the same seed gives the same bytes
   Effort effort = Effort::Default;           // not Draft, which promises nothing
   NamedImportance importance;                // what more care is taken of
-  Promises promises;                         // bounds beside a target that is an error
+  Promises promises;                         // further bounds, if the target is an error
   Ends ends = Ends::Even;                    // what is promised of the first and the last pose
   std::optional<Loop> loop;                  // unset: the encoder finds whether the clip is one
   double track_error = kUsualTrackError;     // no value of a track is further off

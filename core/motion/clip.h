@@ -28,7 +28,7 @@ struct Motion {
 /// `count` frames of a motion, from `first` on.
 Motion frames_of(const Motion& motion, int first, int count);
 
-/// Whether each channel keeps its value over all frames, up to rounding (1e-6 cm or radians).
+/// True if each channel keeps its value over all frames, up to rounding (1e-6 cm or radians).
 std::vector<bool> still_channels(const Clip& clip);
 
 /// Adds whole turns to each rotation channel, so that no step between frames exceeds half a turn.

@@ -83,7 +83,7 @@ MeasuredPoints measured_points(const Skeleton& skeleton, Weighting weighting);
 /// Throws Error if a weighting has no points on this skeleton.
 void require_measurable(const Skeleton& skeleton, Weighting weighting);
 
-/// Whether a weighting measures landmarks() only.
+/// True if a weighting measures landmarks() only.
 constexpr bool is_on_bones(Weighting weighting) {
   return weighting == Weighting::BoneEnds || weighting == Weighting::JointOrigins;
 }

@@ -19,7 +19,7 @@ enum class Loop : std::uint8_t {
 /// "none", "repeats", "follows".
 std::string_view name(Loop loop);
 
-/// Whether the clip is a loop. Its first and last pose must be alike: they differ by at most half
+/// True if the clip is a loop. Its first and last pose must be alike: they differ by at most half
 /// of what the clip usually moves in a frame. Their velocities may differ by as much, plus the
 /// usual change of velocity in a frame. The root may stand and head elsewhere.
 Loop find_loop(const Motion& motion);

@@ -14,7 +14,7 @@ namespace mocapress {
 OwnLengths own_lengths(const std::vector<SkinBone>& bones, const Skeleton& from, const Skeleton& to,
                        const std::vector<int>& joint_in_to);
 
-/// Where the joints of a character are in a pose of the clip, cm.
+/// Positions of a character's joints in a pose of the clip, cm.
 std::vector<Eigen::Vector3d> own_origins(const OwnLengths& lengths, const Pose& pose);
 
 }  // namespace mocapress

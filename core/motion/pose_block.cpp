@@ -131,7 +131,7 @@ MOCAPRESS_FOR_AVX2 void multiply_axes_with_avx2(const Axes& from, const Eigen::M
 }
 #endif
 
-/// Whether this many frames are worth vectors of four, and the machine has them.
+/// True if this many frames are worth vectors of four, and the machine has them.
 bool takes_avx2(int frames) {
   return frames == kMost && has_avx2();
 }

@@ -23,7 +23,7 @@ std::array<int, 3> axes_of(RotationOrder order);
 /// The order of the joint's rotation channels. Requires turns_freely().
 RotationOrder rotation_order(const Joint& joint);
 
-/// Whether a joint has three rotation channels about three different axes.
+/// True if a joint has three rotation channels about three different axes.
 bool turns_freely(const Joint& joint);
 
 /// A constant rotation: axis times angle, x y z in units of pi / 16, each -16 .. 15.

@@ -77,7 +77,7 @@ void hold_missing(Skin& skin, const Skeleton& from, const std::vector<int>& join
   }
 }
 
-/// Whether joints have the same axes in both skeletons, that is, their children lie in the same
+/// True if joints have the same axes in both skeletons, that is, their children lie in the same
 /// directions.
 bool have_same_axes(const Skeleton& from, const Skeleton& to, const std::vector<int>& joint_in_to) {
   double same = 0;

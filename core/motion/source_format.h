@@ -18,8 +18,8 @@ constexpr std::string_view name(UpAxis up) {
   return up == UpAxis::Y ? "y" : "z";
 }
 
-/// Whether a BVH's translation channels add to OFFSET or replace it (as MotionBuilder, Mixamo and
-/// LAFAN1 write, and Blender reads). The values are part of the file format.
+/// The use of a BVH's translation channels: they add to OFFSET or replace it (as MotionBuilder,
+/// Mixamo and LAFAN1 write, and Blender reads). The values are part of the file format.
 enum class TranslationConvention : std::uint8_t { Adds = 0, Replaces = 1 };
 
 /// "add", "replace".

@@ -52,7 +52,7 @@ class ErrorModel {
   /// D: the diagonal of G_t, frames x channels. (cm per unit of the channel)^2.
   const Eigen::MatrixXd& curvature() const { return curvature_; }
 
-  /// Whether G_t has an entry for two channels, and that entry at each frame.
+  /// The entry of G_t for two channels at each frame, if there is one.
   bool are_related(int a, int b) const;
   Eigen::ArrayXf entry(int a, int b) const;
 
@@ -63,7 +63,7 @@ class ErrorModel {
   void sum_squares(const std::vector<int>& channels, const ShortFunction& function,
                    Eigen::MatrixXf& sums) const;
 
-  /// Whether a channel moves a joint's origin, and the velocity it gives to points at `places`
+  /// Tells if a channel moves a joint's origin, and the velocity it gives to points at `places`
   /// (frames x 3, cm, in world space): cm per unit.
   bool moves(int channel, int joint) const;
   Eigen::MatrixXd velocity(int channel, const Eigen::MatrixXd& places) const;

@@ -22,7 +22,7 @@ class ErrorSweep {
   /// Begins again with the present errors, reusing its memory.
   void restart();
 
-  /// Whether next() was called since the start.
+  /// True if next() was called since the start.
   bool is_under_way() const { return channel_ >= 0; }
 
   /// e^T G e for each frame, with the errors at the start.

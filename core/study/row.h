@@ -31,7 +31,7 @@ struct StudyRow {
     return settings.correction ? settings.correction->ratio : std::nullopt;
   }
 
-  /// Whether the target was met: a ratio within 2 %, a bound not exceeded.
+  /// True if the target was met: a ratio within 2 %, a bound not exceeded.
   bool reached() const;
 
   /// A key that equals that of the same compression in another run: it covers all settings and the

@@ -26,7 +26,7 @@ class StudyResults : public QWidget {
  public:
   explicit StudyResults(StudyRowsModel* model, QWidget* parent = nullptr);
 
-  /// Paths of the clips with all their rows: these make the average.
+  /// Paths of the clips whose rows are all measured. The average is over these clips.
   void setComplete(const std::set<std::string>& complete);
 
   /// The compressed clip open in the studio: its original's path and its figures.

@@ -17,7 +17,8 @@ Trial PaperEncode::run(Method method) {
   if (coder_.settings().target.kind == Target::Kind::CoefficientRatio)
     return attempt(method, guess);
   if (method != Method::Annealed) return search(method, guess, kCheapTrials);
-  // Standard selection is almost free and needs about as many coefficients.
+  // Standard selection gives the first guess: it is almost free and needs about as many
+  // coefficients as annealing.
   return search(Method::Annealed, search(Method::Standard, guess, kCheapTrials).count, kAnnealings);
 }
 

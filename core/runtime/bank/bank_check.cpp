@@ -37,7 +37,7 @@ bool is_skeleton(const Bytes& item) {
   return true;
 }
 
-/// Whether an item of a packed bank is a section, or valid learned priors. A section's contents are
+/// True if an item of a packed bank is a section, or valid learned priors. A section's contents are
 /// checked with each clip.
 bool is_part(const Bytes& item) {
   constexpr std::size_t kTag = 4;
@@ -45,7 +45,7 @@ bool is_part(const Bytes& item) {
   return !failed(check_learned({item.data + kTag, item.size - kTag, item.offset + kTag}));
 }
 
-/// Whether an item is a valid set of tags, without duplicates.
+/// True if an item is a valid set of tags, without duplicates.
 bool is_tag_set(const mcpk_bank& bank, const Bytes& item) {
   if (item.size % sizeof(std::uint32_t) != 0) return false;
   std::int64_t before = -1;
@@ -81,7 +81,7 @@ mcpr_result check_items(const mcpk_bank& bank) {
   return kOk;
 }
 
-/// Whether a gap holds only zeros, if it `is_there`, and is no longer than alignment requires.
+/// True if a gap holds only zeros, if it `is_there`, and is no longer than alignment requires.
 bool is_padding(const mcpk_bank& bank, std::uint64_t from, std::uint64_t to, bool is_there = true) {
   if (to < from || to - from >= kCookedAlignment) return false;
   for (; is_there && from < to; ++from)

@@ -13,7 +13,7 @@
 namespace mocapress::runtime {
 namespace {
 
-/// Whether the IK correction turns any of the requested channels.
+/// True if the IK correction turns any of the requested channels.
 bool turns_any(const ClipBlock& clip, const mcpr_request& request) {
   if (request.channels == nullptr) return true;
   for (int l = 0; l < clip.limb_count; ++l) {
@@ -74,7 +74,7 @@ void put_place_in_parent(const JointModel& joint, const float* row, float* out) 
   for (int i = 0; i < 3; ++i) out[4 + i] = static_cast<float>(origin[i]);
 }
 
-/// Whether all channels exist in the clip, without duplicates.
+/// True if all channels exist in the clip, without duplicates.
 bool are_channels_of(const ClipBlock& clip, const std::uint16_t* channels, std::uint32_t count) {
   if (count > clip.channel_count) return false;
   std::bitset<kMostChannels> seen;

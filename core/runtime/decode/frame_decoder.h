@@ -7,7 +7,7 @@
 
 namespace mocapress::runtime {
 
-/// Whether a clip can fulfil a request.
+/// True if a clip can fulfil a request.
 bool is_possible(const ClipBlock& clip, const mcpr_request& request);
 
 /// Floats per frame of output. The request must be possible.

@@ -41,7 +41,7 @@ class ResidentChecker {
   static constexpr int kMostLog2Rows = 15;
   static constexpr int kMostWidth = 32;
 
-  /// Whether an array lies within the block. Readers of whole words may touch kReadAhead bytes past
+  /// True if an array lies within the block. Readers of whole words may touch kReadAhead bytes past
   /// the end.
   bool has_array(std::uint32_t offset, std::uint64_t size, std::uint64_t count,
                  std::uint32_t alignment) const {
@@ -61,7 +61,7 @@ class ResidentChecker {
     return false;
   }
 
-  /// Whether `present`, the bytes of a row, is the sum of the widths. Each group begins at a whole
+  /// True if `present`, the bytes of a row, is the sum of the widths. Each group begins at a whole
   /// byte.
   bool is_dense(const Entry& entry, int rows) const {
     const auto groups = static_cast<std::uint64_t>(signals_.group_count());

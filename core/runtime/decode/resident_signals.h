@@ -20,7 +20,7 @@ struct QuantisedSource {
   const float* steps;  // one per signal, before the division by bands
   /// The largest sample of each signal that floats are precise enough for.
   const float* double_precision_limits;
-  const std::int32_t* values;  // signal after signal
+  const std::int32_t* values;  // one signal after the other
   std::uint8_t* notes;         // work space, one byte per signal
   std::uint64_t budget_bytes;  // size up to which bands may be dense for speed; beyond it each band
                                // takes its smaller kind
@@ -47,7 +47,7 @@ class ResidentSignals {
   /// Builds at `memory`, which must be zeroed and aligned.
   static const ResidentSignals* build(const QuantisedSource& source, std::byte* memory);
 
-  /// Whether a form from an untrusted source has this length and signal count, and can be decoded
+  /// True if a form from an untrusted source has this length and signal count, and can be decoded
   /// without reading outside its `bytes`. It must be aligned and hold at least a head.
   bool is_sound(std::uint64_t bytes, std::uint32_t length, std::uint32_t signals) const;
 

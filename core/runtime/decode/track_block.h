@@ -55,7 +55,7 @@ struct mcpr_tracks {
 
 namespace mocapress::runtime {
 
-/// Whether a block from an untrusted source can be decoded without reading outside its `bytes`.
+/// True if a block from an untrusted source can be decoded without reading outside its `bytes`.
 bool are_sound(const mcpr_tracks& tracks, std::uint64_t bytes);
 
 }  // namespace mocapress::runtime

@@ -359,7 +359,7 @@ void CoefficientCoder<Bits>::code_coarse(int s) {
   }
 }
 
-/// Whether a signal has anything but zeros in a band.
+/// True if a signal has anything but zeros in a band.
 template <typename Bits>
 bool CoefficientCoder<Bits>::code_significance(int b, int s, int density) {
   const Band& band = bands_[b];
@@ -597,7 +597,7 @@ void CoefficientCoder<Bits>::follow(int value, const Columns& band, int i,
   constexpr int kRestlessRate = 60;                // 256ths
   constexpr int kRestlessRateOfSignal = 15;
   constexpr int kMostRestless = 2048;
-  constexpr int kRecentMemory = 8;  // values
+  constexpr int kRecentMemory = 8;  // length of the running mean in values
   constexpr int kMostActivity = 8;  // of one value
   const int s = band.signal;
   const std::int64_t distance = std::min<std::int64_t>(

@@ -34,8 +34,8 @@ inline constexpr int kNumberRelations = 16;
 inline constexpr int kFourthRelations = 32;
 inline constexpr int kSigns = 3;
 
-/// Where each context is. Those before `shared` begin with what other clips taught; the others are
-/// each signal's own.
+/// The index of each context. Those before `shared` begin with what other clips taught; the others
+/// are each signal's own.
 struct ContextLayout {
   ContextTable zero_near, zero_crowd, zero_expected;
   ContextTable class_recent, class_expected;

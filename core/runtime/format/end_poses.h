@@ -81,7 +81,7 @@ class EndReader {
 
   std::int32_t next() { return coder_.code(bits_, 0); }
 
-  /// Whether all of them were there and nothing else.
+  /// True if all of them were there and nothing else.
   mcpr_result finish() const {
     if (!bits_.failed() && bits_.is_at_end()) return kOk;
     return failure(MCPR_INVALID, coded_.offset + bits_.position(), "the coded ends are damaged");

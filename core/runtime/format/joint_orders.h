@@ -19,7 +19,7 @@ inline constexpr int kOrdersOfByte = 3;
 inline constexpr std::uint8_t kAxesOfOrder[kOrders][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2},
                                                           {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
 
-/// Whether the joint has exactly three rotation channels, about three different axes.
+/// True if the joint has exactly three rotation channels, about three different axes.
 inline bool turns_about_three_axes(const std::uint8_t* kinds, int channels) {
   unsigned axes = 0;
   int turns = 0;

@@ -29,7 +29,7 @@ class Memory {
 
   std::uint64_t used() const { return used_; }
 
-  /// Whether everything taken so far is within the memory, and aligned.
+  /// True if everything taken so far is within the memory, and aligned.
   bool holds() const {
     return base_ != nullptr && used_ <= size_ &&
            reinterpret_cast<std::uintptr_t>(base_) % kAlignment == 0;
@@ -41,7 +41,7 @@ class Memory {
   std::uint64_t used_ = 0;
 };
 
-/// Whether memory from the caller can hold `needed` bytes. `too_small` is the message if not.
+/// True if memory from the caller can hold `needed` bytes. `too_small` is the message if not.
 inline mcpr_result check_memory(const void* memory, std::size_t size, std::uint64_t needed,
                                 const char* too_small) {
   if (memory == nullptr) return failure(MCPR_NO_MEMORY, 0, "no memory was given");

@@ -27,7 +27,7 @@ inline constexpr char kLearned[] = "PRIO";
 /// the bank, and the number of samples that a file may have depends on its length.
 inline constexpr std::size_t kReorderedRoom = 256;
 
-/// Whether the size of a section is stored. The motion has none: it takes the bytes that are left.
+/// True if the size of a section is stored. The motion has none: it takes the bytes that are left.
 bool has_told_size(const Section& section);
 
 /// Reads the sections of a packed clip as its .mcpr has them. JNTS differs if orders() is not

@@ -57,7 +57,7 @@ class RangeDecoder {
   bool exhausted() const { return next_ > size_ + kRegister; }
   bool failed() const { return refused_ || exhausted(); }
 
-  /// Whether all bytes were read, as after the encoder's last bit.
+  /// True if all bytes were read, as after the encoder's last bit.
   bool is_at_end() const { return next_ >= size_; }
 
   /// Bytes read so far.

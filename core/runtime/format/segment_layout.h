@@ -45,7 +45,7 @@ struct SegmentLayout {
   }
 };
 
-/// Whether a file may have this layout: at least two segments, and no frame in three of them.
+/// True if a file may have this layout: at least two segments, and no frame in three of them.
 constexpr bool may_be_segments(std::uint32_t frames, std::uint32_t length, std::uint32_t overlap) {
   return length >= kLeastSegment && length < frames && overlap >= 1 && overlap <= length / 2;
 }

@@ -14,7 +14,7 @@ inline constexpr int kTurnBits = 5;     // width of each of six numbers
 inline constexpr int kFixedTurns = 16;  // units in half a turn
 inline constexpr std::uint32_t kTurnedAxesBytes = 4;
 
-/// Whether a joint's axes may be turned: it has a parent, and three rotation channels about three
+/// True if a joint's axes may be turned: it has a parent, and three rotation channels about three
 /// different axes.
 inline bool may_turn_axes(const JointModel& joint) {
   int axes = 0;

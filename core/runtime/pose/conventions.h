@@ -8,10 +8,10 @@
 
 namespace mocapress::runtime {
 
-/// Whether the axes are the three, each once, and the factor of length is finite.
+/// True if the axes are the three, each once, and the factor of length is finite.
 bool is_convention(const mcpr_convention& convention);
 
-/// Whether each joint's parent comes before it.
+/// True if each joint's parent comes before it.
 bool are_parents(const std::int16_t* parents, std::uint32_t joints);
 
 /// Moves the joints from their parents' spaces to the character's; quaternions are w x y z.

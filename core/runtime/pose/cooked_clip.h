@@ -235,7 +235,7 @@ struct mcpr_cooked {
   const std::uint8_t* end_marks(int end) const {
     return at<std::uint8_t>(ends) + static_cast<std::uint32_t>(end) * row_groups;
   }
-  /// Number of columns changed by the end corrections before `end`.
+  /// Number of columns that the end corrections 0 ... `end` - 1 change, added up.
   std::uint32_t lacking_before(int end) const {
     std::uint32_t count = 0;
     for (const std::uint8_t* mark = end_marks(0); mark != end_marks(end); ++mark)
@@ -275,7 +275,7 @@ struct mcpr_cooked {
 
 namespace mocapress::runtime {
 
-/// Whether this is a cooked clip, judging by its first bytes.
+/// True if this is a cooked clip, judging by its first bytes.
 inline bool is_cooked(const mcpr_cooked* clip) {
   return clip != nullptr && std::memcmp(clip->magic, mcpr_cooked::kMagic, sizeof clip->magic) == 0;
 }

@@ -77,7 +77,7 @@ void CookedColumns::see_angles(int c, int segment) {
     see(2 * angles.back() - angles[angles.size() - 2]);
 }
 
-/// Whether an angle stays within the range of near_sine_and_cosine(), with a margin for rounding to
+/// True if an angle stays within the range of near_sine_and_cosine(), with a margin for rounding to
 /// 16 bits.
 bool CookedColumns::is_near(const Channel& channel) const {
   constexpr double kEighth = 0.785398163;  // radians

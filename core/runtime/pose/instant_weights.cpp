@@ -201,7 +201,7 @@ constexpr InnerTables inner_tables(Wavelet wavelet) {
 constexpr InnerTables kLinearTables = inner_tables(Wavelet::Linear);
 constexpr InnerTables kCubicTables = inner_tables(Wavelet::Cubic);
 
-/// Whether a step of the transform stays away from the borders.
+/// True if a step of the transform stays away from the borders.
 bool is_inside(int first_sample, int length) {
   const int first_odd = first_sample >> 1;
   // Three odd samples need two even ones on each side, and those need the details beside them.

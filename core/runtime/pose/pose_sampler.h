@@ -36,7 +36,7 @@ inline BetweenFrames between_frames(int frames, double frame) {
   return {before, share};
 }
 
-/// Whether a cursor can cache what an instant needs: its frames lie in one segment, outside
+/// True if a cursor can cache what an instant needs: its frames lie in one segment, outside
 /// overlaps. `stretch` is that of the first frame.
 inline bool is_liftable(const SegmentLayout::Stretch& stretch, const BetweenFrames& instant) {
   return stretch.shared < 0 && (instant.share == 0 || stretch.frames > 1);

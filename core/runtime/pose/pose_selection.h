@@ -26,7 +26,7 @@ struct RotorPlaces {
   std::uint16_t joints = 0;  // number of elements of `place` in use
 };
 
-/// Whether all joints exist in the clip, without duplicates.
+/// True if all joints exist in the clip, without duplicates.
 bool are_joints_of(const mcpr_cooked& clip, const std::uint16_t* joints, std::uint32_t count);
 
 }  // namespace mocapress::runtime

@@ -26,7 +26,7 @@ inline constexpr mcpr_path kPathOfFour = MCPR_PATH_WASM;
 inline constexpr mcpr_path kPathOfFour = MCPR_PATH_SSE2;
 #endif
 
-/// Whether this machine, and its operating system, have AVX2.
+/// True if this machine, and its operating system, have AVX2.
 inline bool has_avx2() {
 #if !defined(MOCAPRESS_HAS_AVX2)
   return false;

@@ -231,10 +231,10 @@ TEST_F(Corpus, BonesEndWhereAnIndependentReadingPutsThem) {
   }
 }
 
-// The BVH comes from someone else's converter: another figure (longer hips, straight legs at rest),
-// one more frame in front, the first few blended in from a T pose. So the root's turn agrees
-// exactly. A limb's turn differs by its other rest pose, which is constant except for the
-// converter's smoothing.
+// The BVH comes from someone else's converter. Its figure has longer hips and straight legs at
+// rest, one more frame at the start, and a blend from a T pose in the first few frames. The root's
+// rotation must agree exactly. A limb's rotation differs by the other rest pose, which is a
+// constant except for the converter's smoothing.
 TEST_F(Corpus, BothFormsOf11_01Agree) {
   const Motion acclaim = read("bvh/11_01.amc");
   const Motion bvh = read("bvh/11_01.bvh");

@@ -98,7 +98,7 @@ class OwnLengths : public testing::Test {
     places_ = skinned_positions(skin_, pose_);
   }
 
-  /// Where the vertex is that was bound at the joint.
+  /// The position of the vertex that was bound at the joint.
   Vector3d at(const std::string& joint) const {
     return places_[3 * static_cast<std::size_t>(who_.find(joint))];
   }

@@ -32,7 +32,7 @@ class Samples : public testing::TestWithParam<Sample> {
 
   double seconds(int frame) const { return frame / motion_.clip.sample_rate_hz; }
 
-  /// Where a point fixed to a joint is over the clip.
+  /// The path of a point fixed to a joint over the clip.
   std::vector<Eigen::Vector3d> path(const std::string& joint, const Eigen::Vector3d& at) const {
     std::vector<Eigen::Vector3d> points;
     Pose pose;

@@ -135,7 +135,7 @@ class End {
       const Eigen::RowVectorXd step =
           values_of(Eigen::VectorXi::Ones(lacking_.size()), steps, step_exponent);
       Eigen::VectorXi whole = sparsest(gram, step, most);
-      // Where everything must be exact, adding channels one by one converges too slowly.
+      // Adding channels one by one converges too slowly if everything must be exact.
       if (error_of(gram, step, whole) > most) whole = rounded(step);
       const bool is_finest = step_exponent == runtime::kMostEndStepExponent && std::isinf(least);
       if (!is_finest && error_of(gram, step, whole) > most) continue;
