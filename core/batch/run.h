@@ -60,7 +60,7 @@ struct BatchCounts {
 /// A step of one clip, or of the bank made of all clips.
 struct BatchProgress {
   BatchCounts counts;
-  std::optional<BankProgress> bank;  // set: the members below mean nothing
+  std::optional<BankProgress> bank;  // if set, the members below are unused
   std::size_t index = 0;             // clip's index in the batch
   ClipProgress clip;                 // valid while the clip is worked on
   const BatchRow* row = nullptr;     // set when the clip has ended

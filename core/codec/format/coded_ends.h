@@ -12,8 +12,8 @@
 
 namespace mocapress {
 
-/// The promise for the first and the last pose. Few coefficients share in their errors, and games
-/// blend and loop there.
+/// The promise for the first and the last pose, where games blend and loop clips. Without one, few
+/// coefficients affect these poses, so their errors may be large.
 enum class Ends {
   Free,   // nothing
   Even,   // their error is at most the target's or, if the target is no error, the clip's

@@ -41,7 +41,7 @@ struct QuantisedView {
 struct CoderNotes {
   std::int64_t* sums;  // of magnitudes, in this band and the one above, by signal
   std::int64_t* sums_above;
-  int* activity;  // of the band, from its coefficient -1
+  int* activity;  // activity of the band, from coefficient -1 on
   int* restless;  // likewise: how much more than expected there was at each time, 256ths of octaves
   std::size_t activity_size;
   int* restless_signals;          // the same of each signal

@@ -51,7 +51,7 @@ inline void AdaptiveBit::follow(bool bit) {
   if (seen < kSlowest) ++seen;
 }
 
-/// The weight of each of several contexts. Integers, 65536 = once.
+/// The weights of several contexts, in units of 1 / 65536.
 struct MixingWeights {
   static constexpr std::size_t kMost = 8;
   std::array<std::int32_t, kMost> of{};

@@ -10,7 +10,7 @@
 namespace mocapress::runtime {
 namespace {
 
-/// The rows from which a signal's samples are made, one level up.
+/// The step of the inverse transform that makes `samples` from rows of the next coarser level.
 LiftLevel level_below(Wavelet wavelet, int length, RowRange samples, bool only_evens) {
   LiftLevel level{.wavelet = wavelet,
                   .even_count = evens_in(length),

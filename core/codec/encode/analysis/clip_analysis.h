@@ -78,7 +78,7 @@ class ClipAnalysis {
     mutable std::map<Key, std::unique_ptr<const Value>> values_;
   };
 
-  struct Only {  // key of what there is one of
+  struct Only {  // key for data that exists once
     bool operator<(Only) const { return false; }
   };
 

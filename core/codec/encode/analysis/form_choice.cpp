@@ -87,7 +87,7 @@ struct Burden {
 /// The rotations of joints over some frames, and the points that they move.
 class Turns {
  public:
-  /// `step`: of which frames. As many as given, or up to the clip's end.
+  /// Takes every `step`-th frame from `first` on: kMostFrames of them, or up to the clip's end.
   Turns(const Motion& motion, const MeasuredPoints& measured, int first, int step)
       : step_(step),
         frames_(std::min(kMostFrames, (motion.clip.frames() - first + step - 1) / step)),

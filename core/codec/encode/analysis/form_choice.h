@@ -5,11 +5,11 @@
 
 namespace mocapress {
 
-/// For each joint the form of its rotations that is likely to take the fewest bits. The wavelet
-/// coefficients of its angles on some of the frames tell. The choice is among the six orders and
-/// two forms about turned axes, whose innermost angle is the twist of the limb below the joint.
-/// Joints that mirror one another choose alike. A joint keeps its own form where no other saves
-/// much.
+/// Chooses for each joint the form of its rotations that is likely to take the fewest bits, judged
+/// by wavelet coefficients of its angles on some of the frames. The candidates are the six orders
+/// and two forms with turned axes, whose innermost angle is the twist of the limb below the joint.
+/// Joints that mirror one another get the same form. A joint keeps its own form unless another
+/// saves much.
 RotationForms choose_forms(const Motion& motion);
 
 }  // namespace mocapress

@@ -32,7 +32,7 @@ struct MovingSteps {
 /// Returns whether any frame's squared error would exceed its bound and grow.
 bool goes_beyond(const MovedFrames& point, const MovingSteps& steps, const double* squared_bound);
 
-/// Moves it: its error, and along and across with it.
+/// Moves the point: updates its error, and turns `along` and `across` with it.
 void move_point(const MovedFrames& point, const MovingSteps& steps);
 
 /// Finds the directions in which a turn about an axis through a joint moves a point: along = axis x

@@ -59,7 +59,7 @@ double ClosedLoop::finest_scale() const {
 }
 
 double likely_scale(const Target& target, std::size_t raw_bytes) {
-  // A rough fit to the study clips.
+  // The power law is a rough fit to the study clips.
   const auto for_error = [](double eps_cm) { return 1.8 * std::pow(eps_cm / 0.5, 1.35); };
   const auto for_ratio = [&](double ratio) { return for_error(0.5 * std::pow(ratio / 130, 1.25)); };
   switch (target.kind) {

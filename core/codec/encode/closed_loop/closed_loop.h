@@ -56,8 +56,8 @@ class ClosedLoop {
   Result coarsen(Result quantised, ErrorBound& bound,
                  const Observer<ClosedLoopProgress>& observer = {}) const;
 
-  /// Seeks what leaves that eps_x by the quadratic model, or up to kSettled less: near `scale`, and
-  /// then by what a bit is worth. All frames count alike.
+  /// Finds an encoding whose eps_x, by the quadratic model, is `eps_cm` or up to kSettled less. It
+  /// starts from `scale`, and then adjusts the price of a bit. All frames count alike.
   Result quantise_to(double eps_cm, double scale,
                      const Observer<ClosedLoopProgress>& observer = {}) const;
 
@@ -65,7 +65,7 @@ class ClosedLoop {
   Result settle(Result settled, double eps_cm,
                 const Observer<ClosedLoopProgress>& observer = {}) const;
 
-  static constexpr double kSettled = 0.006;  // of eps_x
+  static constexpr double kSettled = 0.006;  // share of eps_x
 
   /// The finest usable scale; at a finer one the largest coefficients would overflow.
   double finest_scale() const;

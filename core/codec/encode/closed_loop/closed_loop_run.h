@@ -175,7 +175,7 @@ class ClosedLoopRun {
   double waking_bits(const Place& place) const;
   void set(const Place& place, int value);
 
-  /// Those of the sweeps that settle which were not done yet.
+  /// Runs the settling sweeps that were not done yet.
   void settle_by_prices(ClosedLoop::Result& result, const Observer<ClosedLoopProgress>& observer);
 
   /// Sweeps all coefficients; in late sweeps, moves all channels' coefficients together first.

@@ -68,7 +68,7 @@ class ErrorBound {
   int joint_ = -1;                           // of the channel
   std::vector<Rotations> world_from_joint_;  // of the joints before that
   Rotations world_from_axes_;                // before the channel's own turn
-  std::vector<Moved> moved_;                 // as many as there are landmarks, to keep their memory
+  std::vector<Moved> moved_;                 // one for each landmark, kept to reuse their memory
   std::size_t moved_count_ = 0;
 };
 

@@ -19,9 +19,9 @@ constexpr double kBlendSeconds = 0.15;  // before and after a contact
 constexpr double kPlaceInContact = 4;
 constexpr double kStepInContact = 300;
 
-// Beside a squared cm of eps_x: what an effector's place costs the motion, though the correction
-// will mend it. Dearer than that, the motion pays for what is paid twice; cheaper, the differences
-// take more than they are given.
+// The weight of a corrected effector's error in the motion, relative to a squared cm of eps_x. With
+// a higher weight the motion spends bytes on errors that the correction mends anyway; with a lower
+// one the differences need more than their share.
 constexpr double kCorrected = 0.02;
 
 std::vector<Effector> effectors_for(const Skeleton& skeleton, const std::vector<int>& joints) {

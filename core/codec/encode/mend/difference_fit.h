@@ -13,7 +13,7 @@ namespace mocapress {
 /// part is for planted feet: a foot near its place may still slide.
 struct FitWeights {
   Eigen::VectorXd place;
-  Eigen::VectorXd step;  // of frame 0: nothing
+  Eigen::VectorXd step;  // the entry of frame 0 is not used
 };
 
 /// Selected wavelet coefficients of signals, in whole steps. As in QuantisedSignals, a signal's

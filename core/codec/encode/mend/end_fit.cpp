@@ -23,7 +23,7 @@ namespace {
 struct Tolerance {
   Weighting weighting;
   double cm;
-  bool at_most;  // no point further off; else the RMS over the points
+  bool at_most;  // true: no point may be further off; false: the RMS may not
 };
 
 constexpr double kEven = 0.9;  // of the target
@@ -334,7 +334,7 @@ void mend_velocity(const EndChannels& channels, const Goal& goal,
                    const Eigen::MatrixXd& original_first, const Eigen::MatrixXd& original_last,
                    const std::vector<float>& last_steps, CompressedClip& compressed) {
   constexpr int kLeastRows = 8;
-  constexpr double kMostMore = 1.05;  // of what was the most before
+  constexpr double kMostMore = 1.05;  // limit relative to the largest earlier change
   const auto rows = static_cast<int>(original_first.rows());
   const EndErrors before = goal.ends(compressed);
   if (rows < kLeastRows || before.seam_cm_per_frame <= before.worst_neighbours_cm_per_frame) return;

@@ -13,17 +13,16 @@ bool codes_ends(const EncodeSettings& settings);
 /// Number of frames at either end from which the fit tells how far an end's error reaches.
 int frames_at_ends(int frames);
 
-/// Codes what the first and the last pose of a trial lack, in the fewest bits that keep the
-/// promise: where a few channels will do, in these alone. The error of an even end is at most 0.9
-/// of the target; that of an exact end at most a tenth. Where the target is no error, the trial's
-/// own error takes its place. In a loop the errors of
-/// the last and the first pose differ by at most a tenth of the target, so that nothing jumps, and
-/// their velocities come as near as reaches can bring them; where they still differ by more than
-/// those of any frames in a row, what the last velocity lacks is coded, too. With a correction both
-/// ends are exact and no other frame takes part: held feet would slide otherwise. The originals are
-/// the first and last frames in the channels that are coded: frames_at_ends() of them, at least
-/// one. Channels that stand still in the clip are left as they are.
-void fit_ends(const EncodeSettings& settings, Trial& trial, const Skeleton& coded_skeleton,
+/// Codes corrections of a trial's first and last pose, in the fewest bits that keep the promise,
+/// and in a few channels only if these suffice. The error of an even end is at most 0.9 of the
+/// target, that of an exact end at most a tenth. If the target is no error, the trial's own error
+/// takes its place. In a loop, the errors of the last and the first pose differ by at most a tenth
+/// of the target, so that nothing jumps, and their velocities come as near as the reaches allow. If
+/// these still differ by more than at any other frame, a correction of the last velocity is coded
+/// too. With an IK correction both ends are exact and no other frame takes part, since held feet
+/// would slide otherwise. The originals are the first and last frames in the coded channels:
+/// frames_at_ends() of them, at least one. Channels that stand still in the clip are left alone.
+void fit_ends(const EncodeSettings& options, Trial& trial, const Skeleton& coded_skeleton,
               const std::vector<bool>& still, const Goal& goal,
               const Eigen::MatrixXd& original_first, const Eigen::MatrixXd& original_last);
 

@@ -28,7 +28,7 @@ struct SegmentPlan {
 
 /// Joints that inverse kinematics moves to their original places during playback.
 struct EncodeCorrection {
-  std::vector<int> joints;      // to be effectors; empty: the feet
+  std::vector<int> joints;      // effectors; empty: the feet
   std::optional<double> ratio;  // r_IK: coefficients of the differences / kept ones; unset: the
                                 // encoder finds the split between motion and correction
   IkSolver solver = IkSolver::NearestPose;
@@ -44,13 +44,13 @@ struct EncodeSettings {
   Target target{Target::Kind::Error, 0.5};  // cm
   std::uint64_t seed = 1;                   // of the annealing; the same seed gives the same bytes
   Effort effort = Effort::Default;
-  Importance importance;                             // heeded by annealing and the closed loop
+  Importance importance;                             // used by annealing and the closed loop
   Promises promises;                                 // kept beside a target that is an error
   std::optional<EncodeCorrection> correction;        // its size counts in ratio and size
   std::optional<std::vector<ContactSpan>> contacts;  // edited ones; unset: Encoder::contacts()
   SegmentPlan segments;                              // of a closed loop
   Ends ends = Ends::Even;                            // of a closed loop; their bytes count
-  std::optional<Loop> loop;                          // whether it is one; unset: find_loop()
+  std::optional<Loop> loop;                          // unset: find_loop() decides
   bool figures_only = false;                         // without the decoded clip: see Encoding
 
   /// Skips the coding of a draft (closed loop, one segment, no correction): see Encoding.

@@ -27,10 +27,11 @@ class ScaleSearch {
 
   /// Returns the excess.
   double try_scale(double scale, ClosedLoopWork work) {
-    constexpr double kChance = 0.1;  // neighbouring scales differ by so much
+    constexpr double kChance = 0.1;  // typical difference between neighbouring scales
     return tried(attempt_(scale, work, {}), kChance);
   }
-  /// A trial of a scale tried before, at another price of bits, which can still gain so much.
+  /// Records a trial of a scale that was tried before, at another price of bits. `gain`: the excess
+  /// that it can still gain.
   double tried(Trial trial, double gain = 0.5) {
     ++tried_;
     const double excess = trial.excess;
@@ -189,7 +190,7 @@ void try_harder(const Target& target, ClosedLoopWork work, ScaleSearch& trials) 
   }
 }
 
-/// Does the same where trials settle, from scales beside the best trial's.
+/// Settles trials at a few scales beside the best trial's.
 void settle_beside(const ScaleTrials& trials, const Target& target, ScaleSearch& search) {
   search.prefer_cheap();
   const double scale = search.best().scale;
@@ -239,7 +240,7 @@ void approach_bound(const Goal& goal, const Target& target, int frames, const Co
   constexpr double kWidest = 2;         // times the target
   constexpr Eigen::Index kBeside = 16;  // frames reached by a change at one of them
   Eigen::VectorXd bound_cm = Eigen::VectorXd::Constant(frames, (1 - kRounding) * target.value);
-  int in_vain = 0;  // rounds since the last gain
+  int in_vain = 0;  // rounds without a gain
   bool has_held = false;
   for (int i = 0; i < kMost && in_vain < kMostInVain; ++i) {
     Trial coarser = coarsen(best, bound_cm);

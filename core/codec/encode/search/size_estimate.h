@@ -9,11 +9,11 @@ namespace mocapress {
 
 /// The rough bytes of a coded motion, by kind.
 struct SizeParts {
-  double details = 0;  // how large they are, counted by what is around them
-  double signs = 0;    // of the details, at even odds
+  double details = 0;  // magnitudes, coded by the sums around them
+  double signs = 0;    // signs of the details, one bit each
   double coarse = 0;   // differences between coarse samples
-  double bands = 0;    // which bands are not all zero
-  double signals = 0;  // one each: steps, first samples
+  double bands = 0;    // flags of bands that are not all zero
+  double signals = 0;  // a constant for each: steps, first samples
 };
 
 SizeParts size_parts(const QuantisedSignals& coded,
