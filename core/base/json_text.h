@@ -20,7 +20,8 @@ struct JsonLimits {
 /// Parses JSON. Throws InputError, with line and column where `text` ceases to be JSON.
 Json parse_json(const std::string& file, std::string_view text);
 
-/// The same. Throws InputError for more than the limits allow, too, before it is in memory.
+/// Parses JSON from `text` within limits. Throws InputError for a text that exceeds them, before it
+/// takes memory.
 Json parse_json(const std::string& file, std::string_view text, const JsonLimits& limits);
 
 /// Writes JSON, on one line unless there is an indent. File names may have bytes that are not

@@ -11,8 +11,9 @@
 
 namespace mocapress {
 
-/// The extensions that read_motion() reads, for messages and file dialogs: ".bvh, .amc, .fbx, ..."
-/// with ", " between and nothing before each; "*.bvh *.amc *.fbx ..." with " " and "*".
+/// The extensions that read_motion() reads, for messages and file dialogs, each after `before` and
+/// separated by `between`: ".bvh, .amc, .fbx, ..." for ", " and nothing, "*.bvh *.amc *.fbx ..."
+/// for " " and "*".
 std::string readable_extensions(std::string_view between, std::string_view before = "");
 
 /// True if the extension is one of these, in upper or lower case.

@@ -18,10 +18,10 @@ constexpr double kLargestScale = 100;  // and its inverse the smallest
 
 /// A joint that carries some of the skin, and the bone that leads to it.
 struct Carrier {
-  int joint;                        // of the clip
+  int joint;                        // the clip's joint
   int above = -1;                   // place in the list of the next carrier above; -1: none
-  int below = 0;                    // how many have this one as `above`
-  const SkinBone* bone;             // of the skin
+  int below = 0;                    // number of bones with this one as `above`
+  const SkinBone* bone;             // the skin's bone
   Vector3d in_bind;                 // cm, in the world of the bind pose
   Vector3d own;                     // cm, from `above`, in its frame
   std::optional<Vector3d> of_clip;  // likewise; none: `above` is not above it in the clip

@@ -34,11 +34,11 @@ struct BoneWeights {
 /// reach the floor, y = 0.
 struct OwnLengths {
   struct Bone {
-    int joint;               // of the clip, at the end of the bone
+    int joint;               // the clip's joint at the end of the bone
     int above;               // the joint that the bone begins at; -1: it begins nowhere
     Eigen::Vector3d longer;  // cm, in the frame of `above`
   };
-  double scale = 1;  // of the world: length of the legs by that of the clip's
+  double scale = 1;  // of the world: length of its legs / length of the clip's legs
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // cm, on the floor: the world grows around it
   std::vector<Bone> bones;                           // parents first; empty: the clip's lengths
 };

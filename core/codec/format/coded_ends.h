@@ -27,7 +27,7 @@ std::string_view name(Ends ends);
 /// 2^(-step_exponent / 2), and of the velocity at one of them where that has a reach. Neighbouring
 /// frames take part of each correction.
 struct CodedEnds {
-  runtime::EndReaches reaches{{1, 1, 0}};  // those at the ends counted
+  runtime::EndReaches reaches{{1, 1, 0}};  // including the end frames
   std::array<int, runtime::kMostEnds> step_exponent{};
   Eigen::MatrixXi steps;  // channels x (first, last and, if there is one, velocity)
 

@@ -61,7 +61,7 @@ struct CodedCorrection {
 struct CodedSegments {
   int length = 0;                    // frames of each segment but the last
   int overlap = 0;                   // frames shared by neighbouring segments
-  std::vector<std::uint32_t> bytes;  // of each segment within the motion
+  std::vector<std::uint32_t> bytes;  // bytes of each segment
 
   std::size_t section_bytes() const { return 12 + 4 * bytes.size(); }
 };
@@ -95,7 +95,7 @@ class KnownMotion {
 /// A compressed clip as values: the content of a .mcpr file. FORMAT.md describes the bytes.
 struct CompressedClip {
   Skeleton skeleton;    // the source's
-  RotationForms forms;  // of the angles as coded; empty: the skeleton's own
+  RotationForms forms;  // forms of the coded angles; empty: the skeleton's own
   double sample_rate_hz = 120;
   int frames = 0;
   Basis basis = Basis::Cubic;
@@ -147,7 +147,7 @@ class AdaptiveSegments {
   void skip();
 
  private:
-  std::size_t size() const;  // of the next segment, in bytes
+  std::size_t size() const;  // bytes of the next segment
 
   const CompressedClip& clip_;
   std::vector<SignalNeighbours> neighbours_;

@@ -22,7 +22,7 @@ constexpr std::string_view kEnds = "ENDS";
 constexpr std::string_view kLoop = "loop";
 constexpr std::string_view kOrders = "ordr";
 
-constexpr auto kNoCoding = static_cast<Coding>(0);  // of a comparison method
+constexpr auto kNoCoding = static_cast<Coding>(0);  // for comparison methods
 constexpr auto kNoMethod = static_cast<Method>(0);
 
 std::vector<std::byte> write_description(const Container& container) {

@@ -34,8 +34,8 @@ NotedClip note_bits(QuantisedSignals coded, const std::vector<SignalNeighbours>&
 
 /// The coder's initial knowledge before the first bit, in floats.
 struct CodingKnowledge {
-  int signals = 0;               // of clips whose signals have priors of their own
-  std::vector<double> log_odds;  // of each context with a prior
+  int signals = 0;               // for clips whose signals have priors of their own
+  std::vector<double> log_odds;  // for each context with a prior
   std::vector<int> seen;         // number of observations each prior counts for
   std::vector<double> weights;   // runtime::MixingWeights::kMost of each set
 

@@ -13,8 +13,8 @@ namespace mocapress {
 /// Wavelet coefficients of signals in whole steps. In every band a signal's step is divided by
 /// Lifting::gains(), so that a step matters equally in all bands.
 struct QuantisedSignals {
-  float scale = 1;                 // as rounded by file_scale()
-  std::vector<int> step_exponent;  // of each signal: its step is scale * 2^(-step_exponent / 2)
+  float scale = 1;                 // rounded by file_scale()
+  std::vector<int> step_exponent;  // for each signal: its step is scale * 2^(-step_exponent / 2)
   Eigen::MatrixXi values;          // coefficients x signals, coarse to fine
 
   double step(int signal) const;

@@ -31,7 +31,7 @@ Eigen::MatrixXd rle16_decode(std::span<const std::byte> bytes, int per_channel, 
 
 /// The decoded words.
 struct Rle16Values {
-  std::vector<int> exponents;  // of each channel's step: 2^exponent
+  std::vector<int> exponents;  // for each channel: its step is 2^exponent
   Eigen::MatrixXi values;      // coefficients x channels, in steps
 };
 

@@ -15,7 +15,7 @@ struct ClipShape {
   const Skeleton& skeleton;
   double sample_rate_hz;
   SegmentLayout segments;  // and with them the frames
-  int effectors = 0;       // of an IK correction
+  int effectors = 0;       // number of effectors of an IK correction
 };
 
 /// Throws Error, which says what is too large and what the limit is, where no .mcpr file can hold

@@ -31,7 +31,7 @@ inline constexpr double kLargestStep = 0x1p64;  // no step is: so every sample i
 struct QuantisedView {
   int length;  // coefficients of each signal, coarse to fine
   int signal_count;
-  std::int32_t* step_exponent;  // of each signal: its step is scale * 2^(-step_exponent / 2)
+  std::int32_t* step_exponent;  // for each signal: its step is scale * 2^(-step_exponent / 2)
   std::int32_t* values;         // signal after signal
 
   std::int32_t* signal(int s) const { return values + static_cast<std::ptrdiff_t>(s) * length; }
@@ -45,7 +45,7 @@ struct CoderNotes {
   int* restless;  // likewise: how much more than expected there was at each time, 256ths of octaves
   std::size_t activity_size;
   int* restless_signals;          // the same of each signal
-  SignalPrediction* predictions;  // of each signal
+  SignalPrediction* predictions;  // one for each signal
   RestPrediction* rests;          // likewise
 
   CoderNotes(Memory& memory, const Bands& bands, int signal_count)
@@ -66,7 +66,7 @@ struct BitSources {
   std::array<std::int32_t, 2> opinions;
   int context_count;
   int opinion_count;
-  int set;  // of weights; -1: one context alone
+  int set;  // index of the weights; -1: one context alone
 };
 
 /// The features behind the expected scale of a value, and the value: for `Bits` that want to know.
@@ -122,7 +122,7 @@ class CoefficientCoder {
   /// The values around value i of a band of a signal, with signs; 0 where there is none.
   struct Around {
     int own1, own2, own3;           // values i - 1, i - 2, i - 3
-    int parent1, parent2, parent3;  // of the band above: the nearest in time, then the others
+    int parent1, parent2, parent3;  // in the band above: the nearest in time, then the others
     int sibling_before, sibling, sibling_after;  // values i - 1, i, i + 1 of the sibling
     int mirror_before, mirror, mirror_after;     // likewise
     int before, earlier;                         // value i of signals s - 2 and s - 3
@@ -135,7 +135,7 @@ class CoefficientCoder {
     int density;  // degree of the band above
     int first;    // of the band's values, in the signal
     int size;
-    int parent_size;  // of the band above; 0 in the first band of details
+    int parent_size;  // size of the band above; 0 in the first band of details
     std::int32_t* own;
     const std::int32_t* parents;
     const std::int32_t* sibling;

@@ -35,7 +35,7 @@ extern const std::array<std::int16_t, 4096> kStretched;
 struct AdaptiveBit {
   static constexpr std::uint16_t kSlowest = 250;
 
-  std::uint16_t one = 32768;  // of a set bit, in 65536ths
+  std::uint16_t one = 32768;  // probability of a set bit, in 65536ths
   std::uint16_t seen = 0;     // counts no further than the slowest rate
 
   void follow(bool bit);

@@ -55,7 +55,7 @@ class Memory {
   Memory& operator=(const Memory&) = delete;
   ~Memory() { std::free(data_); }
 
-  /// Once.
+  /// Called once.
   bool reserve(std::size_t bytes) {
     size_ = (bytes / MCPR_ALIGNMENT + 1) * MCPR_ALIGNMENT;
     if (bytes <= SIZE_MAX / 2) data_ = std::aligned_alloc(MCPR_ALIGNMENT, size_);
