@@ -142,7 +142,7 @@ TEST_F(BatchQueue, TheColumnOfVerdictsIsThereOnceThereIsOne) {
   EXPECT_TRUE(view.isColumnHidden(BatchQueueModel::Review));
 }
 
-TEST_F(BatchQueue, WhatWasBeingWorkedOnIsWaitingWhenItStops) {
+TEST_F(BatchQueue, StoppedClipsWaitAgain) {
   model_.setProgress(0, {});
   model_.setEnded(1, Measurement{}, "");
   model_.stopWorking();

@@ -109,7 +109,7 @@ TEST_F(BatchInTheStudio, ALockedClipIsExportedByItsOwnSettings) {
   EXPECT_LE(session_.queue()->clips()[1].measured->eps_bone_ends_cm, 0.2);
 }
 
-TEST_F(BatchInTheStudio, WhatFailedIsRetriedAndWhatIsDoneIsKept) {
+TEST_F(BatchInTheStudio, RetriesFailedClipsAndKeepsFinishedOnes) {
   addClips(3);
   const std::string good = read_text(path("clip1.bvh").toStdString());
   write_text(path("clip1.bvh").toStdString(), "nonsense");
@@ -212,7 +212,7 @@ TEST_F(BatchInTheStudio, TheQueueIsKeptWithItsProjectWhereverThatIsMoved) {
   EXPECT_EQ(later.queue()->clips()[0].source.path, "/elsewhere/clip0.bvh");
 }
 
-TEST_F(BatchInTheStudio, WhatIsChangedIsToBeKeptSoon) {
+TEST_F(BatchInTheStudio, ChangesAreKeptSoon) {
   QSignalSpy keep(&session_, &BatchSession::keep);
   addClips(1);
   ASSERT_TRUE(keep.count() > 0 || keep.wait(kPatience));
@@ -587,7 +587,7 @@ TEST_F(BatchInTheStudio, EditsAreUndoneAndRedoneStepByStep) {
   EXPECT_EQ(session_.settings().folder, path("elsewhere"));
 }
 
-TEST_F(BatchInTheStudio, WhatChangesNothingIsNoStepAndWhatIsTypedIsOne) {
+TEST_F(BatchInTheStudio, TypingIsOneStepAndNoChangeIsNone) {
   addClips(1);
   const int steps = session_.history().count();
   session_.setCommon(session_.queue()->common());

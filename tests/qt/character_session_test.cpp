@@ -271,7 +271,7 @@ TEST_F(CharacterSession, ComesBackWithItsProject) {
 }
 
 /// Projects were saved like this when all their clips had one character.
-TEST_F(CharacterSession, OfAnOlderProjectIsOnTheClipsItFits) {
+TEST_F(CharacterSession, AnOlderProjectsCharacterIsOnTheClipsItFits) {
   const QString project = folder_.filePath(QStringLiteral("walkers.mocapress"));
   Project kept;
   kept.characters = {{"", sample("character.glb")}};
@@ -293,7 +293,7 @@ TEST_F(CharacterSession, OfAnOlderProjectIsOnTheClipsItFits) {
             std::string::npos);
 }
 
-TEST_F(CharacterSession, WhoseFileIsGoneIsSaidOnceAndStaysTheProjects) {
+TEST_F(CharacterSession, AMissingFileIsReportedOnceAndStaysInTheProject) {
   const QString project = folder_.filePath(QStringLiteral("walkers.mocapress"));
   Project kept;
   kept.characters = {{"", folder_.filePath(QStringLiteral("gone.glb"))}};

@@ -125,7 +125,7 @@ TEST_F(Files, RemembersWhatWasOpenedAndOpensItFirstNextTime) {
   EXPECT_EQ(next.document().title(), QStringLiteral("motion.bvh"));
 }
 
-TEST_F(Files, OfWhatIsNoLongerThereNothingIsOpenedFirst) {
+TEST_F(Files, MissingFilesAreNotOpenedFirst) {
   openAndSettle();
   ASSERT_TRUE(directory_.remove());
   Session next;

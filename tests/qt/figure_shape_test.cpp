@@ -72,7 +72,7 @@ double outside(const std::vector<Capsule>& capsules, const QVector3D& point) {
   return nearest;
 }
 
-TEST(FigureShape, OfAHumanIsABody) {
+TEST(FigureShape, AHumanHasABody) {
   for (const bool floor : {false, true}) {
     const Skeleton skeleton = human(floor);
     const Eigen::MatrixXd tracks =
@@ -134,7 +134,7 @@ TEST(FigureShape, HasTheProportionsOfTheClipNotOfItsChannelsAtZero) {
   EXPECT_GT(outside(posed(FigureShape(turned), tracks, 0), {6, 135, 7}), 0);
 }
 
-TEST(FigureShape, OfWhatIsNoHumanIsACapsuleAlongEverySegmentAndABallOnEveryJoint) {
+TEST(FigureShape, AThingHasACapsuleOnEverySegmentAndABallOnEveryJoint) {
   const Motion motion = test::smooth_motion(4);
   const Eigen::MatrixXd tracks = landmark_tracks(motion.skeleton, motion.clip);
   const FigureShape shape(motion.skeleton);

@@ -103,7 +103,7 @@ TEST_F(ImportancePanelTest, APartThatTheSkeletonLacksCannotBeChosen) {
   EXPECT_TRUE(panel_.contacts()->isEnabled());
 }
 
-TEST(CompressionPanelMethods, WhatDoesNotApplyIsDisabledAndSaysWhy) {
+TEST(CompressionPanelMethods, DisablesControlsThatDoNotApplyAndSaysWhy) {
   CompressionPanel panel;
   struct Case {
     Method method;

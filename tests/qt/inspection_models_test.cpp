@@ -61,7 +61,7 @@ TEST(KeptCoefficients, CountsWhatIsNotZeroInEachScale) {
   for (std::size_t band = 1; band + 1 < kept.size(); ++band) EXPECT_EQ(kept[band].kept, 0);
 }
 
-TEST(KeptCoefficients, OfAnEncodedClipAddUpToItsCoefficientRatio) {
+TEST(KeptCoefficients, AddUpToTheClipsCoefficientRatio) {
   const Encoder encoder(test::smooth_motion(300));
   const Encoding encoding =
       encoder.encode({.method = Method::Standard, .target = {Target::Kind::CoefficientRatio, 20}});

@@ -171,7 +171,7 @@ TEST(JobRunner, DestructionStopsTheRunningJobAndWaits) {
   QCoreApplication::processEvents();
 }
 
-TEST(JobRunner, WhatIsWaitedForDoesNotWaitBehindLongJobs) {
+TEST(JobRunner, QuickJobsDoNotWaitBehindLongOnes) {
   std::vector<std::unique_ptr<JobRunner>> paused;
   for (int i = 0; i < 20; ++i) {
     paused.push_back(std::make_unique<JobRunner>(Workers::LongRunning));

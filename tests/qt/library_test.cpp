@@ -198,7 +198,7 @@ TEST_F(InALibrary, ReopensAfterAKillTheProjectThatWasInUseWithItsNewestState) {
   EXPECT_EQ(run.library.project().clips[0].review.note, "after Save As");
 }
 
-TEST_F(InALibrary, WhatNewTakesAwayCanBeHadBack) {
+TEST_F(InALibrary, AProjectReplacedByANewOneCanBeOpenedAgain) {
   Run run;
   run.library.begin(data());
   run.library.add({clip("walk.bvh", 1), clip("jump.bvh", 2)});
@@ -583,7 +583,7 @@ TEST_F(InALibrary, MissingClipsAreFoundByNameAndBytesInOneStep) {
   EXPECT_EQ(run.model.entry(1).path, b);
 }
 
-TEST_F(InALibrary, WhatABatchMadeOfAClipIsInItsRow) {
+TEST_F(InALibrary, ABatchsResultIsInTheClipsRow) {
   Run run;
   const QString walk = clip("walk.bvh", 1);
   run.library.add({walk, clip("jump.bvh", 2)});

@@ -182,7 +182,7 @@ TEST_F(StudioWindow, OpensWhatIsDroppedOnIt) {
   EXPECT_EQ(document_.frames(), 80);
 }
 
-TEST_F(StudioWindow, OfSeveralDroppedFilesOnlyMotionsCountAndASingleOneIsOpened) {
+TEST_F(StudioWindow, DroppedFilesCountOnlyAsMotionsAndASingleOneIsOpened) {
   QFile notes(path("notes.txt"));
   ASSERT_TRUE(notes.open(QIODevice::WriteOnly));
   QSignalSpy settled(&window_.session(), &Session::settled);

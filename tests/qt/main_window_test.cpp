@@ -220,7 +220,7 @@ TEST_F(StudioWithoutAScreen, TheQueueOfTheBatchIsThatOfTheProject) {
   EXPECT_EQ(batch->queue()->rowCount(), 2);
 }
 
-TEST_F(StudioWithoutAScreen, WhatABatchMadeIsInTheLibrary) {
+TEST_F(StudioWithoutAScreen, ABatchsResultsAreInTheLibrary) {
   window_.library().begin(directory_.filePath(QStringLiteral("data")));
   window_.library().add({clip("one.bvh", 70), clip("two.bvh")});
   window_.library().setVerdict({0}, Verdict::Approved);
@@ -275,7 +275,7 @@ TEST_F(StudioWithoutAScreen, AFolderComesIntoTheLibraryAndItsFirstClipIsOpened) 
   EXPECT_TRUE(document_.original());
 }
 
-TEST_F(StudioWithoutAScreen, WhatTheLibraryDoesNotTakeIsSaid) {
+TEST_F(StudioWithoutAScreen, TellsWhichFilesTheLibraryRefuses) {
   QFile notes(directory_.filePath(QStringLiteral("notes.txt")));
   ASSERT_TRUE(notes.open(QIODevice::WriteOnly));
   window_.open({clip("one.bvh"), clip("two.bvh"), notes.fileName()});
@@ -391,7 +391,7 @@ TEST_F(StudioWithoutAScreen, TheHeatMapTellsWhatIsSeenByASwitchThatIsRemembered)
   EXPECT_EQ(picture(), in_cm);
 }
 
-TEST_F(StudioWithoutAScreen, WhatAKeySwitchesComesIntoView) {
+TEST_F(StudioWithoutAScreen, AShortcutRaisesThePanelThatItSwitches) {
   window_.show();
   auto* map = window_.inspection().heat_map;
   auto* graph = window_.views().graph;
@@ -480,7 +480,7 @@ TEST_F(StudioWithoutAScreen, TheRatioOfAResultIsTakenOverWhenARatioIsAskedFor) {
   EXPECT_NEAR(document_.decoded()->ratio, ratio, 0.03 * ratio);
 }
 
-TEST_F(StudioWithoutAScreen, WhatAutoFoundForTheFeetIsInTheField) {
+TEST_F(StudioWithoutAScreen, TheRatioThatAutoFoundIsInTheField) {
   settleAfter([&] { window_.files().open(clip("walk.bvh", 200)); });
   EncodeSettings options = document_.options();
   options.target = {Target::Kind::Ratio, 12};

@@ -24,7 +24,7 @@ TEST(LogScale, PositionAndValueAreInverse) {
   EXPECT_NEAR(scale.value(500), 20, 1e-9);
 }
 
-TEST(LogScale, WhatIsChosenHasThreeDigits) {
+TEST(LogScale, ChosenValuesHaveThreeDigits) {
   EXPECT_DOUBLE_EQ(in_three_digits(36.885), 36.9);
   EXPECT_DOUBLE_EQ(in_three_digits(1.002305), 1);
   EXPECT_DOUBLE_EQ(in_three_digits(0.0123456), 0.0123);

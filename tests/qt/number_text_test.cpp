@@ -27,7 +27,7 @@ TEST(LengthText, ShowsNoErrorAsNothingThatIsNotNothing) {
     EXPECT_TRUE(lengthText(cm).contains(QRegularExpression(QStringLiteral("[1-9]")))) << cm;
 }
 
-TEST(LengthText, OfScalesHasNoDecimals) {
+TEST(LengthText, ScalesHaveNoDecimals) {
   EXPECT_EQ(roundLengthText(0.1), QStringLiteral("1 mm"));
   EXPECT_EQ(roundLengthText(0.25), QStringLiteral("2.5 mm"));
   EXPECT_EQ(roundLengthText(0.5), QStringLiteral("5 mm"));
@@ -51,7 +51,7 @@ TEST(AngleText, ShowsNoTurnAsNothingThatIsNotNothing) {
         << degrees;
 }
 
-TEST(AngleText, OfScalesIsRound) {
+TEST(AngleText, ScalesAreRound) {
   EXPECT_EQ(roundAngleText(1), QStringLiteral("1°"));
   EXPECT_EQ(roundAngleText(2.5), QStringLiteral("2.5°"));
   EXPECT_EQ(roundAngleText(15), QStringLiteral("15°"));

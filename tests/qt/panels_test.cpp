@@ -185,7 +185,7 @@ TEST(StudioStyle, ASliderThatIsDisabledIsPaler) {
   EXPECT_LT(ink(), 0.6 * enabled);
 }
 
-TEST(NumberBox, WhatIsTypedHasThreeDigits) {
+TEST(NumberBox, TypedValuesHaveThreeDigits) {
   NumberBox box;
   box.setDecimalsShown(1, 6);
   const auto typed = [&](const char* text) {

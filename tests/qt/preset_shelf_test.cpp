@@ -89,7 +89,7 @@ TEST_F(PresetShelfTest, AFileThatCannotBeReadStaysAsItIs) {
   EXPECT_EQ(read_text(path("odd.json").toStdString()), "{ not JSON");
 }
 
-TEST_F(PresetShelfTest, WhatCannotBeReadIsSetAsideWhenAPresetIsSaved) {
+TEST_F(PresetShelfTest, SetsAnUnreadableFileAsideWhenAPresetIsSaved) {
   write_text(path("odd.json").toStdString(), "{ not JSON");
   PresetShelf shelf(path("odd.json"));
   QSignalSpy noted(&shelf, &PresetShelf::noted);

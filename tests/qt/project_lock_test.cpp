@@ -35,14 +35,14 @@ TEST_F(AProjectLock, IsHeldByOneAtATime) {
   EXPECT_TRUE(ProjectLock(project_).held());
 }
 
-TEST_F(AProjectLock, OfAProcessThatIsGoneWasLeftBehind) {
+TEST_F(AProjectLock, ALockOfADeadProcessWasLeftBehind) {
   writeLock("2147483000\nmocapress-studio\n" + QSysInfo::machineHostName().toUtf8() + "\n");
   const ProjectLock lock(project_);
   EXPECT_TRUE(lock.held());
   EXPECT_TRUE(lock.wasLeftBehind());
 }
 
-TEST_F(AProjectLock, OfAnotherMachineIsInUse) {
+TEST_F(AProjectLock, ALockOfAnotherMachineIsInUse) {
   writeLock("1\nmocapress-studio\nelsewhere\n");
   EXPECT_TRUE(ProjectLock(project_).inUse());
 }

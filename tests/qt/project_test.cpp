@@ -80,7 +80,7 @@ TEST(ProjectFile, WithOneCharacterForAllClipsStillOpens) {
   EXPECT_EQ(characterFile(project.characters, "aa"), QStringLiteral("/motions/knight.fbx"));
 }
 
-TEST(ProjectFile, OfBeforeThereWerePinsStillOpens) {
+TEST(ProjectFile, AProjectWithoutPinsStillOpens) {
   const Project project = parseProject(
       R"({"format": "mocapress-project", "version": 1, "clips": [{"path": "walk.bvh"}]})",
       QDir(QStringLiteral("/motions")));

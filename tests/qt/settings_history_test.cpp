@@ -170,7 +170,7 @@ TEST_F(History, IsThereAgainWithItsClipAndMixesWithNoOther) {
   EXPECT_DOUBLE_EQ(target(), 30) << "what it began with";
 }
 
-TEST_F(History, OfAClipThatChangedOnTheDiskIsForgotten) {
+TEST_F(History, ForgetsAClipThatChangedOnDisk) {
   const QString path = directory_.filePath(QStringLiteral("clip.bvh"));
   settleAfter([&] { session_.setContacts({{4, 100, 119}}); });
   const QString other = directory_.filePath(QStringLiteral("other.bvh"));

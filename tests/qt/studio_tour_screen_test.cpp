@@ -145,7 +145,7 @@ TEST_F(StudioTour, DarkThemeIsDarkEverywhere) {
   }
 }
 
-TEST_F(StudioTour, WhatTheEyeSeesIsPlainInBothThemes) {
+TEST_F(StudioTour, VisibilityShowsInBothThemes) {
   Studio studio;
   studio.open(sampleClip());
   QSlider* const target = studio->views().compression->target()->slider();

@@ -107,7 +107,7 @@ std::vector<StudyRow> twoClips() {
           test::point("b.bvh", "standard", ratio(20), 80, 0.8)};
 }
 
-TEST(RateCurves, OfAClipAreItsRowsInTheOrderOfTheMethods) {
+TEST(RateCurves, AClipHasItsRowsInTheOrderOfTheMethods) {
   const auto curves = rateCurves(twoClips(), "a.bvh", {});
   ASSERT_EQ(curves.size(), 2u);
   EXPECT_EQ(curves[0].series.method, "annealed");

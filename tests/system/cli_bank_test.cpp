@@ -65,7 +65,7 @@ class CliBank : public CommandLine {
   }
 };
 
-TEST_F(CliBank, WhatWasPutInComesOutByteForByte) {
+TEST_F(CliBank, ExtractsClipsByteForByte) {
   compress_two();
   const Outcome made = mocapress(
       {"bank", "make", file("b.mcpk"), file("clips"), "--tag", "walk", "--meta", "by=us"});

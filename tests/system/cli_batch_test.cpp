@@ -46,7 +46,7 @@ class CliBatch : public CommandLine {
   }
 };
 
-TEST_F(CliBatch, OfFifteenClipsIsVerifiedAndTheSameBytesOnOneThreadAndTwo) {
+TEST_F(CliBatch, VerifiesFifteenClipsWithTheSameBytesOnOneThreadAndTwo) {
   write_clips(15);
   const Outcome two = mocapress(batch("two", {"--jobs", "2", "--json-progress"}));
   ASSERT_EQ(two.exit_code, 0) << two.err;
@@ -150,7 +150,7 @@ TEST_F(CliBatch, LeavesItsOutputsInsideTheInputOutOfIt) {
   EXPECT_EQ(mocapress(batch("in", {"--format", "bvh"})).exit_code, 2) << "no folder of its own";
 }
 
-TEST_F(CliBatch, WhatIsLeftOutIsARowAndSeven) {
+TEST_F(CliBatch, ALeftOutClipIsARowAndExitCodeSeven) {
   write_clips(1);
   write_text(file("in") / "..bvh", test_bvh());
   fs::create_symlink("gone.bvh", file("in") / "dangling.bvh");

@@ -37,7 +37,7 @@ class CliStudy : public CommandLine {
   const std::filesystem::path samples_ = file("samples");
 };
 
-TEST_F(CliStudy, OfAFolderWritesTablesAndAReport) {
+TEST_F(CliStudy, WritesTablesAndAReportForAFolder) {
   const Outcome outcome = mocapress(study());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "");

@@ -81,7 +81,7 @@ TEST_F(CliWriting, AStudyThatDoesNotFitKeepsTheOldReport) {
               testing::ElementsAre("report.html", "rows.csv", "rows.json", "rows.jsonl"));
 }
 
-TEST_F(CliWriting, WhatTheUserHasBesideIsLeftAlone) {
+TEST_F(CliWriting, LeavesOtherFilesAlone) {
   const std::string clip = write("walk.bvh", test_bvh());
   write("walk.mcpr.part", "the user's own");
   write("victim", "precious");

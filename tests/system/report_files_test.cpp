@@ -32,7 +32,7 @@ class ReportFiles : public CommandLine {
   }
 };
 
-TEST_F(ReportFiles, OfABatchAreWellFormedAndTheirPicturesFillTheirFrames) {
+TEST_F(ReportFiles, BatchReportsAreWellFormedAndPicturesFillTheirFrames) {
   const Outcome outcome = mocapress(
       {"batch", file("clips").string(), "-o", file("out").string(), "--target-error", "0.5"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -43,7 +43,7 @@ TEST_F(ReportFiles, OfABatchAreWellFormedAndTheirPicturesFillTheirFrames) {
   EXPECT_EQ(complaints(file("out") / "report.html"), "");
 }
 
-TEST_F(ReportFiles, OfAStudyAreWellFormedAndTheirPicturesFillTheirFrames) {
+TEST_F(ReportFiles, StudyReportsAreWellFormedAndPicturesFillTheirFrames) {
   const Outcome outcome = mocapress({"study", file("clips").string(), "-o", file("out").string(),
                                      "--methods", "standard,per-channel", "--ratios", "10,40"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -59,7 +59,7 @@ TEST_F(ReportFiles, OfAStudyAreWellFormedAndTheirPicturesFillTheirFrames) {
   EXPECT_EQ(complaints(file("out") / "report.html"), "");
 }
 
-TEST_F(ReportFiles, OfReviewsAreMadeByABuildWithTheViewerAndElseRefused) {
+TEST_F(ReportFiles, ReviewPagesNeedABuildWithTheViewer) {
   const std::filesystem::path page = file("page.html");
   const std::filesystem::path script = file("out") / "clip_100.review.js";
   for (const Outcome& outcome :
@@ -77,7 +77,7 @@ TEST_F(ReportFiles, OfReviewsAreMadeByABuildWithTheViewerAndElseRefused) {
   }
 }
 
-TEST_F(ReportFiles, OfAQueueCarryItsVerdictsAndNotes) {
+TEST_F(ReportFiles, QueueReportsHaveItsVerdictsAndNotes) {
   Batch batch{.presets = {{.name = "rough", .target = {Target::Kind::Error, 2}}}};
   add_items(batch, find_sources({file("clips").string()}), 0, kUsualNames);
   BatchItem item = batch.items[1];

@@ -396,7 +396,7 @@ TEST_F(BankTest, WhoWaitsForAnotherCanStop) {
   EXPECT_EQ(read_bytes(bank()), before);
 }
 
-TEST_P(BothForms, WhatFailsLeavesTheOldBank) {
+TEST_P(BothForms, AFailureLeavesTheOldBank) {
   make({.form = GetParam()});
   const std::vector<std::byte> before = read_bytes(bank());
   write_text(folder_ / "wrong.mcpr", "no clip");

@@ -39,7 +39,7 @@ TEST_F(File, APipeIsRefusedAndNotWaitedFor) {
   EXPECT_THROW(read_text(folder_), InputError);
 }
 
-TEST_F(File, OfGitLfsThatWasNotFetchedIsNamedAsSuch) {
+TEST_F(File, NamesAGitLfsFileThatWasNotFetched) {
   const auto path = folder_ / "a.fbx";
   write_text(path, "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n");
   const std::string expected =

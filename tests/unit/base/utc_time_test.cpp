@@ -14,7 +14,7 @@ TEST(UtcTime, IsWrittenAsIso8601) {
   EXPECT_EQ(utc_text(1700000000), "2023-11-14T22:13:20Z");
 }
 
-TEST(UtcTime, OfReportsCanBeFixedByTheEnvironment) {
+TEST(UtcTime, TheEnvironmentCanFixTheTimeOfReports) {
   const std::string before = std::getenv("SOURCE_DATE_EPOCH");
   ::setenv("SOURCE_DATE_EPOCH", "86400", 1);
   EXPECT_EQ(report_time(), 86400);

@@ -104,7 +104,7 @@ TEST_F(Sources, AreTheClipsBelowAFolderEachOnceWithTheFoldersBetween) {
   EXPECT_EQ(sources[2], (SourceClip{folder_ / "deep/er/c.bvh", folder + "/deep/er", {}}));
 }
 
-TEST_F(Sources, WhatIsNotThereIsAClipWithAProblemAndStopsNoOther) {
+TEST_F(Sources, AMissingInputIsAClipWithAProblem) {
   const auto sources = find_sources({folder_ / "none.bvh", folder_ / "b.bvh"});
   ASSERT_EQ(sources.size(), 2u);
   EXPECT_THAT(sources[0].problem, HasSubstr("No such file"));
@@ -120,7 +120,7 @@ TEST_F(Sources, BelowAFolderLeaveTheOutputsOut) {
   EXPECT_EQ(find_sources({folder_ / "out"}, outputs).size(), 1u) << "asked for by name";
 }
 
-TEST_F(Sources, OfAnImpossibleNameAreItemsWithAProblem) {
+TEST_F(Sources, ImpossibleNamesMakeItemsWithAProblem) {
   Batch batch{.presets = {{.name = "p"}}};
   add_items(batch, {{"in/..bvh", "in", {}}, {"in/a.bvh", "in", {}}}, 0, kUsualNames);
   EXPECT_THAT(batch.items[0].problem, HasSubstr("in/..bvh: its output's name"));
@@ -150,7 +150,7 @@ TEST_F(Sources, ThatWouldBeWrittenToOnePlaceAreToldApart) {
   EXPECT_EQ(outputs.size(), 3u);
 }
 
-TEST(OutputName, OfTheSameStemIsAnotherWhereTheTypeIsNamed) {
+TEST(OutputName, EqualStemsDifferByTypeInThePattern) {
   Batch batch{.presets = {built_in_presets()[1]}};
   const std::vector<SourceClip> sources = {{"a/walk.bvh", "a", {}}, {"a/walk.amc", "a", {}}};
   add_items(batch, sources, 0, "{folder}/{stem}-{type}");

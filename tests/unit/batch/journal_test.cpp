@@ -78,7 +78,7 @@ TEST_F(JournalTest, ARowComesBackAsItWas) {
   EXPECT_EQ(read->sights, written.sights);
 }
 
-TEST_F(JournalTest, WhatIsNoWholeRowIsNone) {
+TEST_F(JournalTest, IncompleteRowsDoNotCount) {
   const std::string line = to_journal_line(row(batch(), 0));
   for (std::size_t length = 0; length < line.size(); length += 7)
     EXPECT_FALSE(parse_batch_row(line.substr(0, length)));
@@ -143,7 +143,7 @@ TEST_F(JournalTest, ResumedWithOtherClipsDropsWhatIsGoneAndMovesTheRest) {
   EXPECT_EQ(reader.header().clips, 2u);
 }
 
-TEST_F(JournalTest, OfARunningBatchIsNobodyElses) {
+TEST_F(JournalTest, ARunningBatchKeepsOthersOut) {
   const Batch all = batch();
   const Journal journal(path_, all, {}, Journal::Start::New);
   EXPECT_THROW(Journal(path_, all, {}, Journal::Start::Resume), WriteError);

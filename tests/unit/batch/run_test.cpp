@@ -66,7 +66,7 @@ TEST_F(BatchRun, MakesTheFilesOfEveryClipAndMeasuresWhatItWrote) {
   EXPECT_EQ(rows()[1].output, "in/one");
 }
 
-TEST_F(BatchRun, OfOneThreadOrManyIsTheSameBytes) {
+TEST_F(BatchRun, OneThreadAndManyGiveTheSameBytes) {
   run(batch(), {.jobs = 1});
   const auto by_one = contents(out());
   EXPECT_EQ(by_one.size(), 6u);
@@ -75,7 +75,7 @@ TEST_F(BatchRun, OfOneThreadOrManyIsTheSameBytes) {
   EXPECT_EQ(contents(out()), by_one);
 }
 
-TEST_F(BatchRun, WhatFailsIsARowWithItsReasonAndTheRestGoesOn) {
+TEST_F(BatchRun, AFailedClipIsARowWithItsReasonAndTheRestGoesOn) {
   write_text(folder_ / "in/broken.bvh", "HIERARCHY\nnonsense");
   write_motion(folder_ / "in/lonely.amc", test::smooth_motion(20));
   fs::remove(folder_ / "in/lonely.asf");
@@ -212,7 +212,7 @@ BatchRow seen_row(std::size_t index, double times_noticed) {
   return row;
 }
 
-TEST(BatchReport, OfThousandsOfClipsIsSmallAndBeginsWithWhatIsSeen) {
+TEST(BatchReport, ThousandsOfClipsMakeASmallPageMostVisibleErrorsFirst) {
   const BatchRows rows = [](const auto& visit) {
     for (std::size_t i = 0; i < 3000; ++i) visit(seen_row(i, i == 1234 ? 9 : 2));
   };
@@ -236,7 +236,7 @@ TEST(BatchReport, OfThousandsOfClipsIsSmallAndBeginsWithWhatIsSeen) {
   EXPECT_LT(page.find("take_2234: what the eye sees"), page.find("take_1000: what the eye sees"));
 }
 
-TEST(BatchReport, OfThousandsOfClipsWithTheLargestViewerIsBelowThreeMegabytes) {
+TEST(BatchReport, ThousandsOfClipsAndTheLargestViewerStayBelowThreeMegabytes) {
   const BatchRows rows = [](const auto& visit) {
     for (std::size_t i = 0; i < 3000; ++i) {
       BatchRow row = seen_row(i, 2);

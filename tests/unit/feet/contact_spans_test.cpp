@@ -58,17 +58,17 @@ TEST(ContactSpans, DropWhatIsTooShortAndCloseShortGaps) {
   EXPECT_TRUE(find_contacts(tracks, kRate, {0}, long_only).empty());
 }
 
-TEST(ContactSpans, OfAPointThatNeverRestsAreNone) {
+TEST(ContactSpans, APointThatNeverRestsHasNone) {
   Eigen::MatrixXd tracks(200, 3);
   for (int t = 0; t < 200; ++t) tracks.row(t) << 2.0 * t, 4, 0;  // 240 cm/s
   EXPECT_TRUE(find_contacts(tracks, kRate, {0}).empty());
 }
 
-TEST(ContactSpans, OfAClipWithoutFramesAreNone) {
+TEST(ContactSpans, AClipWithoutFramesHasNone) {
   EXPECT_TRUE(find_contacts(Eigen::MatrixXd(0, 3), kRate, {0}).empty());
 }
 
-TEST(FindFootContacts, OfALongMotionAreThoseOfItsTracks) {
+TEST(FindFootContacts, ALongMotionHasThoseOfItsTracks) {
   const Motion walk = samples::walk_clip();
   Motion longer{walk.skeleton, {walk.clip.sample_rate_hz, {}}};
   longer.clip.channels = walk.clip.channels.replicate(9000 / walk.clip.frames() + 1, 1);

@@ -96,7 +96,7 @@ TEST(FindFeet, FallsBackToTheLowestLimbs) {
   EXPECT_EQ(skeleton.joint(feet[1].joint).name, "a4R");
 }
 
-TEST(FindFeet, OfSomethingWithoutLegsIsEmpty) {
+TEST(FindFeet, FindsNoneWithoutLegs) {
   EXPECT_TRUE(find_feet(skeleton_of({{"base", -1, {0, 0, 0}}, {"lid", 0, {0, 10, 0}}})).empty());
 }
 

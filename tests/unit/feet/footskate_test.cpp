@@ -25,7 +25,7 @@ Eigen::MatrixXd slid(Eigen::MatrixXd tracks, int first, int last, double cm) {
   return tracks;
 }
 
-TEST(Footskate, OfAStillFootIsNone) {
+TEST(Footskate, AStillFootHasNone) {
   const Footskate footskate = measure_footskate(kContacts, still(), still(), kRate);
   EXPECT_EQ(footskate.total_cm, 0);
   EXPECT_TRUE(footskate.findings.empty());
@@ -96,7 +96,7 @@ TEST(Footskate, ListsTheWorstFirst) {
   EXPECT_EQ(footskate.findings[0].span.first_frame, 60);
 }
 
-TEST(Footskate, OfBlocksIsThatOfTheWhole) {
+TEST(Footskate, IsTheSameInBlocks) {
   const Eigen::MatrixXd decoded = slid(slid(still(), 12, 30, 3), 70, 80, 5);
   const Footskate whole = measure_footskate(kContacts, still(), decoded, kRate);
   for (const int length : {1, 7, 33, 75}) {

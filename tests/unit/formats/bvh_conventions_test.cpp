@@ -37,7 +37,7 @@ Motion root_at(const Eigen::Vector3d& offset, const std::vector<Eigen::Vector3d>
   return motion;
 }
 
-TEST(TranslationConvention, OfJointsIsWhatTheirValuesLieNearerTo) {
+TEST(TranslationConvention, JointsFollowTheNearerReadingOfTheirValues) {
   const auto adds = guess_translation(two_translating({0, 3, 0}, {0, 0.5, 0}));
   EXPECT_EQ(adds.others->convention, Adds);
   EXPECT_TRUE(adds.others->clear);
@@ -45,7 +45,7 @@ TEST(TranslationConvention, OfJointsIsWhatTheirValuesLieNearerTo) {
   EXPECT_EQ(replaces.others->convention, Replaces);
 }
 
-TEST(TranslationConvention, OfARootFollowsJointsThatSayItClearly) {
+TEST(TranslationConvention, TheRootFollowsJointsThatAreClear) {
   EXPECT_EQ(guess_translation(two_translating({0, 0, 0}, {1, 20, 5})).roots->convention, Replaces);
   EXPECT_EQ(guess_translation(two_translating({0, 60, 0}, {0, 0, 0})).roots->convention, Adds);
 }
@@ -58,7 +58,7 @@ TEST(TranslationConvention, ARootThatBeginsAtItsOffsetReplacesIt) {
   EXPECT_EQ(guess_translation(two_translating({0, 100, 0}, {0, 0, 0})).roots->convention, Replaces);
 }
 
-TEST(TranslationConvention, OfClipsOfOneDataSetIsTheSameWhereverTheyBegin) {
+TEST(TranslationConvention, IsTheSameForAllClipsOfADataSet) {
   const Eigen::Vector3d offset(12, 95, -8);
   for (const Eigen::Vector3d& begin : {offset, Eigen::Vector3d(300, 94, 20)})
     EXPECT_EQ(guess_translation(root_at(offset, {begin, begin + Eigen::Vector3d(5, 1, -60)}))

@@ -71,7 +71,7 @@ TEST_F(ClipFiles, AFolderThatCannotBeReadIsNamedAndOthersAreSearched) {
   EXPECT_THAT(said, HasSubstr("sub Permission denied"));
 }
 
-TEST_F(ClipFiles, OfAFolderThatIsLeftOutAreNotFound) {
+TEST_F(ClipFiles, AreNotFoundInALeftOutFolder) {
   EXPECT_THAT(found(identity_of(folder_ / "in/sub")), ElementsAre("a.bvh"));
 }
 

@@ -94,7 +94,7 @@ TEST(KeyTimes, GiveTheRateThatIsAskedFor) {
   EXPECT_EQ(times.warning, "");
 }
 
-TEST(KeyTimes, OfOneKeyAreOneFrame) {
+TEST(KeyTimes, OneKeyIsOneFrame) {
   EXPECT_EQ(sample_times("f", {3}, {}, {}, 1).frames, 1);
   EXPECT_EQ(sample_times("f", {3}, {}, {}, 1).rate_hz, 30);
 }

@@ -222,7 +222,7 @@ TEST_F(MotionFiles, WithZUpComeBackWithZUp) {
     EXPECT_NE(again.find(line), std::string::npos) << line << again;
 }
 
-TEST_F(MotionFiles, OfAcclaimKeepTheirUnit) {
+TEST_F(MotionFiles, AcclaimFilesKeepTheirUnit) {
   write_text(folder_ / "a.asf", test::replaced(test::kSmallAsf, "length 0.45", "length 1"));
   write_text(folder_ / "a.amc", test::kSmallAmc);
   const MotionFile file = read_motion(folder_ / "a.amc");

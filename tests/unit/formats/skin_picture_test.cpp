@@ -143,7 +143,7 @@ void expect_left_out(const SmallGltf& gltf, const std::string& extension) {
   }
 }
 
-TEST(PackedMesh, OfDracoThatCannotBeUnpackedIsLeftOutInOneSentence) {
+TEST(PackedMesh, LeavesOutBrokenDracoInOneSentence) {
   SmallGltf gltf = painted_knee({{"uri", "data:image/png;base64,iVBORw0KGgo="}});
   gltf.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
   Json& primitive = gltf.json["meshes"][0]["primitives"][0];
@@ -162,7 +162,7 @@ TEST(PackedMesh, IsReadUnpackedWhereItAlsoStandsSo) {
   EXPECT_TRUE(read(gltf).skin);
 }
 
-TEST(PackedMesh, OfMeshoptThatCannotBeUnpackedIsLeftOutInOneSentence) {
+TEST(PackedMesh, LeavesOutBrokenMeshoptInOneSentence) {
   for (const char* extension : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
     SmallGltf gltf = painted_knee({{"uri", "data:image/png;base64,iVBORw0KGgo="}});
     const std::size_t position = gltf.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"];

@@ -31,7 +31,7 @@ class Strangers : public testing::Test {
   fs::path corpus_;
 };
 
-TEST_F(Strangers, OfGltfReadAsTheReadmeSays) {
+TEST_F(Strangers, GltfFilesReadAsTheReadmeSays) {
   const MotionFile base = read("g_base.gltf");
   EXPECT_EQ(base.motion.clip.frames(), 31);
   EXPECT_EQ(base.motion.clip.sample_rate_hz, 30);

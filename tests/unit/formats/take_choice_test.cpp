@@ -49,7 +49,7 @@ TEST(TakeChoice, StaysASentenceWhereNamesAreLong) {
   EXPECT_TRUE(warnings[0].message.ends_with(" and 17 more"));
 }
 
-TEST(TakeChoice, OfNoneSaysThatTheFileMayBeACharacter) {
+TEST(TakeChoice, SaysThatAFileWithoutTakesMayBeACharacter) {
   Warnings warnings;
   try {
     choose_take("f", {}, {}, warnings);

@@ -76,7 +76,7 @@ TEST_F(Correction, MovesNoJointFurtherThanTheFeet) {
                 1.1 * differences.cwiseAbs().maxCoeff() * std::sqrt(3));
 }
 
-TEST_F(Correction, OfNothingChangesNothing) {
+TEST_F(Correction, NoDifferencesChangeNothing) {
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(60, 3 * std::ssize(feet_));
   // Rounded like decoded values.
   damaged_.channels = damaged_.channels.cast<float>().cast<double>().eval();
@@ -141,7 +141,7 @@ TEST(Knee, AWholeTurnIsNoTurn) {
   EXPECT_NEAR(fastest_knee(motion.skeleton, feet, motion.clip), before, 1e-9);
 }
 
-TEST(Knee, OfBlocksIsThatOfTheWhole) {
+TEST(Knee, IsTheSameInBlocks) {
   const Motion motion = samples::walk_clip();
   const std::vector<Effector> feet = find_feet(motion.skeleton);
   KneeSpeed speed(motion.skeleton, feet);

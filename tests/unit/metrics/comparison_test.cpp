@@ -16,7 +16,7 @@ Comparison compared_with(const Clip& decoded) {
   return compare(original, body_tracks(original.skeleton, original.clip), decoded, {});
 }
 
-TEST(Comparison, OfAMotionWithItselfHasNoError) {
+TEST(Comparison, FindsNoErrorOfAMotionAgainstItself) {
   EXPECT_EQ(compared_with(test::smooth_motion(20).clip).distortion.max.cm, 0);
 }
 

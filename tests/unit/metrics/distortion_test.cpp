@@ -42,7 +42,7 @@ TEST(DistanceCounts, ZeroAndNoneAreZero) {
   EXPECT_EQ(counts.percentile(1), 7);
 }
 
-TEST(DistanceCounts, WhatIsNoNumberIsLargerThanAnyDistance) {
+TEST(DistanceCounts, NotANumberIsLargerThanAnyDistance) {
   DistanceCounts counts;
   counts.add(1);
   for (const float sign : {1.0F, -1.0F})
@@ -51,7 +51,7 @@ TEST(DistanceCounts, WhatIsNoNumberIsLargerThanAnyDistance) {
   EXPECT_FALSE(counts.percentile(1) < std::numeric_limits<double>::infinity());
 }
 
-TEST(Distortion, OfAClipWithItselfIsZero) {
+TEST(Distortion, IsZeroForEqualClips) {
   const Motion motion = test::smooth_motion(30);
   const Distortion distortion = measure(motion.skeleton, motion.clip, motion.clip);
   EXPECT_EQ(distortion.eps_bone_ends, 0);
@@ -59,7 +59,7 @@ TEST(Distortion, OfAClipWithItselfIsZero) {
   EXPECT_EQ(distortion.max.cm, 0);
 }
 
-TEST(Distortion, OfAShiftedFigureIsTheShiftInEveryMeasure) {
+TEST(Distortion, EqualsTheShiftOfAShiftedFigureInEveryMeasure) {
   const Motion motion = test::smooth_motion(30);
   Clip shifted = motion.clip;
   shifted.channels.col(0).array() += 3;
@@ -89,7 +89,7 @@ TEST(Distortion, FollowsThePapersFormula) {
   }
 }
 
-TEST(Distortion, OfPointsOnTheBodyIsThatOfTheirTracks) {
+TEST(Distortion, MeasuresPointsOnTheBodyByTheirTracks) {
   const Motion motion = test::smooth_motion(20);
   const Clip other = test::smooth_motion(20, 2).clip;
   const Distortion distortion = measure(motion.skeleton, motion.clip, other);
@@ -161,7 +161,7 @@ TEST(Distortion, PercentilesLeaveRareGlitchesToTheMaximum) {
   EXPECT_NEAR(distortion.max.cm, 50, 1e-9);
 }
 
-TEST(Distortion, OfAClipWithoutFramesIsZero) {
+TEST(Distortion, IsZeroWithoutFrames) {
   const Motion motion = test::smooth_motion(0);
   EXPECT_EQ(measure(motion.skeleton, motion.clip, motion.clip).eps_bone_ends, 0);
 }

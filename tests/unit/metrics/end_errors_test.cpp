@@ -32,7 +32,7 @@ TEST(EndErrors, TellHowFarFirstAndLastPoseAreOff) {
   EXPECT_NEAR(ends.last_cm, 3, 1e-6);
 }
 
-TEST(EndErrors, OfASeamAreWhatChangesFromTheLastFrameToTheFirst) {
+TEST(EndErrors, MeasureTheChangeAcrossTheSeam) {
   Eigen::VectorXd shifts = Eigen::VectorXd::LinSpaced(20, 0, 1.9);  // 0.1 a frame
   const EndErrors drifting = errors_of_shifts(shifts);
   EXPECT_NEAR(drifting.seam_cm, 1.9, 1e-6);

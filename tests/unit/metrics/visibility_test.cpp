@@ -69,7 +69,7 @@ TEST(Visibility, OriginalAgainstItselfIsNotVisible) {
     }
 }
 
-TEST(Visibility, OfNoFramesIsNone) {
+TEST(Visibility, IsNoneWithoutFrames) {
   const Motion motion = test::smooth_motion(0);
   EXPECT_EQ(compare(motion.skeleton, motion.clip, motion.clip).sight(), Sight::NotVisible);
 }
@@ -186,7 +186,7 @@ TEST(Visibility, ForgivesMoreOfWhatIsFaster) {
   EXPECT_NEAR(error(200), 6 / (noticed::kShareOfSpeed * 200), 1e-6);
 }
 
-TEST(Visibility, OfTheBodysWayIsTheRootsAndOfALimbTheJoints) {
+TEST(Visibility, BodyErrorsBelongToTheRootAndLimbErrorsToTheJoint) {
   const Motion motion = test::smooth_motion(240);
   const int hand = motion.skeleton.find("rhand");
   Clip decoded = motion.clip;
@@ -270,7 +270,7 @@ TEST(Visibility, TellsWhenByWindow) {
   EXPECT_LT(seen.visible_share, 0.2);
 }
 
-TEST(Visibility, OfBlocksIsThatOfTheWhole) {
+TEST(Visibility, IsTheSameInBlocks) {
   const Motion motion = test::smooth_motion(130);
   const Eigen::MatrixXd original = body_tracks(motion.skeleton, motion.clip);
   Clip other = motion.clip;

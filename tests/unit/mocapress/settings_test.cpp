@@ -74,7 +74,7 @@ TEST(Settings, AsksForNothingToSeeWithoutANumber) {
   EXPECT_EQ(target_text(preset.target), "not visible");
 }
 
-TEST(Settings, WhatAFileLeavesOutIsAsUsual) {
+TEST(Settings, MissingKeysGetDefaults) {
   EXPECT_EQ(parse_presets("", R"({"name": "mine"})").front(), Settings{.name = "mine"});
 }
 

@@ -97,7 +97,7 @@ TEST(Body, SharesSumToOne) {
   }
 }
 
-TEST(Body, WhatHangsOnNoBoneGetsAnExtentAlongTheBoneBefore) {
+TEST(Body, JointsWithoutABoneExtendTheBoneBefore) {
   const Skeleton skeleton = game_skeleton();
   const std::vector<BodyLimb> limbs = body_limbs(skeleton);
   const BodyLimb& head = limb_of(limbs, skeleton.find("Head"));
@@ -118,7 +118,7 @@ TEST(Body, BeginsAtTheJointThatMovesAwayFromARootOnTheFloor) {
   EXPECT_EQ(body_root(Skeleton()), 0);
 }
 
-TEST(Body, OfWhatIsNoHumanHasTheSameSkinForEveryCentimetre) {
+TEST(Body, AThingHasTheSameSkinForEveryCentimetre) {
   const Skeleton skeleton = test::small_skeleton();  // arms without legs
   EXPECT_TRUE(body_regions(skeleton).empty());
   const std::vector<BodyLimb> limbs = body_limbs(skeleton);
@@ -153,7 +153,7 @@ TEST(Body, SeesEveryJointThatTurnsThoughAllBelowItSlides) {
   EXPECT_NEAR(shares, 1, 1e-12);
 }
 
-TEST(Body, OfAPointIsNothing) {
+TEST(Body, APointHasNoBody) {
   Skeleton point;
   point.add({.name = "point", .channels = {TranslationX}});
   EXPECT_TRUE(body_limbs(point).empty());

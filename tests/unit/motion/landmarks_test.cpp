@@ -30,7 +30,7 @@ TEST(Landmarks, WeightsSumToOneAndFollowTheSegments) {
   EXPECT_NEAR(origins(0) / ends(1), 1, 1e-12);  // the segment from root to spine
 }
 
-TEST(Landmarks, OfASkeletonWithoutLengthStillCount) {
+TEST(Landmarks, CountWithoutBoneLengths) {
   Skeleton point;
   point.add({.name = "p"});
   EXPECT_EQ(landmark_weights(point, Weighting::BoneEnds)(0), 1);

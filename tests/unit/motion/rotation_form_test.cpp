@@ -109,7 +109,7 @@ TEST(RotationForm, FixedTurnsComeNearAnyRotation) {
   EXPECT_EQ(rotation_of({}), Eigen::Matrix3d::Identity());
 }
 
-TEST(RotationForm, OfASourceHasNoFixedTurns) {
+TEST(RotationForm, ASourceFormHasNoFixedTurns) {
   const Motion motion = test::smooth_motion(60);
   const Motion turned = with_forms(motion, all_alike(motion.skeleton, 9));
   const Motion back = with_forms(turned, rotation_forms(motion.skeleton));

@@ -119,7 +119,7 @@ TEST(SkinPoints, StayOnTheMeshAsEnginesBendIt) {
   }
 }
 
-TEST(SkinPoints, OfAMeshWithoutAreaAreNone) {
+TEST(SkinPoints, AMeshWithoutAreaHasNone) {
   Skin skin = strip();
   for (Skin::Vertex& vertex : skin.vertices) vertex.in_bind.setZero();
   EXPECT_TRUE(points_on(skin).empty());

@@ -51,7 +51,7 @@ Motion turning_thing() {
   return {skeleton, clip};
 }
 
-TEST(SurfacePoints, OfAThingWithoutBonesAreItsMesh) {
+TEST(SurfacePoints, LieOnTheMeshOfAThingWithoutBones) {
   Motion motion = turning_thing();
   EXPECT_TRUE(far_meshes(motion.skeleton).empty());
   Skin skin;
@@ -70,7 +70,7 @@ TEST(SurfacePoints, OfAThingWithoutBonesAreItsMesh) {
   EXPECT_LT(made.distortion.skin->max.cm, 2);
 }
 
-TEST(SurfacePoints, OfAPropInAHandReachToItsEndAndWeighAsTheHand) {
+TEST(SurfacePoints, ReachToTheEndOfAPropAndWeighAsTheHand) {
   Motion motion = test::smooth_motion(4);
   const MeasuredPoints bare = surface_points(motion.skeleton);
   const int hand = bare.points.back().joint;

@@ -37,12 +37,12 @@ TEST(Curve, IsNotExtrapolated) {
   EXPECT_FALSE(ratio_at({}, 0.1));
 }
 
-TEST(Curve, OfOnePointHasThatPoint) {
+TEST(Curve, KeepsASinglePoint) {
   EXPECT_EQ(*ratio_at({{7, 0.3}}, 0.3), 7);
   EXPECT_FALSE(ratio_at({{7, 0.3}}, 0.31));
 }
 
-TEST(GeometricMean, OfTwoAndEightIsFour) {
+TEST(GeometricMean, TwoAndEightGiveFour) {
   EXPECT_NEAR(*geometric_mean(std::vector<double>{2, 8}), 4, 1e-12);
   EXPECT_FALSE(geometric_mean({}));
 }

@@ -106,7 +106,7 @@ TEST_F(Annealing, StopsWhenToldAndSaysSo) {
   EXPECT_FALSE(report.complete);
 }
 
-TEST_F(Annealing, OfNothingKeptEndsAtOnce) {
+TEST_F(Annealing, EndsAtOnceWithoutCoefficients) {
   const Kept nothing(start_.size(), 0);
   const AnnealingReport report = anneal(ranked_, model_, nothing);
   EXPECT_EQ(report.iterations, 0);

@@ -158,7 +158,7 @@ TEST(ErrorModel, AddingAndTakingBackLeavesNothing) {
   EXPECT_NEAR(state.gradient().cwiseAbs().maxCoeff() / steepest, 0, 1e-6);
 }
 
-TEST(ErrorModel, OfOtherSignalsScalesWithWhatTheyMove) {
+TEST(ErrorModel, ScalesOtherSignalsByTheirMovement) {
   const Motion motion = test::smooth_motion(70);
   const MeasuredPoints measured = measured_points(motion.skeleton, Weighting::BoneEnds);
   const ErrorModel of_channels(motion.skeleton, motion.clip, measured);

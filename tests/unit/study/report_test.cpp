@@ -224,7 +224,7 @@ TEST(Report, LeadsWithTheMethodThatShipsAndRecommendsWithPresets) {
   EXPECT_THAT(html, HasSubstr(">Gameplay<"));
 }
 
-TEST(Report, OfNothingButFailuresIsAPage) {
+TEST(Report, FailuresAloneMakeAPage) {
   const std::string html = report_html(
       Results({{.clip = "c.bvh", .settings = {.method = "annealed"}, .error = "gone"}}), {});
   EXPECT_EQ(imbalance(html), "");

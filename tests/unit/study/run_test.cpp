@@ -88,7 +88,7 @@ TEST_F(Study, TellsOfEveryRowOnceAndOneAtATime) {
   EXPECT_EQ(given, 12);
 }
 
-TEST_F(Study, WhatFailsIsARowAndStopsNothing) {
+TEST_F(Study, AFailureIsARowAndStopsNothing) {
   StudyPlan asked = plan();
   write_text(folder_ / "broken.bvh", "HIERARCHY\nnonsense");
   asked.clips.insert(asked.clips.begin(), {folder_ / "broken.bvh", {{Target::Kind::Ratio, 10}}});
@@ -115,7 +115,7 @@ TEST_F(Study, StopsWhenToldToWithoutTheRowsItDidNotFinish) {
   EXPECT_LT(outcome.rows.size(), 12u);
 }
 
-TEST_F(Study, WhatTheSinkThrowsEndsTheRun) {
+TEST_F(Study, AnExceptionOfTheSinkEndsTheRun) {
   int given = 0;
   const auto full_disk = [&](const StudyRow&) {
     ++given;
@@ -147,7 +147,7 @@ TEST_F(Study, GoesOnAfterAStopToTheSameRowsAsWithoutOne) {
   for (const char* file : {kRowsCsv, kRowsJson, kReport}) EXPECT_TRUE(fs::exists(stopped / file));
 }
 
-TEST_F(Study, OfRowsThatAreAllThereWritesTheSameFilesAgain) {
+TEST_F(Study, CompleteRowsGiveTheSameFilesAgain) {
   run_study_in(folder_ / "out", plan());
   const auto texts = [&] {
     std::vector<std::string> all;
@@ -186,7 +186,7 @@ TEST_F(Study, FindsTheClipsOfAFolderInOrderAndEachOnce) {
   EXPECT_THROW(find_clips({folder_ / "empty"}), InputError);
 }
 
-TEST(StudyPlanTargets, OfThePaperHoldItsTablesForItsClips) {
+TEST(StudyPlanTargets, ThePapersTargetsHoldItsTables) {
   const auto has = [](const std::vector<Target>& targets, Target::Kind kind, double value) {
     return std::find(targets.begin(), targets.end(), Target{kind, value}) != targets.end();
   };

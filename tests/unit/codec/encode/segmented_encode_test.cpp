@@ -225,7 +225,7 @@ CompressedClip segments_of_nothing(int frames, std::uint32_t bytes_of_each) {
   return bomb;
 }
 
-TEST(Segments, OfNoBytesAreRefused) {
+TEST(Segments, RefusesSegmentsWithoutBytes) {
   const File bytes = write_container(segments_of_nothing(1 << 20, 0));
   EXPECT_EQ(test::OpenedClip(bytes).result.status, MCPR_INVALID);
   EXPECT_THROW(decode(read_container(bytes)), FormatError);
@@ -313,7 +313,7 @@ TEST(SegmentedEncode, LeavesNothingToSee) {
   EXPECT_GT(encoding.visibility.worst().times_noticed(), 0.65);
 }
 
-TEST(SegmentedEncode, WhatIsMeasuredIsWhatTheFileDecodesTo) {
+TEST(SegmentedEncode, MeasuresTheClipThatTheFileDecodesTo) {
   const Encoding encoding = walk().encode(options({Target::Kind::Ratio, 60}));
   const CompressedClip read = read_container(write_container(encoding.compressed));
   EXPECT_EQ(read.segments->bytes.size(), 3u);
@@ -450,7 +450,7 @@ TEST(SegmentedEncode, AskedForFiguresAloneItGivesTheSameBytesAndFigures) {
     }
 }
 
-TEST(SegmentedEncode, WhatIsMeasuredInBlocksIsWhatTheWholeMeasures) {
+TEST(SegmentedEncode, MeasuresTheSameInBlocksAsInOnePiece) {
   const Encoding encoding = walk().encode(options({Target::Kind::Ratio, 60}));
   const Motion& motion = walk().motion();
   const Distortion whole = measure(motion.skeleton, walk().original_body(), encoding.decoded);

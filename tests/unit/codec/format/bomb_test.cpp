@@ -45,7 +45,7 @@ CompressedClip unreachable_clip(int frames, IkSolver solver) {
   return clip;
 }
 
-TEST(Bomb, OfUnreachablePlacesTakesNoMoreStepsThanItsSamplesAllow) {
+TEST(Bomb, UnreachablePlacesTakeNoMoreStepsThanTheirSamplesAllow) {
   for (const IkSolver solver : {IkSolver::CyclicDescent, IkSolver::NearestPose}) {
     const CompressedClip clip = read_container(write_container(unreachable_clip(60, solver)));
     ASSERT_LT(clip.motion.size(), 400u);

@@ -74,7 +74,7 @@ TEST(TracksSection, HoldsEveryFloatBitForBit) {
               std::bit_cast<std::uint32_t>(track.values[t]));
 }
 
-TEST(TracksSection, WhatHardlyChangesCostsNextToNothing) {
+TEST(TracksSection, NearlyConstantTracksCostNextToNothing) {
   CodedTracks coded;
   for (int t = 0; t < 100; ++t) {
     ScalarTrack track{
@@ -93,7 +93,7 @@ TEST(TracksSection, WhatHardlyChangesCostsNextToNothing) {
   EXPECT_LT(switched, still + 100 * 4);
 }
 
-TEST(TracksSection, WhatNoFileHoldsIsRefused) {
+TEST(TracksSection, RefusesTracksThatNoFileCanHold) {
   const auto refusal = [](CodedTracks coded) -> std::string {
     try {
       with_coded_tracks(clip_without_tracks(), coded);

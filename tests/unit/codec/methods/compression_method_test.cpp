@@ -44,7 +44,7 @@ TEST(CompressionMethods, AreNamedInTheOrderOfThePaper) {
   EXPECT_EQ(find_compression_method("magic"), nullptr);
 }
 
-TEST(CompressionMethods, OfWaveletsSetMethodAndBasisAndOthersNothing) {
+TEST(CompressionMethods, WaveletMethodsSetMethodAndBasis) {
   EncodeSettings options;
   EXPECT_TRUE(choose_wavelets(*find_compression_method("haar"), options));
   EXPECT_EQ(options.method, Method::Standard);
@@ -104,7 +104,7 @@ TEST_F(EveryMethod, WritesAFileThatReadsAsWhatWasMeasured) {
   }
 }
 
-TEST_F(EveryMethod, OfWaveletsAloneKnowsACoefficientRatio) {
+TEST_F(EveryMethod, OnlyWaveletsKnowACoefficientRatio) {
   EXPECT_TRUE(compress(*find_compression_method("haar"), {Target::Kind::CoefficientRatio, 9})
                   .coefficient_ratio.has_value());
   EXPECT_THROW(compress(*find_compression_method("pca"), {Target::Kind::CoefficientRatio, 9}),

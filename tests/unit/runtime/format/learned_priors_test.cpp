@@ -49,7 +49,7 @@ TEST(LearnedPriors, ChangeTheListedContexts) {
     EXPECT_EQ(model->contexts[c].one == before->contexts[c].one, c != 7 && c != 208) << c;
 }
 
-TEST(LearnedPriors, OfSignalsApplyOnlyToEqualSignalCounts) {
+TEST(LearnedPriors, SignalPriorsApplyOnlyToEqualSignalCounts) {
   const int shared = ContextLayout(3).shared;
   std::vector<std::uint8_t> bytes = lesson(3);
   tell(bytes, shared - 1, 5);

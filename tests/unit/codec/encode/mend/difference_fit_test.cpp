@@ -86,7 +86,7 @@ TEST(DifferenceFit, CostsLessThanTheLargestCoefficients) {
     }
 }
 
-TEST(DifferenceFit, OfEveryCoefficientIsExact) {
+TEST(DifferenceFit, IsExactWithEveryCoefficient) {
   const Clip clip = three_signals();
   const DifferenceFit fit =
       fit_differences(clip, weights_with(0), Basis::Cubic, 3 * kFrames, finest);
@@ -133,7 +133,7 @@ TEST(DifferenceFit, RoundedTogetherCostsLessThanEachToTheNearest) {
   }
 }
 
-TEST(DifferenceFit, OfNoFramesIsNothing) {
+TEST(DifferenceFit, IsEmptyWithoutFrames) {
   const FitWeights none{Eigen::VectorXd(0), Eigen::VectorXd(0)};
   const DifferenceFit fit =
       fit_differences({120, Eigen::MatrixXd(0, 3)}, {none, none, none}, Basis::Cubic, 0, finest);

@@ -114,7 +114,7 @@ TEST(EndFit, ExactEndsHoldBesideACorrectionAndInSegments) {
   }
 }
 
-TEST(EndFit, OfALoopNothingJumpsFromTheLastFrameToTheFirst) {
+TEST(EndFit, NothingJumpsFromALoopsLastFrameToItsFirst) {
   const Motion loop = test::loop_of(test::smooth_motion(600, 6), 1);
   ASSERT_GT(loop.clip.frames(), 100);
   EncodeSettings asked = with_ends(Ends::Even);
@@ -147,7 +147,7 @@ TEST(EndFit, VelocitiesOfALoopBreakNoMoreAtItsSeamThanElsewhere) {
   EXPECT_GT(mended, 0);
 }
 
-TEST(EndFit, OfAHardMaximumNoPointOfAnExactEndIsFurtherOffThanATenth) {
+TEST(EndFit, ExactEndsKeepATenthOfAHardMaximum) {
   const Motion motion = test::smooth_motion(150, 4);
   EncodeSettings asked = with_ends(Ends::Exact);
   asked.target = {Target::Kind::MaxError, 3};

@@ -49,7 +49,7 @@ TEST(Importance, BringsAPartNearerAtTheSameSize) {
           << name(method) << " " << name(part);
 }
 
-TEST(Importance, OfContactsKeepsFeetPlanted) {
+TEST(Importance, ContactsKeepFeetPlanted) {
   EXPECT_LT(encoded(Method::ClosedLoop, {.contacts = 20}).footskate.total_cm,
             0.5 * encoded(Method::ClosedLoop, {}).footskate.total_cm);
 }
@@ -111,7 +111,7 @@ TEST(NamedImportance, AJointWithTheNameOfItsPartKeepsItsFactor) {
   }
 }
 
-TEST(NamedImportance, OfOneAlikeIsNone) {
+TEST(NamedImportance, EqualFactorsAreNone) {
   EXPECT_TRUE(importance_for({{{"feet", 1}, {"root", 1}}}, skeleton()).is_even());
 }
 

@@ -57,7 +57,7 @@ TEST(Promises, AreKeptWhereTheTargetAloneWouldBreakThem) {
               plain.compressed.motion_bytes());
 }
 
-TEST(Promises, OfTheRootHoldForRootsOnTheFloorAlone) {
+TEST(Promises, RootPromisesHoldOnlyForRootsOnTheFloor) {
   const Motion hips = samples::run_clip();
   const Encoder encoder(hips);
   const Encoding plain = encoder.encode(options_with({}));

@@ -32,7 +32,7 @@ TEST(SizeEstimate, IsNearTheCodedBytes) {
   }
 }
 
-TEST(SizeEstimate, OfNothingButZerosIsSmall) {
+TEST(SizeEstimate, IsSmallForZeros) {
   QuantisedSignals nothing;
   nothing.step_exponent.assign(12, 0);
   nothing.values = Eigen::MatrixXi::Zero(500, 12);
