@@ -14,7 +14,7 @@ uniform vec3 zAxisColour;
 
 out vec4 fragment;
 
-// How much of a pixel is covered by the lines of a given pitch, about `pixels` wide.
+// The share of a pixel that lines of a given pitch cover, about `pixels` wide.
 vec2 coverage(float pitch, float pixels) {
   vec2 lines = ground / pitch;
   vec2 footprint = fwidth(lines);

@@ -9,7 +9,7 @@ in vec4 bones;           // indices
 in vec4 weights;         // summing to 1
 in vec3 place;           // in a picture: rightwards, downwards, which; -1: in none
 
-// Of each bone the rows of its world_from_bind, then what covers the skin: rgb, and how much of it.
+// For each bone: the rows of its world_from_bind, then the skin's tint as rgb and opacity.
 layout(std140) uniform Bones { vec4 rows[4 * 256]; };
 
 uniform mat4 viewMatrix;

@@ -213,7 +213,7 @@ def make_mixamo(posed=True):
 
 
 def heads_of(rig, frames):
-    """Of every bone in every frame: its head in cm, Y up."""
+    """The head of every bone in every frame, in cm, Y up."""
     rows = []
     for frame in frames:
         bpy.context.scene.frame_set(frame)
@@ -267,7 +267,7 @@ class Addon(unittest.TestCase):
         self.assertEqual(bpy.ops.export_anim.mocapress(filepath=str(path), **options), {"FINISHED"})
 
     def refusal(self, operator, **options):
-        """What the error report says; anything but a report fails."""
+        """The text of the error report; fails without a report."""
         with self.assertRaises(RuntimeError) as refused:
             operator(**options)
         said = str(refused.exception)
@@ -487,7 +487,7 @@ class Addon(unittest.TestCase):
         self.assertIn("scaled unevenly", self.refusal(
             bpy.ops.export_anim.mocapress, filepath=str(self.folder / "x.mcpr")))
 
-    # What goes wrong
+    # Errors
 
     def test_a_missing_program_is_reported_with_what_to_do(self):
         clip = self.small_clip()
@@ -630,7 +630,7 @@ class Addon(unittest.TestCase):
 
 @contextlib.contextmanager
 def captured():
-    """What is printed meanwhile, operators' reports among it."""
+    """The output meanwhile, including operators' reports."""
     with tempfile.TemporaryFile("w+") as into:
         sys.stdout.flush()
         kept = os.dup(1)

@@ -464,7 +464,7 @@ class Stream:
         self.bits.expect_end()
 
     def learn(self, cursor):
-        """What the clips of a bank taught: 12, "Packed clips"."""
+        """The priors that a bank's clips taught: 12, "Packed clips"."""
         signals = cursor.read("H")
         for row in self.weights:
             for i in range(8):
@@ -1021,7 +1021,7 @@ def norm(a):
 
 
 def pose(joints, row):
-    """Of each joint: origin and rotation in the world, and its axes there, one for each channel."""
+    """Each joint's origin and rotation in the world, and its axes there, one for each channel."""
     places = []
     for joint in joints:
         origin, world = (places[joint.parent][:2] if joint.parent >= 0 else ([0, 0, 0], IDENTITY))
@@ -1307,7 +1307,7 @@ def three_angles(m, limb):
 
 
 def sections_of(data):
-    """Of a file, by their tags."""
+    """The sections of a file, by their tags."""
     file = Cursor(data)
     if file.take(4) != b"MCPR" or file.read("H") != 1:
         refuse("not a .mcpr file of version 1")

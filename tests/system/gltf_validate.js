@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the Khronos validator has to say of some glTF files: errors and warnings, one a line.
+// Prints the Khronos validator's errors and warnings for some glTF files, one a line.
 // Usage: NODE_PATH=... node gltf_validate.js FILE...
 const fs = require("fs");
 const path = require("path");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far the compressed motion is from the original: numbers, colours, and the frames to look at.
+// Errors of the compressed motion against the original: numbers, colours, and the worst frames.
 import { Color } from 'three';
 
 /** Distances in metres: of each point at each frame, of the worst point at each frame, and what the scale ends at. */
@@ -34,7 +34,7 @@ export function findWorstFrames(ofFrames, sampleRate) {
 // Dark to light, so that it reads without colours too.
 const stops = ['#2d1e6b', '#8b2a8e', '#d8476a', '#f89441', '#f6e35a'].map((text) => new Color(text));
 
-/** Of an error as a share of the largest. */
+/** The colour of an error, given as a share of the largest. */
 export function errorColour(share) {
   const at = Math.min(Math.max(share, 0), 1) * (stops.length - 1);
   const stop = Math.min(Math.floor(at), stops.length - 2);

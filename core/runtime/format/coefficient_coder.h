@@ -39,7 +39,7 @@ struct QuantisedView {
 
 /// Working memory of a CoefficientCoder.
 struct CoderNotes {
-  std::int64_t* sums;  // of magnitudes, in this band and the one above, by signal
+  std::int64_t* sums;  // sums of magnitudes in this band and the one above, by signal
   std::int64_t* sums_above;
   int* activity;  // activity of the band, from coefficient -1 on
   int* restless;  // likewise: how much more than expected there was at each time, 256ths of octaves

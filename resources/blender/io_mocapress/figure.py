@@ -84,7 +84,7 @@ def rest_bones(armature):
 # Making one
 
 def depths(joints):
-    """How many joints hang below each, one below the other."""
+    """The length of the longest chain of joints below each joint."""
     below = [0] * len(joints)
     for index in range(len(joints) - 1, -1, -1):
         parent = joints[index].parent
@@ -186,7 +186,7 @@ def rest_differences(joints, bone_of, bones, space):
 
 
 class Curves:
-    """What one channel of a bone is in every frame, to become F-curves."""
+    """The values of one channel of a bone in every frame, for F-curves."""
 
     def __init__(self, path, count):
         self.path = path

@@ -74,6 +74,6 @@ def run(arguments, folder, warnings):
 
 
 def sentence(said):
-    """What it ended with, of the lines of its error output."""
+    """The program's message: the last line of its error output that is no warning."""
     last = next((line for line in reversed(said) if not line.startswith("warning: ")), "")
     return last[len("mocapress: "):] if last.startswith("mocapress: ") else last

@@ -66,7 +66,7 @@ def about_axis(axis, angle):
 
 
 def from_rows(m):
-    """Of a rotation matrix: row after row, of which only the first three numbers count."""
+    """The quaternion of a rotation matrix, whose rows may have more than three numbers."""
     trace = m[0][0] + m[1][1] + m[2][2]
     if trace > 0:
         return normalised((1 + trace, m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1]))
@@ -125,7 +125,7 @@ def between(pairs):
         return IDENTITY
     m = [[0.0] * 4 for _ in range(4)]
     for a, b in pairs:
-        # What left multiplication by b and right multiplication by a do to a quaternion.
+        # The matrices of left multiplication by b and right multiplication by a.
         for j in range(4):
             unit = tuple(float(i == j) for i in range(4))
             column = multiply(multiply((0.0, *b), unit), (0.0, *a))

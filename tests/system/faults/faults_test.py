@@ -259,7 +259,7 @@ class Judge:
         return sorted({1, 2, calls - 1, calls, *(1 + i * calls // 4 for i in range(1, 4))})
 
     def run(self, fault):
-        """What came of it in a word, and what is wrong: empty where nothing is."""
+        """The result in a word, and the fault; empty: none."""
         folder = self.copy()
         try:
             code, said, _ = self.bench.mocapress(folder, self.command.words, fault)
