@@ -36,7 +36,7 @@ class AnimationWriter {
   Json& animation_;
   double first_s_;
   std::size_t times_;
-  std::optional<std::size_t> start_;  // the time of the first frame alone
+  std::optional<std::size_t> start_;  // an accessor of the first frame's time only
 };
 
 Json json_of(const Eigen::Vector3d& vector);

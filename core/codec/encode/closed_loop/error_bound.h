@@ -66,7 +66,7 @@ class ErrorBound {
   Eigen::MatrixXd squared_;                // of them: frames x landmarks
   int channel_ = -1;
   int joint_ = -1;                           // of the channel
-  std::vector<Rotations> world_from_joint_;  // of the joints before that
+  std::vector<Rotations> world_from_joint_;  // of the joints before joint_
   Rotations world_from_axes_;                // before the channel's own turn
   std::vector<Moved> moved_;                 // one for each landmark, kept to reuse their memory
   std::size_t moved_count_ = 0;
