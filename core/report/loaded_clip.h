@@ -34,8 +34,7 @@ class LoadedClip {
   const std::vector<ContactSpan>& contacts() const { return encoder_.wavelets().contacts(); }
 
   /// `contacts` are edited contacts, over which the footskate is measured instead.
-  Measurement measure(const Compression& compression,
-                      std::optional<std::size_t> contacts = {}) const;
+  Measurement measure(const Encoding& encoding, std::optional<std::size_t> contacts = {}) const;
 
  private:
   Warnings warnings_;

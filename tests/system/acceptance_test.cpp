@@ -39,7 +39,7 @@ INSTANTIATE_TEST_SUITE_P(StudyClips, Acceptance,
 /// The expected ratios were measured once: a better codec gets new ones.
 class ClosedLoopRatios : public CommandLine {};
 
-TEST_F(ClosedLoopRatios, OfTheBundledClipsAreWhatTheyWere) {
+TEST_F(ClosedLoopRatios, BundledClipsKeepTheirRatios) {
   constexpr double kTolerance = 0.02;
   std::ifstream golden(MOCAPRESS_SOURCE_DIR "/tests/golden/closed_loop_ratios.csv");
   std::string line;

@@ -99,8 +99,9 @@ TEST(Verification, IsWhatTheRuntimeDecoderGivesWithTheCorrectionToo) {
 }
 
 TEST(Verification, UsesTheLibraryForClipsThatNoEnginePlays) {
-  const Encoding encoding =
-      original().encode({.method = Method::Standard, .target = {Target::Kind::Ratio, 10}});
+  const Encoding encoding = original().encode({.method = Method::Standard,
+                                               .weighting = Weighting::BoneEnds,
+                                               .target = {Target::Kind::Ratio, 10}});
   const Verification found = verify(write_container(encoding.compressed), original());
   EXPECT_EQ(found.by, "library");
   EXPECT_EQ(found.distortion.max.cm, encoding.distortion.max.cm);

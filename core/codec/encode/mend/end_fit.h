@@ -22,7 +22,7 @@ int frames_at_ends(int frames);
 /// too. With an IK correction both ends are exact and no other frame takes part, since held feet
 /// would slide otherwise. The originals are the first and last frames in the coded channels:
 /// frames_at_ends() of them, at least one. Channels that stand still in the clip are left alone.
-void fit_ends(const EncodeSettings& options, Trial& trial, const Skeleton& coded_skeleton,
+void fit_ends(const EncodeSettings& settings, Trial& trial, const Skeleton& coded_skeleton,
               const std::vector<bool>& still, const Goal& goal,
               const Eigen::MatrixXd& original_first, const Eigen::MatrixXd& original_last);
 
