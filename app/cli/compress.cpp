@@ -13,7 +13,7 @@
 #include "core/base/file.h"
 #include "core/base/file_identity.h"
 #include "core/base/staged_file.h"
-#include "core/batch/review_clip.h"
+#include "core/report/review_clip.h"
 #include "core/batch/verification.h"
 #include "core/codec/encode/track_encoder.h"
 #include "core/codec/format/source_section.h"

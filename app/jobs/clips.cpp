@@ -9,7 +9,7 @@
 
 #include "core/base/file.h"
 #include "core/base/staged_file.h"
-#include "core/batch/review_clip.h"
+#include "core/report/review_clip.h"
 #include "core/batch/verification.h"
 #include "core/codec/decode/decoder.h"
 #include "core/codec/format/container.h"

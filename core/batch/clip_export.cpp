@@ -11,7 +11,7 @@
 #include "core/base/number_text.h"
 #include "core/base/path_kind.h"
 #include "core/base/staged_file.h"
-#include "core/batch/review_clip.h"
+#include "core/report/review_clip.h"
 #include "core/batch/verification.h"
 #include "core/codec/decode/track_decoding.h"
 #include "core/codec/encode/track_encoder.h"

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <filesystem>
 
+#include "core/codec/methods/compression_method.h"
 #include "core/feet/feet.h"
 #include "core/motion/body.h"
 
@@ -71,6 +73,11 @@ Eigen::Vector3d facing(const Skeleton& skeleton, const std::vector<Eigen::Vector
     if (forward.norm() > 1) return forward.normalized();
   }
   return Eigen::Vector3d::UnitZ();
+}
+
+std::string review_name(const Picture& picture, const std::string& method) {
+  return std::filesystem::path(picture.clip).stem().string() + ", " +
+         std::string(method_title(method));
 }
 
 }  // namespace mocapress

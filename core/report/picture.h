@@ -39,6 +39,7 @@ struct PicturedMethod {
   double eps_cm = 0;
   double max_error_cm = 0;
   SightChart sights;
+  std::string review;  // the script of review_clip() for review_name(); empty: without the viewer
 };
 
 /// One frame of the original and of each method.
@@ -72,5 +73,8 @@ struct Picture {
   std::vector<PicturedFrame> sequence;  // at even distances over the clip
   std::optional<PicturedFoot> foot;     // unset: no foot slides
 };
+
+/// The name under which a page shows a pictured clip, compressed by one method.
+std::string review_name(const Picture& picture, const std::string& method);
 
 }  // namespace mocapress

@@ -27,6 +27,11 @@ std::string in_script(const Json& json) {
   return text;
 }
 
+/// The arguments with which a page shows a clip.
+std::string shown(std::string_view name, const std::vector<std::string>& facts) {
+  return "(" + in_script(Json(std::string(name))) + ", " + in_script(Json(facts)) + ");";
+}
+
 }  // namespace
 
 bool has_review_viewer() {
@@ -52,20 +57,18 @@ std::string review_section(std::span<const std::byte> viewer) {
          element("script", "", kReviewScript);
 }
 
+std::string review_button(std::string_view name, const std::vector<std::string>& facts) {
+  return element("script", "", "addReviewButton" + shown(name, facts));
+}
+
 std::string review_buttons() {
   return kReviewButtons;
 }
 
 std::string review_page(std::string_view name, const std::vector<std::string>& facts,
                         const std::string& script, std::span<const std::byte> viewer) {
-  Json told = Json::array();
   std::string list;
-  for (const std::string& fact : facts) {
-    told.push_back(fact);
-    list += element("li", "", escaped(fact));
-  }
-  const std::string show =
-      "showClip(" + in_script(Json(std::string(name))) + ", " + in_script(told) + ");";
+  for (const std::string& fact : facts) list += element("li", "", escaped(fact));
   return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><meta "
          "name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>" +
          element("title", "", escaped(name)) + element("style", "", kReportStyle) +
@@ -73,8 +76,8 @@ std::string review_page(std::string_view name, const std::vector<std::string>& f
          element("noscript", "",
                  element("h1", "", escaped(name)) + element("ul", "", list) +
                      element("p", "", "The viewer needs JavaScript.")) +
-         review_section(viewer) + element("script", "", script) + element("script", "", show) +
-         "</main></body></html>\n";
+         review_section(viewer) + element("script", "", script) +
+         element("script", "", "showClip" + shown(name, facts)) + "</main></body></html>\n";
 }
 
 }  // namespace mocapress

@@ -32,6 +32,9 @@ inline constexpr const char* kReviewExtension = ".review.js";
 /// The viewer as a section of a page, hidden until a clip is opened. It is well-formed XML.
 std::string review_section(std::span<const std::byte> viewer = review_viewer());
 
+/// A script that adds a button for a clip of the page where it stands, below review_section().
+std::string review_button(std::string_view name, const std::vector<std::string>& facts);
+
 /// A script that adds a button for the viewer to each row of the table `clips`, whose row headings
 /// are the clips' names.
 std::string review_buttons();

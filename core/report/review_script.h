@@ -29,6 +29,12 @@ function loadViewer() {
     return runScript(function (script) { script.src = url; });
   });
 }
+function addReviewButton(name, facts) {
+  const button = document.createElement("button");
+  button.textContent = "View";
+  button.onclick = function () { showClip(name, facts); };
+  document.currentScript.before(button);
+}
 async function showClip(name, facts) {
   const section = document.getElementById("review");
   section.hidden = false;
@@ -73,7 +79,7 @@ inline constexpr const char* kReviewStyle = R"css(
 .review canvas.strip { height: 44px; border-radius: 4px; margin-top: 8px; background: var(--page); cursor: pointer; }
 .review input { width: 100%; margin: 6px 0; accent-color: var(--accent); }
 .review .buttons { display: flex; flex-wrap: wrap; gap: 6px; }
-.review button, td button, th button { font: inherit; font-size: 13px; padding: 2px 10px; color: var(--ink);
+.review button, td button, th button, figcaption button { font: inherit; font-size: 13px; padding: 2px 10px; color: var(--ink);
   background: var(--card); border: 1px solid var(--rule); border-radius: 6px; cursor: pointer; }
 .review button[aria-pressed="true"] { color: var(--card); background: var(--ink); }
 .review .status { margin: 8px 0 0; font-variant-numeric: tabular-nums; }

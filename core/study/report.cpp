@@ -12,6 +12,7 @@
 #include "core/report/markup.h"
 #include "core/report/report_stamp.h"
 #include "core/report/report_style.h"
+#include "core/report/review_page.h"
 #include "core/report/scene_svg.h"
 #include "core/study/plan.h"
 #include "core/study/report_tables.h"
@@ -329,6 +330,22 @@ std::string seconds_text(const Picture& picture, int frame) {
   return "frame " + std::to_string(frame) + ", " + fixed(frame / picture.sample_rate_hz, 2) + " s";
 }
 
+/// A button that turns and plays a method's clip, where the page has it.
+std::string review_of(const Picture& picture, const PicturedMethod& method) {
+  if (method.review.empty()) return "";
+  return element("script", "", method.review) +
+         review_button(review_name(picture, method.method),
+                       {title_of(method), ratio_text(method.ratio),
+                        "at most " + format_significant(method.max_error_cm) + " cm off"});
+}
+
+bool are_reviewed(const std::vector<Picture>& pictures) {
+  return std::ranges::any_of(pictures, [](const Picture& picture) {
+    return std::ranges::any_of(picture.methods,
+                               [](const PicturedMethod& method) { return !method.review.empty(); });
+  });
+}
+
 std::string worst_scene(const Picture& picture, std::size_t m, const SceneView& view) {
   const PosePoints& original = picture.worst.original;
   const PosePoints& decoded = picture.worst.decoded[m];
@@ -346,7 +363,7 @@ std::string worst_scene(const Picture& picture, std::size_t m, const SceneView& 
                        ": &#949;<sub>x</sub> " + format_significant(method.eps_cm) +
                        " cm over the clip, at most " + format_significant(method.max_error_cm) +
                        " cm. Here the " + escaped(picture.landmark_names[worst]) +
-                       " is furthest off.");
+                       " is furthest off. " + review_of(picture, method));
 }
 
 std::string strip(const Picture& picture, std::size_t m, double height_cm) {
@@ -439,13 +456,15 @@ std::string picture_section(const Picture& picture) {
 
 }  // namespace
 
-std::string report_html(const Results& results, const std::vector<Picture>& pictures) {
+std::string report_html(const Results& results, const std::vector<Picture>& pictures,
+                        std::span<const std::byte> viewer) {
   const ReportStamp stamp = report_stamp();
   std::string body = element("header", "",
                              element("h1", "", "Compression study") + paragraph(subtitle(results)) +
                                  paragraph(escaped(stamp.program + ", " + stamp.time)));
   if (!results.clips().empty()) {
     body += tiles(results) + recommendation(results) + curves_section(results);
+    if (are_reviewed(pictures)) body += review_section(viewer);
     for (const Picture& picture : pictures) body += picture_section(picture);
     body += section("Size at equal error", size_table(results));
     body += section("Time to anneal", time_table(results));

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/report/picture.h"
+#include "core/report/review_viewer.h"
 #include "core/study/results.h"
 
 namespace mocapress {
 
 /// A finished study as one HTML page that needs no other file: curves, tables beside the paper's,
-/// poses. Equal rows and pictures make an equal page.
-std::string report_html(const Results& results, const std::vector<Picture>& pictures);
+/// poses. With the viewer, the pictured clips turn and play. Equal rows and pictures make an equal
+/// page.
+std::string report_html(const Results& results, const std::vector<Picture>& pictures,
+                        std::span<const std::byte> viewer = review_viewer());
 
 }  // namespace mocapress

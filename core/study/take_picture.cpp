@@ -7,6 +7,8 @@
 #include "core/metrics/rate.h"
 #include "core/mocapress/encode_settings.h"
 #include "core/report/loaded_clip.h"
+#include "core/report/review_clip.h"
+#include "core/report/review_page.h"
 
 namespace mocapress {
 namespace {
@@ -103,6 +105,9 @@ std::optional<Picture> take_picture(const StudyPlan& plan, const std::filesystem
         {name, compression_ratio(clip.motion().clip, made.compressed.motion_bytes()),
          made.distortion.eps(plan.settings.weighting), made.distortion.max.cm,
          sight_chart(made.visibility.table, skeleton)});
+    if (has_review_viewer())
+      picture.methods.back().review = review_clip(
+          review_name(picture, name), clip.encoder().wavelets(), made.file, &made.decoded);
     tracks.decoded.push_back(landmark_tracks(skeleton, made.decoded));
   }
   picture.ground_cm = floor_cm(tracks.original);

@@ -95,6 +95,25 @@ test('the report of a batch loads clips beside it when they are asked for', asyn
   assert.equal(again.status, 0, String(again.stderr));
 });
 
+test('the report of a study shows pictured clips by each method', async () => {
+  const folder = join(files, 'study');
+  mocapress('study', sample('human_walk.amc'), '-o', folder, '--methods', 'standard,closed-loop', '--ratios', '50');
+  const path = join(folder, 'report.html');
+  if (spawnSync('xmllint', ['--version']).status === 0) execFileSync('xmllint', ['--noout', '--huge', path]);
+  const page = await open(path);
+  assert.equal(await page.isVisible('#review'), false);
+  const buttons = page.locator('figcaption').getByRole('button', { name: 'View' });
+  assert.equal(await buttons.count(), 2);
+  await buttons.last().click();
+  await statusOf(page);
+  assert.match(await page.textContent('#review h2'), /^human_walk, /);
+  await page.screenshot({ path: join(WEB_PICTURES, 'study.png') });
+  assert.deepEqual(page.wrong, []);
+  console.log(`the report of a study: ${statSync(path).size} bytes`);
+  const still = await open(path, { javaScriptEnabled: false });
+  assert.equal(await still.locator('button').count(), 0);
+});
+
 test('pages read without script', async () => {
   const page = await open(join(files, 'batch/report.html'), { javaScriptEnabled: false });
   assert.match(await page.textContent('#clips'), /human_walk/);

@@ -9,6 +9,7 @@
 #include <regex>
 
 #include "core/report/markup.h"
+#include "core/report/review_page.h"
 #include "core/report/scene_svg.h"
 #include "core/study/report_tables.h"
 #include "core/study/take_picture.h"
@@ -253,6 +254,27 @@ TEST(Report, ShowsTheWorstFrameOfTheFirstMethod) {
   EXPECT_THAT(html, HasSubstr("frame " + std::to_string(picture->worst.frame)));
   EXPECT_FALSE(picture->methods[1].sights.empty());
   EXPECT_THAT(html, HasSubstr("Annealed wavelets: what the eye sees over time"));
+}
+
+TEST(Report, ShowsAPicturedClipInTheViewerWhereThePageHasIt) {
+  const std::filesystem::path clip = MOCAPRESS_SOURCE_DIR "/resources/samples/human_walk.amc";
+  auto picture = take_picture({.clips = {{clip, {}}}}, clip, {"standard"}, 20);
+  ASSERT_TRUE(picture);
+  EXPECT_EQ(picture->methods[0].review.empty(), !has_review_viewer());
+  const std::string name = review_name(*picture, "standard");
+  picture->methods[0].review = "mocapressReview(\"" + name + "\", \"Zm9v\", \"Zg==\");";
+  constexpr std::byte kViewer[] = {std::byte{'f'}, std::byte{'o'}, std::byte{'o'}};
+  const std::string with = report_html(Results(known_rows()), {*picture}, kViewer);
+  EXPECT_EQ(test::misfit(with), "");
+  const auto viewer = with.find("<script id=\"viewer\" type=\"text/plain\">Zm9v</script>");
+  const auto script = with.find(picture->methods[0].review);
+  const auto button = with.find("addReviewButton(\"" + name + "\", [");
+  EXPECT_LT(viewer, script);
+  EXPECT_LT(script, button);
+  EXPECT_NE(button, std::string::npos);
+  picture->methods[0].review = "";
+  EXPECT_THAT(report_html(Results(known_rows()), {*picture}, kViewer),
+              Not(HasSubstr("id=\"viewer\"")));
 }
 
 TEST(Scene, AFigureAtTheCentreIsDrawnInTheMiddleOfTheSheet) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/batch/review_clip.h"
+#include "core/report/review_clip.h"
 
 #include "core/codec/format/container.h"
 #include "core/codec/methods/compression_method.h"
