@@ -181,15 +181,15 @@ fs::path end_of_links(const fs::path& path) {
 StagedFile::StagedFile(fs::path path, Temporary temporary) : path_(std::move(path)) {
   const fs::path target = end_of_links(path_);
   struct stat old;
-  const bool replaces = is_replaced(path_, target, old);
+  replaces_ = is_replaced(path_, target, old);
   place_ = target.filename();
   if (place_.empty()) fail(path_.empty() ? ENOENT : EISDIR);
   folder_ = open_folder_of(target);
   if (!folder_) fail(errno);
-  const mode_t mode = replaces ? kPrivate : kNewFile;
+  const mode_t mode = replaces_ ? kPrivate : kNewFile;
   if (temporary == Temporary::Unnamed) open_unnamed(mode);
   if (!file_) open_named(mode);
-  if (replaces) keep_permissions(file_.number(), old);
+  if (replaces_) keep_permissions(file_.number(), old);
 }
 
 StagedFile::~StagedFile() {
@@ -260,9 +260,16 @@ void StagedFile::commit(Existing existing) {
 
 void StagedFile::commit_all(std::span<StagedFile> files, Existing existing) {
   synchronise_all(files, false);
-  for (StagedFile& file : files) {
-    if (file.name_.empty()) file.give_name();
-    file.take_place(existing);
+  std::size_t placed = 0;
+  try {
+    for (; placed < files.size(); ++placed) {
+      StagedFile& file = files[placed];
+      if (file.name_.empty()) file.give_name();
+      file.take_place(existing);
+    }
+  } catch (const WriteError&) {
+    for (const StagedFile& file : files.first(placed)) file.leave_place();
+    throw;
   }
   synchronise_all(files, true);
 }
@@ -298,6 +305,17 @@ void StagedFile::take_place(Existing existing) {
                          : rename_to_free_place(folder, name_.c_str(), place_.c_str());
   if (failed) fail(errno);
   name_.clear();
+}
+
+/// Removes the file from its place, if that was free before and holds this file still.
+void StagedFile::leave_place() const {
+  struct stat own;
+  struct stat there;
+  const bool is_own =
+      ::fstat(file_.number(), &own) == 0 &&
+      ::fstatat(folder_.number(), place_.c_str(), &there, AT_SYMLINK_NOFOLLOW) == 0 &&
+      own.st_dev == there.st_dev && own.st_ino == there.st_ino;
+  if (is_own && !replaces_) ::unlinkat(folder_.number(), place_.c_str(), 0);
 }
 
 void StagedFile::fail(int error) const {

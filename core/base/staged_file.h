@@ -102,7 +102,8 @@ class StagedFile {
   void commit(Existing existing = Existing::Replace);
 
   /// The same for many files, which wait for the disk together: twice in all, not twice each. If
-  /// one cannot take its place, those before it have taken theirs.
+  /// one cannot take its place, those before it leave theirs again, but for files that they
+  /// replaced. So under Refuse all files are there or none.
   static void commit_all(std::span<StagedFile> files, Existing existing = Existing::Replace);
 
  private:
@@ -111,6 +112,7 @@ class StagedFile {
   void open_named(std::uint32_t mode);
   void give_name();
   void take_place(Existing existing);
+  void leave_place() const;
   [[noreturn]] void fail(int error) const;
   [[noreturn]] void fail_in_place(int error) const;
 
@@ -119,6 +121,7 @@ class StagedFile {
   FileDescriptor folder_;  // keeps the same folder whatever is renamed
   FileDescriptor file_;
   std::string name_;  // the random name; empty: none
+  bool replaces_;     // a file is at the place already
 };
 
 /// True if an open file is still the one at a place; false if it was replaced. Throws InputError if

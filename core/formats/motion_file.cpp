@@ -2,6 +2,7 @@
 #include "core/formats/motion_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
 #include <iterator>
@@ -327,9 +328,11 @@ Warnings write_motion(const path& file, const Motion& motion,
   }
   const Motion acclaim = acclaim_motion(exported_motion(motion, source, options));
   const double cm_per_unit = asf_cm_per_unit(source, options);
-  write_staged(skeleton_path.value_or(path(file).replace_extension(".asf")),
-               asf_text(acclaim.skeleton, cm_per_unit), existing);
-  write_staged(file, amc_text(acclaim, cm_per_unit), existing);
+  std::array pair = {StagedFile(skeleton_path.value_or(path(file).replace_extension(".asf"))),
+                     StagedFile(file)};
+  pair[0].write(asf_text(acclaim.skeleton, cm_per_unit));
+  pair[1].write(amc_text(acclaim, cm_per_unit));
+  StagedFile::commit_all(pair, existing);
   return lost([](const ScalarTrack&) { return true; });
 }
 

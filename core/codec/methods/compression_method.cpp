@@ -10,7 +10,6 @@
 #include <mutex>
 
 #include "core/base/error.h"
-#include "core/base/number_text.h"
 #include "core/codec/encode/search/count_search.h"
 #include "core/codec/encode/search/goal.h"
 #include "core/codec/format/container.h"
@@ -118,9 +117,7 @@ class DetailSearch {
   void check(const Trial& trial) const {
     if (goal_.met(trial.excess)) return;
     if (target_.kind == Target::Kind::Ratio && within_reach(trial)) return;
-    throw TargetMissed("the target of " + significant_text(target_.value, 4) +
-                       " is out of reach with this method: the nearest is " +
-                       significant_text(trial.achieved, 4));
+    throw TargetMissed(out_of_reach(target_, trial.achieved));
   }
 
   Clip decode(const std::vector<std::byte>& motion) const {

@@ -132,6 +132,27 @@ TEST_P(StagedFileTest, ManyTakeTheirPlacesTogether) {
   fs::remove(elsewhere);
 }
 
+TEST_P(StagedFileTest, OfManyNoneStaysWhereOneFindsItsPlaceTaken) {
+  std::vector<StagedFile> files;
+  for (const char* name : {"a", "b", "c"}) files.push_back(staged(folder_ / name, "new"));
+  put(folder_ / "b", "another's");
+  EXPECT_THROW(StagedFile::commit_all(files, Existing::Refuse), WriteError);
+  files.clear();
+  EXPECT_THAT(names(), ElementsAre("b"));
+  EXPECT_EQ(text_of(folder_ / "b"), "another's");
+}
+
+TEST_P(StagedFileTest, OfManyTheOnesThatReplacedAFileStayWhereAnotherFails) {
+  put(folder_ / "a", "old");
+  std::vector<StagedFile> files;
+  for (const char* name : {"a", "b", "c"}) files.push_back(staged(folder_ / name, "new"));
+  fs::create_directories(folder_ / "c");
+  EXPECT_THROW(StagedFile::commit_all(files), WriteError);
+  files.clear();
+  EXPECT_THAT(names(), ElementsAre("a", "c"));
+  EXPECT_EQ(text_of(folder_ / "a"), "new");
+}
+
 TEST_P(StagedFileTest, NotCommittedLeavesNothing) {
   { const StagedFile file = staged(place_, "new"); }
   {

@@ -107,7 +107,7 @@ TEST_F(MotionFiles, ReplaceNothingWhereThatIsRefused) {
     EXPECT_THROW(write_motion(folder_ / name, motion, folder_ / "b.asf", {}, {}, {}, kRefuse),
                  WriteError);
     EXPECT_EQ(read_text(folder_ / name), "mine");
-    fs::remove(folder_ / "b.asf");
+    EXPECT_FALSE(fs::exists(folder_ / "b.asf"));
     fs::remove(folder_ / name);
     write_motion(folder_ / name, motion, folder_ / "b.asf", {}, {}, {}, kRefuse);
     EXPECT_NE(read_text(folder_ / name), "mine");

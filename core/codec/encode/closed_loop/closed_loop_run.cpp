@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/base/parallel.h"
+#include "core/codec/encode/closed_loop/constant_value.h"
 #include "core/codec/encode/closed_loop/joint_search.h"
 #include "core/codec/encode/closed_loop/price_control.h"
 #include "core/codec/encode/closed_loop/step_kernels.h"
@@ -60,7 +61,8 @@ ClosedLoopRun::ClosedLoopRun(const ClosedLoop& loop, double scale,
   for (int j = 0; j < channels(); ++j) coded_.step_exponent.push_back(step_exponent_of(j));
   coded_.values.resize(loop.transform_.per_channel(), channels());
   const Eigen::ArrayXf nothing = Eigen::ArrayXf::Zero(coded_.values.rows());
-  for (int j = 0; j < channels(); ++j) coded_.values.col(j) = quantised(j, nothing);
+  for (int j = 0; j < channels(); ++j)
+    coded_.values.col(j) = is_still(j) ? constant(j) : quantised(j, nothing);
   begin();
 }
 
@@ -285,11 +287,28 @@ double ClosedLoopRun::total_bits() {
 }
 
 int ClosedLoopRun::step_exponent_of(int j) const {
-  // Channels that stand still use a sixteenth of the scale, so that all segments of a clip agree.
-  constexpr int kOfStill = 8;
-  if (is_still(j) && !loop_.original_.channels.col(j).isZero()) return kOfStill;
+  if (is_still(j) && !loop_.original_.channels.col(j).isZero()) return step_exponent_of_still(j);
   const double exponent = kStepPower * std::log2(loop_.mean_curvature_(j));
   return std::clamp(static_cast<int>(std::lround(exponent)), kLeastStepExponent, kMostStepExponent);
+}
+
+int ClosedLoopRun::step_exponent_of_still(int j) const {
+  // Half octaves from the scale to the step of the coarse samples. Even, so that the step has as
+  // few digits as the scale, exactly.
+  constexpr int kFinest = 16;
+  const double value = std::abs(loop_.original_.channels(0, j));
+  int finer = kFinest;
+  while (value > kMostSteps / 2 * step_of(finer, coded_.scale)) finer -= 2;
+  const int depth = static_cast<int>(bands_.size()) - 1;  // of the coarse samples
+  return std::clamp(finer - depth, kLeastStepExponent, kMostStepExponent);
+}
+
+Eigen::VectorXi ClosedLoopRun::constant(int j) const {
+  Eigen::VectorXi values = Eigen::VectorXi::Zero(coded_.values.rows());
+  if (values.size() > 0)
+    values.head(bands_.front().size)
+        .setConstant(steps_of_constant(loop_.original_.channels(0, j), step_in(j, 0)));
+  return values;
 }
 
 Eigen::VectorXi ClosedLoopRun::quantised(int j, const Samples& less) const {

@@ -132,9 +132,16 @@ class ClosedLoopRun {
   /// Estimates the bits by rates learned from the current values.
   double total_bits();
 
-  /// The step exponent by the channel's curvature. Finer where the channel stands still, because
-  /// its error lasts the whole clip.
+  /// The step exponent by the channel's curvature.
   int step_exponent_of(int j) const;
+
+  /// The step exponent of a channel that stands still. The step of its coarse samples depends on
+  /// the scale alone, or on the scale and the value where that is huge, so that segments of all
+  /// lengths have the same value.
+  int step_exponent_of_still(int j) const;
+
+  /// The coefficients of a channel that stands still: one value.
+  Eigen::VectorXi constant(int j) const;
 
   /// A channel's coefficients in whole steps, after `less` was subtracted from each.
   Eigen::VectorXi quantised(int j, const Samples& less) const;

@@ -161,6 +161,11 @@ class End {
     return values;
   }
 
+  /// Returns whether the pose with `added` is within `cm` of the original.
+  bool is_within(double cm, const Eigen::RowVectorXd& added) const {
+    return distance(original_.topRows(1), added) <= cm;
+  }
+
   /// The error that remains after `added`.
   Eigen::RowVectorXd error_with(const Eigen::RowVectorXd& added) const { return added - lacking_; }
 
@@ -197,14 +202,18 @@ class End {
 
   /// Returns whether the pose with `added` is within the tolerance.
   bool is_near(const Eigen::RowVectorXd& added) const {
+    return distance(wanted_, added) <= tolerance_.cm;
+  }
+
+  /// The pose with `added` beside tracks of one row. cm
+  double distance(const Eigen::MatrixXd& from, const Eigen::RowVectorXd& added) const {
     Eigen::MatrixXd pose = decoded_.topRows(1);
     for (Eigen::Index c = 0; c < added.size(); ++c)
       pose(0, c) =
           static_cast<double>(static_cast<float>(pose(0, c)) + static_cast<float>(added(c)));
-    const Eigen::MatrixXd squared = errors_.squared(wanted_, tracks(pose));
-    const double square =
-        tolerance_.at_most ? squared.maxCoeff() : (squared * errors_.measured().weights).value();
-    return std::sqrt(square) <= tolerance_.cm;
+    const Eigen::MatrixXd squared = errors_.squared(from, tracks(pose));
+    return std::sqrt(tolerance_.at_most ? squared.maxCoeff()
+                                        : (squared * errors_.measured().weights).value());
   }
 
   static int limited(double steps) {
@@ -403,10 +412,20 @@ void fit_ends(const EncodeSettings& settings, Trial& trial, const Skeleton& code
   const auto [first_exponent, first_whole] = first.cheapest(first_steps);
   const Eigen::RowVectorXd to_first = End::values_of(first_whole, first_steps, first_exponent);
   if (is_loop) error = first.error_with(to_first);
-  const End last(moving, backwards, std::move(decoded_last), tolerance(is_loop ? kExact : share),
-                 error);
-  const auto [last_exponent, last_whole] = last.cheapest(last_steps);
-  const Eigen::RowVectorXd to_last = End::values_of(last_whole, last_steps, last_exponent);
+  // The same error in angles is another in centimetres where the poses differ: then the last pose
+  // gets less of the first one's.
+  const double promise = tolerance(options.ends == Ends::Exact ? kExact : 1).cm;
+  std::optional<End> last;
+  std::pair<int, Eigen::VectorXi> lacks_at_last;
+  Eigen::RowVectorXd to_last;
+  for (const double part : {1.0, 0.5, 0.25, 0.0}) {
+    last.emplace(moving, backwards, decoded_last, tolerance(is_loop ? kExact : share),
+                 part * error);
+    lacks_at_last = last->cheapest(last_steps);
+    to_last = End::values_of(lacks_at_last.second, last_steps, lacks_at_last.first);
+    if (!is_loop || last->is_within(promise, to_last)) break;
+  }
+  const auto& [last_exponent, last_whole] = lacks_at_last;
 
   CodedEnds& ends = compressed.ends.emplace();
   ends.step_exponent = {first_exponent, last_exponent};
@@ -416,9 +435,9 @@ void fit_ends(const EncodeSettings& settings, Trial& trial, const Skeleton& code
   if (!compressed.correction) {
     std::array reaches = {1, 1};
     if (is_loop)
-      reaches = smoothest(first.reaches(to_first), last.reaches(to_last));
+      reaches = smoothest(first.reaches(to_first), last->reaches(to_last));
     else if (!ends.steps.isZero())
-      reaches = {best_of(first.reaches(to_first)).frames, best_of(last.reaches(to_last)).frames};
+      reaches = {best_of(first.reaches(to_first)).frames, best_of(last->reaches(to_last)).frames};
     std::ranges::copy(reaches, ends.reaches.frames);
     if (is_loop) mend_velocity(moving, goal, original_first, backwards, last_steps, compressed);
   }

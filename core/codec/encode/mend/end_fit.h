@@ -16,12 +16,13 @@ int frames_at_ends(int frames);
 /// Codes corrections of a trial's first and last pose, in the fewest bits that keep the promise,
 /// and in a few channels only if these suffice. The error of an even end is at most 0.9 of the
 /// target, that of an exact end at most a tenth. If the target is no error, the trial's own error
-/// takes its place. In a loop, the errors of the last and the first pose differ by at most a tenth
-/// of the target, so that nothing jumps, and their velocities come as near as the reaches allow. If
-/// these still differ by more than at any other frame, a correction of the last velocity is coded
-/// too. With an IK correction both ends are exact and no other frame takes part, since held feet
-/// would slide otherwise. The originals are the first and last frames in the coded channels:
-/// frames_at_ends() of them, at least one. Channels that stand still in the clip are left alone.
+/// takes its place. In a loop the last pose gets the first one's error in channels, or as much of
+/// it as keeps the promise, to a tenth of the target, so that nothing jumps, and their velocities
+/// come as near as the reaches allow. If these still differ by more than at any other frame, a
+/// correction of the last velocity is coded too. With an IK correction both ends are exact and no
+/// other frame takes part, since held feet would slide otherwise. The originals are the first and
+/// last frames in the coded channels: frames_at_ends() of them, at least one. Channels that stand
+/// still in the clip are left alone.
 void fit_ends(const EncodeSettings& settings, Trial& trial, const Skeleton& coded_skeleton,
               const std::vector<bool>& still, const Goal& goal,
               const Eigen::MatrixXd& original_first, const Eigen::MatrixXd& original_last);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/number_text.h"
+
 namespace mocapress {
 namespace {
 
@@ -16,6 +18,24 @@ constexpr std::array<std::pair<Target::Kind, std::string_view>, 6> kKinds = {{
     {Target::Kind::MaxError, "max-error"},
     {Target::Kind::Visibility, "not-visible"},
 }};
+
+/// A value of the target's quantity with its unit.
+std::string text_of(Target::Kind kind, double value) {
+  const std::string number = significant_text(value, kind == Target::Kind::Size ? 12 : 4);
+  switch (kind) {
+    case Target::Kind::Ratio:
+    case Target::Kind::CoefficientRatio:
+      return number + ":1";
+    case Target::Kind::Size:
+      return number + " bytes";
+    case Target::Kind::Error:
+    case Target::Kind::MaxError:
+      return number + " cm";
+    case Target::Kind::Visibility:
+      return number + " times what is noticed";
+  }
+  return number;
+}
 
 }  // namespace
 
@@ -42,6 +62,15 @@ bool reached(const Target& target, double achieved) {
     default:
       return achieved <= target.value * (1 + kRounding);
   }
+}
+
+std::string out_of_reach(const Target& target, double nearest) {
+  std::string text = "the target of " + text_of(target.kind, target.value) +
+                     " is out of reach with this method: the nearest is " +
+                     text_of(target.kind, nearest);
+  if (target.kind == Target::Kind::Ratio)
+    text += nearest > target.value ? ", a smaller file" : ", a larger file";
+  return text;
 }
 
 }  // namespace mocapress

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/base/number_text.h"
 #include "core/codec/decode/decoder.h"
 #include "core/metrics/distortion.h"
 #include "core/metrics/rate.h"
@@ -111,9 +110,7 @@ bool Goal::met(double excess) const {
 
 void Goal::require_met(double excess, double achieved, bool everything_kept) const {
   if (met(excess) || (target_.kind == Target::Kind::Ratio && everything_kept && excess < 0)) return;
-  throw TargetMissed("the target of " + significant_text(target_.value, 4) +
-                     " is out of reach with this method: the nearest is " +
-                     significant_text(achieved, 4));
+  throw TargetMissed(out_of_reach(target_, achieved));
 }
 
 void Goal::raise_where_exceeded(const CompressedClip& compressed, Eigen::VectorXd& weights) const {

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace mocapress {
+
+/// The whole number of steps, near value / step, from which a decoder in floats makes the same
+/// value at every frame of a clip of any length. Predictions from equal neighbours are rounded sums
+/// of rounded products, which give back the neighbours' value for most numbers and not for all.
+int steps_of_constant(double value, double step);
+
+}  // namespace mocapress
