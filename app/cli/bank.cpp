@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -45,6 +46,7 @@ class ClipCount {
   /// Counts the clips of a bank that is being changed, and prints its warnings at once.
   bool done(const BankProgress& progress) {
     if (progress.warning) print_warnings({*progress.warning});
+    ik_bytes_ = progress.ik_bytes;
     return done(progress.done, progress.clips);
   }
 
@@ -61,12 +63,14 @@ class ClipCount {
     return std::to_string(done_) + " of " + std::to_string(clips_) + " clips";
   }
   void end() const { line_.clear(); }
+  std::uint64_t ik_bytes() const { return ik_bytes_; }
 
  private:
   const StopOnSignals stop_;
   ProgressLine line_{false};
   std::size_t done_ = 0;
   std::size_t clips_ = 0;
+  std::uint64_t ik_bytes_ = 0;
 };
 
 /// Says that the bank just written is sound, or that it was not written.
@@ -81,6 +85,11 @@ void tell_of(const std::string& path, bool is_whole, const ClipCount& count) {
   require(mcpk_open(file.bytes().data(), file.bytes().size(), 0, &bank));
   std::fprintf(stderr, "%s: %u clips, %llu bytes, %s\n", printable(path).c_str(), bank->clips,
                static_cast<unsigned long long>(bank->bytes), name(bank->form).data());
+  if (count.ik_bytes() > 0)
+    std::fprintf(stderr,
+                 "IK corrections take %llu of the bytes that were cooked now. A larger --ik-error "
+                 "takes less, --no-ik none.\n",
+                 static_cast<unsigned long long>(count.ik_bytes()));
 }
 
 struct BankFilling {
@@ -90,6 +99,8 @@ struct BankFilling {
   std::vector<std::string> texts;
   bool cooked = false;
   bool learn = false;
+  bool no_ik = false;
+  std::optional<float> ik_error;
 
   void add_options(CLI::App& command) {
     command.add_option("bank", bank, "A .mcpk file")->required()->type_name("BANK.mcpk");
@@ -108,6 +119,16 @@ struct BankFilling {
         ->expected(1)
         ->take_all()
         ->check(wrong_pair);
+    CLI::Option* const error =
+        command
+            .add_option(
+                "--ik-error", ik_error,
+                "In a cooked bank: how far cooking an IK correction may move a joint at any "
+                "frame, 0 for not at all [the error that each clip was encoded with]")
+            ->type_name("CM")
+            ->check(CLI::NonNegativeNumber);
+    command.add_flag("--no-ik", no_ik, "In a cooked bank: leave IK corrections out")
+        ->excludes(error);
   }
 
   void run(bool make) const {
@@ -115,6 +136,7 @@ struct BankFilling {
     options.form = cooked ? runtime::BankForm::Cooked : runtime::BankForm::Packed;
     options.tags = tags;
     options.learn = learn;
+    options.ik = {.apply = !no_ik, .error = ik_error};
     for (const std::string& text : texts) {
       const std::size_t at = text.find('=');
       options.texts.emplace_back(text.substr(0, at), text.substr(at + 1));

@@ -33,16 +33,16 @@ struct ReadyClip {
 /// Puts clips from any source into a new bank.
 class Filler {
  public:
-  Filler(BankWriter& writer, runtime::BankForm form, const BankSourceReader& files,
+  Filler(BankWriter& writer, const BankOptions& options, const BankSourceReader& files,
          std::vector<std::byte> learned)
-      : writer_(writer), form_(form), files_(files), learned_(std::move(learned)) {}
+      : writer_(writer), options_(options), files_(files), learned_(std::move(learned)) {}
 
   /// Does the part of a clip's work that needs no other clip in the bank. Many threads may call it.
   ReadyClip prepare(const BankSource& source) const try {
     BankSourceReader::File file = files_.read(source);
     ReadyClip ready{std::move(file.tags), {}};
-    if (form_ == runtime::BankForm::Cooked)
-      ready.clip = cook_for_bank(file.bytes);
+    if (options_.form == runtime::BankForm::Cooked)
+      ready.clip = cook_for_bank(file.bytes, options_.ik);
     else
       ready.clip = pack_clip(file.bytes, learned_);
     return ready;
@@ -50,12 +50,17 @@ class Filler {
     throw InputError(source.file.string(), 0, 0, error.what());
   }
 
-  void put(const std::string& name, ReadyClip ready, const std::vector<std::string>& tags) {
-    ready.tags.insert(ready.tags.end(), tags.begin(), tags.end());
-    if (const auto* const packed = std::get_if<PackedClip>(&ready.clip))
+  /// What IK corrections take of the clips put so far.
+  std::uint64_t ik_bytes() const { return ik_bytes_; }
+
+  void put(const std::string& name, ReadyClip ready) {
+    ready.tags.insert(ready.tags.end(), options_.tags.begin(), options_.tags.end());
+    if (const auto* const packed = std::get_if<PackedClip>(&ready.clip)) {
       writer_.add(name, intern_outline(*packed, intern_), packed->bytes, std::move(ready.tags));
-    else if (const auto* const cooked = std::get_if<ClipForBank>(&ready.clip))
+    } else if (const auto* const cooked = std::get_if<ClipForBank>(&ready.clip)) {
       put_cooked(name, cooked->cooked(), cooked->skeleton, std::move(ready.tags));
+      ik_bytes_ += cooked->ik_bytes;
+    }
   }
 
   /// Copies a clip from a bank of the same form.
@@ -89,7 +94,8 @@ class Filler {
   }
 
   BankWriter& writer_;
-  runtime::BankForm form_;
+  const BankOptions& options_;
+  std::uint64_t ik_bytes_ = 0;
   const BankSourceReader& files_;
   InternItem intern_ = [this](runtime::BankItem kind, std::span<const std::byte> bytes) {
     return writer_.intern(kind, bytes);
@@ -184,7 +190,7 @@ bool write_bank(const fs::path& path, const BankFile* old, const std::set<std::u
       return !is_stopped;
     });
   if (is_stopped) return false;
-  Filler filler(writer, options.form, files, std::move(learned));
+  Filler filler(writer, options, files, std::move(learned));
   const std::vector<Step> steps = merged(old, removed, sources);
   parallel_in_order(
       steps.size(),
@@ -196,8 +202,9 @@ bool write_bank(const fs::path& path, const BankFile* old, const std::set<std::u
         if (steps[step].is_copy)
           filler.copy(*old, old->entry(number));
         else
-          filler.put(sources[number].name, std::move(ready), options.tags);
-        is_stopped = !should_continue(observer, BankProgress{step + 1, steps.size()});
+          filler.put(sources[number].name, std::move(ready));
+        is_stopped =
+            !should_continue(observer, BankProgress{step + 1, steps.size(), {}, filler.ik_bytes()});
         return !is_stopped;
       });
   if (!is_stopped) writer.finish(texts);

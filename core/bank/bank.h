@@ -2,6 +2,7 @@
 // Banks on disk: made, added to, unpacked. The bytes are core/runtime/format/bank.h's.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include "core/bank/bank_file.h"
 #include "core/bank/bank_source.h"
 #include "core/bank/bank_writer.h"
+#include "core/bank/cooked_tables.h"
 #include "core/base/error.h"
 #include "core/base/progress.h"
 
@@ -26,6 +28,7 @@ struct BankOptions {
   runtime::BankForm form = runtime::BankForm::Packed;
   std::vector<std::string> tags;  // given to the clips that are put in
   BankTexts texts;                // the bank's own; an existing key gets the new value
+  CookedIk ik;                    // for the clips that are put into a cooked bank
   // For a packed bank: learns from its clips how to code their motions, which takes seconds and
   // pays from some hundred clips on.
   bool learn = false;
@@ -36,6 +39,7 @@ struct BankProgress {
   std::size_t done = 0;
   std::size_t clips = 0;
   std::optional<Warning> warning = {};  // given once, if the bank could not be locked
+  std::uint64_t ik_bytes = 0;  // what IK corrections take, so far, of the clips that were cooked
 };
 
 // Banks are changed one writer at a time: others wait, in this program or another.

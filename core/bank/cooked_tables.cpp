@@ -80,9 +80,16 @@ std::vector<std::byte> skeleton_of(const mcpr_clip* clip) {
   return item;
 }
 
+std::uint64_t bytes_without_ik(const mcpr_clip& clip) {
+  OwnMemory<runtime::CookedBuilder> builder(clip, mcpr_cook_options{});
+  require(builder->prepare());
+  const runtime::CookedBuilder::Size size = builder->lay_out_apart(nullptr, nullptr);
+  return size.clip + size.tables;
+}
+
 }  // namespace
 
-ClipForBank cook_for_bank(std::span<const std::byte> file) {
+ClipForBank cook_for_bank(std::span<const std::byte> file, const CookedIk& ik) {
   mcpr_info info{};
   require(mcpr_inspect(file.data(), file.size(), nullptr, &info));
   const AlignedBytes scratch(info.read_bytes);
@@ -91,7 +98,9 @@ ClipForBank cook_for_bank(std::span<const std::byte> file) {
   const AlignedBytes resident(bytes);
   const mcpr_clip* clip = nullptr;
   require(mcpr_build(scratch.data(), scratch.size(), resident.data(), resident.size(), &clip));
-  OwnMemory<runtime::CookedBuilder> builder(*clip, true);
+  const mcpr_cook_options options{.apply_ik = ik.apply ? 1 : 0,
+                                  .ik_error = ik.error.value_or(info.error)};
+  OwnMemory<runtime::CookedBuilder> builder(*clip, options);
   require(builder->prepare());
   const runtime::CookedBuilder::Size size = builder->lay_out_apart(nullptr, nullptr);
   ClipForBank made{AlignedBytes(static_cast<std::size_t>(size.clip)),
@@ -100,6 +109,11 @@ ClipForBank cook_for_bank(std::span<const std::byte> file) {
   std::memset(made.tables.data(), 0, made.tables.size());
   builder->lay_out_apart(made.clip.data(), made.tables.data());
   reinterpret_cast<mcpr_cooked*>(made.clip.data())->tables = made.tables.data() - made.clip.data();
+  if (ik.apply && info.effectors > 0) {
+    const std::uint64_t without = bytes_without_ik(*clip);
+    const std::uint64_t with = size.clip + size.tables;
+    made.ik_bytes = with > without ? with - without : 0;
+  }
   return made;
 }
 

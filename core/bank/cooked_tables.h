@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,12 +18,21 @@ struct ClipForBank {
   AlignedBytes clip;
   AlignedBytes tables;
   std::vector<std::byte> skeleton;  // stored as an item of the bank
+  std::uint64_t ik_bytes = 0;       // what the IK correction takes of clip and tables
 
   const mcpr_cooked& cooked() const { return *reinterpret_cast<const mcpr_cooked*>(clip.data()); }
 };
 
-/// Cooks a .mcpr with its IK correction. Throws FormatError.
-ClipForBank cook_for_bank(std::span<const std::byte> file);
+/// How IK corrections are cooked.
+struct CookedIk {
+  bool apply = true;
+  /// How far cooking may move a joint at any frame, cm; 0: not at all. Unset: the error that the
+  /// clip's file states.
+  std::optional<float> error;
+};
+
+/// Cooks a .mcpr. Throws FormatError.
+ClipForBank cook_for_bank(std::span<const std::byte> file, const CookedIk& ik);
 
 /// The bytes of a clip in a bank, without the places of its tables, which are put among the bank's.
 std::vector<std::byte> put_tables(const mcpr_cooked& clip, SharedTables& tables);

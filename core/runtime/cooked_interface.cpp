@@ -28,11 +28,15 @@ bool is_a_clip(const mcpr_clip* clip) {
   return clip != nullptr && clip->block.mark == ClipBlock::kMark;
 }
 
+mcpr_cook_options options_or_none(const mcpr_cook_options* options) {
+  return options != nullptr ? *options : mcpr_cook_options{};
+}
+
 /// Scratch memory for cooking: the builder and its work space.
-std::uint64_t cooking_bytes(const mcpr_clip& clip, bool apply_ik) {
+std::uint64_t cooking_bytes(const mcpr_clip& clip, const mcpr_cook_options& options) {
   Memory memory;
   memory.take<CookedBuilder>(1);
-  const CookedBuilder measured(memory, clip, apply_ik);
+  const CookedBuilder measured(memory, clip, options);
   return memory.used();
 }
 
@@ -40,12 +44,13 @@ std::uint64_t cooking_bytes(const mcpr_clip& clip, bool apply_ik) {
 mcpr_result prepare(const mcpr_clip* clip, const mcpr_cook_options* options, void* scratch,
                     std::size_t scratch_size, CookedBuilder*& builder, std::uint64_t& bytes) {
   if (!is_a_clip(clip)) return refused("no clip");
-  const bool apply_ik = options != nullptr && options->apply_ik != 0;
-  mcpr_result result = check_memory(scratch, scratch_size, cooking_bytes(*clip, apply_ik),
+  const mcpr_cook_options wanted = options_or_none(options);
+  if (!(wanted.ik_error >= 0)) return refused("an error below zero");
+  mcpr_result result = check_memory(scratch, scratch_size, cooking_bytes(*clip, wanted),
                                     "too little scratch memory");
   if (failed(result)) return result;
   Memory memory(scratch, scratch_size);
-  builder = new (memory.take<CookedBuilder>(1)) CookedBuilder(memory, *clip, apply_ik);
+  builder = new (memory.take<CookedBuilder>(1)) CookedBuilder(memory, *clip, wanted);
   if (failed(result = builder->prepare())) return result;
   bytes = builder->lay_out(nullptr);
   if (bytes > std::numeric_limits<std::uint32_t>::max())
@@ -217,8 +222,7 @@ namespace runtime = mocapress::runtime;
 
 size_t mcpr_cook_scratch_bytes(const mcpr_clip* clip, const mcpr_cook_options* options) {
   if (!runtime::is_a_clip(clip)) return 0;
-  return static_cast<size_t>(
-      runtime::cooking_bytes(*clip, options != nullptr && options->apply_ik != 0));
+  return static_cast<size_t>(runtime::cooking_bytes(*clip, runtime::options_or_none(options)));
 }
 
 mcpr_result mcpr_cook_size(const mcpr_clip* clip, const mcpr_cook_options* options, void* scratch,

@@ -110,6 +110,7 @@ typedef struct mcpr_info {
                           correction, clip ends, turned axes */
   size_t read_bytes;   /* scratch memory that mcpr_read needs. For a segmented clip: one decoded
                           segment plus motion_bytes */
+  float error;         /* cm, RMS against the original when encoded; 0: not known. Informative */
 } mcpr_info;
 
 /* Reads the headers of a file of `size` bytes into *info. Null `limits` are the default limits.
@@ -275,7 +276,9 @@ typedef struct mcpr_cooked mcpr_cooked;
 
 /* Options of cooking. Null options are all zero. */
 typedef struct mcpr_cook_options {
-  int apply_ik; /* 1: apply the clip's IK correction, if it has one, once and for all */
+  int apply_ik;   /* 1: apply the clip's IK correction, if it has one, once and for all */
+  float ik_error; /* cm: how far cooking the correction may move a joint at any frame, beside
+                     rounding. 0: not at all, which takes far more memory, see SAMPLING.md */
 } mcpr_cook_options;
 
 /* Returns the bytes of scratch memory that cooking needs; 0 without a clip. They are in proportion

@@ -298,7 +298,8 @@ mcpr_info info_of(const FileSections& sections, std::uint64_t read_bytes) {
           .channels = sections.channels,
           .effectors = sections.effectors,
           .motion_bytes = sections.motion_bytes(),
-          .read_bytes = static_cast<std::size_t>(read_bytes)};
+          .read_bytes = static_cast<std::size_t>(read_bytes),
+          .error = sections.eps_cm > 0 ? sections.eps_cm : 0};
 }
 
 mcpr_result read_into(const FileSections& sections, std::uint64_t read_bytes,

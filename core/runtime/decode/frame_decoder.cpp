@@ -101,6 +101,18 @@ std::size_t values_of_frame(const ClipBlock& clip, const mcpr_request& request) 
   return request.channels != nullptr ? request.channel_count : clip.channel_count;
 }
 
+void place_joints(const ClipBlock& clip, const float* row, JointPlace* places) {
+  for (std::uint32_t j = 0; j < clip.joint_count; ++j) {
+    const JointModel& joint = clip.joint_models()[j];
+    JointPlace& place = places[j];
+    place = place_in_parent(joint, row);
+    if (joint.parent < 0) continue;
+    const JointPlace& parent = places[joint.parent];
+    place.origin = parent.origin + parent.world_from_joint * place.origin;
+    place.world_from_joint = parent.world_from_joint * place.world_from_joint;
+  }
+}
+
 FrameDecoder::FrameDecoder(Memory& memory, const ClipBlock& clip, const mcpr_request& request)
     : clip_(clip),
       request_(request),
@@ -256,17 +268,9 @@ void FrameDecoder::put_out_local(const float* row, float* out) const {
 }
 
 void FrameDecoder::put_out_positions(const float* row, float* out) const {
-  for (std::uint32_t j = 0; j < clip_.joint_count; ++j, out += 3) {
-    const JointModel& joint = clip_.joint_models()[j];
-    JointPlace& place = places_[j];
-    place = place_in_parent(joint, row);
-    if (joint.parent >= 0) {
-      const JointPlace& parent = places_[joint.parent];
-      place.origin = parent.origin + parent.world_from_joint * place.origin;
-      place.world_from_joint = parent.world_from_joint * place.world_from_joint;
-    }
-    for (int i = 0; i < 3; ++i) out[i] = static_cast<float>(place.origin[i]);
-  }
+  place_joints(clip_, row, places_);
+  for (std::uint32_t j = 0; j < clip_.joint_count; ++j, out += 3)
+    for (int i = 0; i < 3; ++i) out[i] = static_cast<float>(places_[j].origin[i]);
 }
 
 }  // namespace mocapress::runtime

@@ -13,6 +13,9 @@ bool is_possible(const ClipBlock& clip, const mcpr_request& request);
 /// Floats per frame of output. The request must be possible.
 std::size_t values_of_frame(const ClipBlock& clip, const mcpr_request& request);
 
+/// Places all joints in the world, from one row of channels.
+void place_joints(const ClipBlock& clip, const float* row, JointPlace* places);
+
 /// Weights of the end corrections at an instant.
 struct EndShares {
   float of[kMostEnds] = {};

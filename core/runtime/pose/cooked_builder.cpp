@@ -55,9 +55,10 @@ void put_quaternions(const Matrix3& before, const Matrix3& after, float* to) {
 
 }  // namespace
 
-CookedBuilder::CookedBuilder(Memory& memory, const mcpr_clip& clip, bool apply_ik)
+CookedBuilder::CookedBuilder(Memory& memory, const mcpr_clip& clip,
+                             const mcpr_cook_options& options)
     : clip_(clip.block),
-      coefficients_(memory, clip.block, apply_ik),
+      coefficients_(memory, clip.block, options),
       columns_(memory, clip.block, coefficients_) {}
 
 mcpr_result CookedBuilder::prepare() {
@@ -160,7 +161,7 @@ void CookedBuilder::lay_out_ends(CookedBlock& block, mcpr_cooked& head) {
   const int columns = kGroup * columns_.row_groups();
   const auto lacking = [&](int end, int column) {
     const std::int32_t channel = columns_.column(column).channel;
-    return channel < 0 ? 0.0 : static_cast<double>(clip_.end_values(end)[channel]);
+    return channel < 0 ? 0.0 : static_cast<double>(coefficients_.end_value(end, channel));
   };
   auto* marks = block.reserve_for<std::uint8_t>(
       static_cast<std::uint64_t>(ends * columns_.row_groups()), head.ends);

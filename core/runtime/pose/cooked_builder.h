@@ -17,7 +17,7 @@ namespace mocapress::runtime {
 class CookedBuilder {
  public:
   /// With measuring memory it only counts.
-  CookedBuilder(Memory& memory, const mcpr_clip& clip, bool apply_ik);
+  CookedBuilder(Memory& memory, const mcpr_clip& clip, const mcpr_cook_options& options);
 
   /// Decides on the layout of the cooked clip.
   mcpr_result prepare();

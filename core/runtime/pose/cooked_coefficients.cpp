@@ -6,19 +6,30 @@
 #include <cstring>
 
 #include "core/runtime/decode/frame_decoder.h"
-#include "core/runtime/format/end_poses.h"
 #include "core/runtime/pose/lifting_line.h"
 
 namespace mocapress::runtime {
 namespace {
 
 constexpr int kRowsAtATime = 128;
-constexpr double kFineStep = 0x1p-14;  // radians; step of angles that a correction changed
+constexpr double kFineStep = 0x1p-14;  // radians; step of angles that are cooked exactly
+constexpr int kFewestOctaves = -8;     // range of CookedCoefficients::octaves_
+constexpr int kMostOctaves = 24;
+/// Coefficients of less than this many steps become zero. Zeros take the least space, and many
+/// small coefficients together are worth less than what a finer step does with the same space.
+constexpr double kLeastKept = 0.62;
+
+std::int32_t rounded(double steps) {
+  return std::abs(steps) < kLeastKept ? 0 : static_cast<std::int32_t>(std::lround(steps));
+}
 
 }  // namespace
 
-CookedCoefficients::CookedCoefficients(Memory& memory, const ClipBlock& clip, bool apply_ik)
-    : clip_(clip), apply_ik_(apply_ik && clip.effector_count > 0) {
+CookedCoefficients::CookedCoefficients(Memory& memory, const ClipBlock& clip,
+                                       const mcpr_cook_options& options)
+    : clip_(clip),
+      apply_ik_(options.apply_ik != 0 && clip.effector_count > 0),
+      ik_error_(static_cast<double>(options.ik_error)) {
   const auto channels = std::uint64_t{clip_.channel_count};
   const auto frames = static_cast<std::uint64_t>(clip_.largest.length);
   const auto signals = static_cast<std::uint64_t>((clip_.largest.signal_count + 7) / 8 * 8);
@@ -32,6 +43,8 @@ CookedCoefficients::CookedCoefficients(Memory& memory, const ClipBlock& clip, bo
   samples_ = memory.take<double>(frames);
   if (!apply_ik_) return;
   corrected_ = memory.take<float>(channels * static_cast<std::uint64_t>(clip_.segments.frames));
+  fitted_ = memory.take<float>(channels * (ik_error_ > 0 ? frames : 0));
+  places_ = memory.take<JointPlace>(ik_error_ > 0 ? 2 * std::uint64_t{clip_.joint_count} : 0);
   mcpr_request request{};
   request.apply_ik = 1;
   Memory measured;
@@ -47,26 +60,58 @@ void CookedCoefficients::prepare() {
   for (int l = 0; l < clip_.limb_count; ++l)
     for (int a = 0; a < clip_.limb(l).turns; ++a)
       is_corrected_[clip_.limb(l).turn[a].channel] = true;
+  if (ik_error_ > 0) choose_steps();
 }
 
-/// Decodes all frames with the IK correction but without the end corrections, which sampling adds
-/// at every instant.
+/// Decodes all frames with the IK correction. They have the end corrections as well.
 void CookedCoefficients::decode_corrected() {
   mcpr_request request{};
   request.apply_ik = 1;
   Memory memory(decoding_, static_cast<std::size_t>(decoding_bytes_));
-  const int frames = clip_.segments.frames;
-  FrameDecoder(memory, clip_, request).decode(0, frames, corrected_);
-  for (int end = 0; end < kMostEnds; ++end) {
-    const int reach = std::min<int>(clip_.end_reaches.frames[end], frames);
-    for (int away = 0; away < reach; ++away) {
-      const int frame = end == kFirstPose ? away : frames - 1 - away;
-      float* const row =
-          corrected_ + std::ptrdiff_t{frame} * static_cast<std::ptrdiff_t>(clip_.channel_count);
-      for (int c = 0; c < channel_count(); ++c)
-        row[c] -= end_share(end, away, reach) * clip_.end_values(end)[c];
-    }
+  FrameDecoder(memory, clip_, request).decode(0, clip_.segments.frames, corrected_);
+}
+
+/// Finds the coarsest steps that move no joint by more than the error asked for. Coarser steps move
+/// joints further, as a rule. If the finest do not suffice, the channels are cooked exactly.
+void CookedCoefficients::choose_steps() {
+  int first = kFewestOctaves;
+  int last = kMostOctaves + 1;
+  while (first < last) {
+    octaves_ = (first + last) >> 1;
+    double move = 0;
+    for (int k = 0; k < clip_.segments.count() && move <= ik_error_; ++k)
+      move = std::max(move, largest_move(k));
+    (move <= ik_error_ ? last : first) = move <= ik_error_ ? octaves_ : octaves_ + 1;
   }
+  octaves_ = first > kMostOctaves ? kExact : first;
+  loaded_ = -1;
+}
+
+/// The largest distance, at any frame of a segment, between a joint's place as decoded and as
+/// fitted. cm
+double CookedCoefficients::largest_move(int segment) {
+  loaded_ = -1;
+  load(segment);
+  const int first = clip_.segments.first(segment);
+  const int frames = clip_.segments.frames_of(segment);
+  const std::ptrdiff_t channels = channel_count();
+  float* const corrected = corrected_ + first * channels;
+  std::copy_n(corrected, frames * channels, fitted_);
+  for (int c = 0; c < channel_count(); ++c) {
+    if (!is_corrected_[c]) continue;
+    const std::span<const double> samples = samples_of(c, 0);
+    for (int i = 0; i < frames; ++i)
+      fitted_[i * channels + c] = static_cast<float>(samples[static_cast<std::size_t>(i)]);
+  }
+  JointPlace* const fitted_places = places_ + clip_.joint_count;
+  double largest = 0;
+  for (int i = 0; i < frames; ++i) {
+    place_joints(clip_, corrected + i * channels, places_);
+    place_joints(clip_, fitted_ + i * channels, fitted_places);
+    for (std::uint32_t j = 0; j < clip_.joint_count; ++j)
+      largest = std::max(largest, norm(fitted_places[j].origin - places_[j].origin));
+  }
+  return largest;
 }
 
 /// Recovers the coefficients as whole numbers. Unpacked values are close enough to multiples of the
@@ -106,7 +151,8 @@ void CookedCoefficients::fit_corrected(int channel, int segment) {
                       static_cast<std::ptrdiff_t>(clip_.segments.first(segment)) * channel_count() +
                       channel;
   for (int i = 0; i < length; ++i, from += channel_count()) line_[i] = static_cast<double>(*from);
-  steps_[channel] = kFineStep;
+  double& step = steps_[channel];
+  step = octaves_ == kExact || step == 0 ? kFineStep : step * power_of_root_two(-octaves_);
   std::int32_t* const values = values_ + std::ptrdiff_t{channel} * length;
   double* fine = line_;
   double* coarse = other_line_;
@@ -116,12 +162,13 @@ void CookedCoefficients::fit_corrected(int channel, int segment) {
     const double gain = power_of_root_two(-bands_.depth(b));
     for (int i = 0; i < bands_[b].size; ++i)
       values[bands_[b].first + i] =
-          static_cast<std::int32_t>(std::lround(samples_[i] / (kFineStep * gain)));
+          octaves_ == kExact ? static_cast<std::int32_t>(std::lround(samples_[i] / (step * gain)))
+                             : rounded(samples_[i] / (step * gain));
     std::swap(fine, coarse);
   }
   const double gain = power_of_root_two(-bands_.depth(0));
   for (int i = 0; i < bands_[0].size; ++i)
-    values[i] = static_cast<std::int32_t>(std::lround(fine[i] / (kFineStep * gain)));
+    values[i] = static_cast<std::int32_t>(std::lround(fine[i] / (step * gain)));
 }
 
 std::span<double> CookedCoefficients::samples_of(int channel, int left_out) {

@@ -12,16 +12,22 @@
 namespace mocapress::runtime {
 
 /// The coefficients of a clip's channels as whole numbers, one segment at a time. Channels that the
-/// IK correction turns are decoded with it and transformed again; others keep the clip's
-/// coefficients.
+/// IK correction turns are decoded with it and transformed again, as finely as `ik_error` asks;
+/// others keep the clip's coefficients.
 class CookedCoefficients {
  public:
   /// With measuring memory it only counts.
-  CookedCoefficients(Memory& memory, const ClipBlock& clip, bool apply_ik);
+  CookedCoefficients(Memory& memory, const ClipBlock& clip, const mcpr_cook_options& options);
 
   /// Decodes the corrected channels. Must be called first.
   void prepare();
-  bool is_corrected(int channel) const { return is_corrected_[channel]; }
+  /// Whether a channel is corrected, and so finely that it needs samples in floats.
+  bool is_fine(int channel) const { return is_corrected_[channel] && octaves_ == kExact; }
+
+  /// The end correction of a channel, which corrected channels have in their coefficients.
+  float end_value(int end, int channel) const {
+    return is_corrected_[channel] ? 0 : clip_.end_values(end)[channel];
+  }
 
   void load(int segment);
 
@@ -38,11 +44,16 @@ class CookedCoefficients {
  private:
   int channel_count() const { return static_cast<int>(clip_.channel_count); }
   void decode_corrected();
+  void choose_steps();
+  double largest_move(int segment);
   void fit_corrected(int channel, int segment);
   void unpack(int channel, int band, double* to) const;
 
   const ClipBlock& clip_;
   const bool apply_ik_;
+  const double ik_error_;  // cm; 0: exact
+  static constexpr int kExact = 64;
+  int octaves_ = kExact;  // steps of corrected channels are the clip's, divided by 2^(octaves_ / 2)
   bool* is_corrected_;
   int loaded_ = -1;
   Bands bands_;
@@ -53,7 +64,9 @@ class CookedCoefficients {
   double* line_;
   double* other_line_;
   double* samples_;
-  float* corrected_ = nullptr;  // frames x channels
+  float* corrected_ = nullptr;    // frames x channels
+  float* fitted_ = nullptr;       // the same of one segment, as cooked
+  JointPlace* places_ = nullptr;  // of the corrected pose, then of the fitted one
   std::byte* decoding_ = nullptr;
   std::uint64_t decoding_bytes_ = 0;
 };

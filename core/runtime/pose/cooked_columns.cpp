@@ -31,18 +31,18 @@ mcpr_result CookedColumns::place() {
       channel.joint = static_cast<std::uint16_t>(j);
       channel.kind = joint.kinds[c];
       channel.factor = is_rotation(joint.kinds[c]) ? 0.5 : 1;
-      channel.is_wide = channel.changes = coefficients_.is_corrected(joint.first_channel + c);
+      channel.is_wide = channel.changes = coefficients_.is_fine(joint.first_channel + c);
       channel.least = std::numeric_limits<double>::max();
       channel.most = std::numeric_limits<double>::lowest();
       for (int end = 0; end < kMostEnds && clip_.end_reaches.frames[end] > 0; ++end)
-        channel.changes |= clip_.end_values(end)[joint.first_channel + c] != 0;
+        channel.changes |= coefficients_.end_value(end, joint.first_channel + c) != 0;
     }
   }
   for (int k = 0; k < clip_.segments.count(); ++k) analyse_segment(k);
   for (int c = 0; c < channel_count(); ++c)
     for (int end = 0; end < kMostEnds && clip_.end_reaches.frames[end] > 0; ++end)
       channels_[c].furthest += largest_end_share(end, clip_.end_reaches.frames[end]) *
-                               std::abs(static_cast<double>(clip_.end_values(end)[c]));
+                               std::abs(static_cast<double>(coefficients_.end_value(end, c)));
   choose_wide();
   return place_columns();
 }

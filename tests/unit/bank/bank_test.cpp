@@ -207,7 +207,7 @@ TEST_F(BankTest, CookedClipsGiveThePosesOfClipsCookedAlone) {
   for (std::uint32_t clip = 0; clip < made.clips(); ++clip) {
     const std::string name = made.entry(clip).name;
     const OpenedClip opened(file(name));
-    const CookedClip alone(opened.clip, {.apply_ik = 1});
+    const CookedClip alone(opened.clip, {.apply_ik = 1, .ik_error = opened.info.error});
     const mcpr_cooked* cooked = nullptr;
     ASSERT_EQ(mcpk_cooked(&made.bank(), clip, &cooked).status, MCPR_OK) << name;
     const mcpr_cooked_info info = mcpr_cooked_describe(cooked);
@@ -234,6 +234,27 @@ TEST_F(BankTest, CookedClipsGiveThePosesOfClipsCookedAlone) {
                 mcpr_find_joint(opened.clip, expected.name));
     }
   }
+}
+
+TEST_F(BankTest, CooksIkAsAskedAndSaysWhatItTakes) {
+  const auto bytes_with = [&](const CookedIk& ik, std::uint64_t& ik_bytes) {
+    make_bank(bank(), {{"long", folder_ / "clips/long.mcpr", {}}},
+              {.form = runtime::BankForm::Cooked, .ik = ik}, [&](const BankProgress& progress) {
+                ik_bytes = progress.ik_bytes;
+                return true;
+              });
+    return fs::file_size(bank());
+  };
+  std::uint64_t with_none = 0;
+  std::uint64_t with_some = 0;
+  std::uint64_t with_all = 0;
+  const std::uint64_t none = bytes_with({.apply = false}, with_none);
+  const std::uint64_t some = bytes_with({.error = 0.5F}, with_some);
+  const std::uint64_t all = bytes_with({.error = 0.0F}, with_all);
+  EXPECT_EQ(with_none, 0U);
+  EXPECT_LT(with_some, with_all);
+  EXPECT_NEAR(static_cast<double>(some - none), static_cast<double>(with_some), 256);
+  EXPECT_NEAR(static_cast<double>(all - none), static_cast<double>(with_all), 256);
 }
 
 TEST_F(BankTest, FindsEveryNameAndNoOther) {

@@ -142,6 +142,61 @@ TEST(CookedClip, MatchesTheDecoderWithTheIkCorrection) {
   expect_as_decoded(test::segmented_clip(motion, SegmentLayout::whole(300), true), false);
 }
 
+/// The coarse steps of other channels lose nothing to the fine ones of corrected channels.
+TEST(CookedClip, MatchesTheDecoderWithTheIkCorrectionAndEnds) {
+  const Motion motion = test::smooth_motion(200);
+  CompressedClip clip = test::segmented_clip(motion, SegmentLayout::whole(200), true);
+  clip.ends = compressed_of(motion, {.ends = Ends::Exact}).ends;
+  ASSERT_TRUE(clip.ends);
+  expect_as_decoded(clip, true);
+}
+
+/// The largest distance of a joint from its decoded place, at frames. cm
+double largest_move(const OpenedClip& opened, const CookedClip& cooked) {
+  const mcpr_clip_info info = mcpr_clip_describe(opened.clip);
+  const Eigen::MatrixXf decoded =
+      opened.frames({.output = MCPR_POSITIONS, .apply_ik = 1}, 0, info.frames);
+  std::vector<std::int16_t> parents;
+  for (std::uint32_t j = 0; j < info.joints; ++j) {
+    mcpr_joint joint{};
+    EXPECT_EQ(mcpr_clip_joint(opened.clip, j, &joint).status, MCPR_OK);
+    parents.push_back(static_cast<std::int16_t>(joint.parent));
+  }
+  double largest = 0;
+  for (std::uint32_t frame = 0; frame < info.frames; ++frame) {
+    const std::vector<float> pose = cooked.sample({.parents = parents.data()}, frame);
+    for (std::uint32_t j = 0; j < info.joints; ++j) {
+      const Eigen::Map<const Eigen::Vector3f> made(&pose[8 * j + 4]);
+      const Eigen::Vector3f place = decoded.row(frame).segment<3>(3 * j);
+      largest = std::max(largest, static_cast<double>((made - place).norm()));
+    }
+  }
+  return largest;
+}
+
+TEST(CookedClip, AnIkErrorBoundsHowFarJointsMoveAndSavesBytes) {
+  const Motion motion = test::smooth_motion(900);
+  const OpenedClip opened(write_container(test::segmented_clip(motion, {900, 300, 48}, true)));
+  const CookedClip exact(opened.clip, {.apply_ik = 1});
+  std::size_t before = exact.bytes->size();
+  for (const float error : {0.02F, 0.1F, 0.5F}) {
+    const CookedClip cooked(opened.clip, {.apply_ik = 1, .ik_error = error});
+    ASSERT_NE(cooked.clip, nullptr) << cooked.result.message;
+    EXPECT_LT(largest_move(opened, cooked), static_cast<double>(error) + 5e-3);
+    EXPECT_LT(cooked.bytes->size(), before) << error;
+    before = cooked.bytes->size();
+  }
+  EXPECT_LT(largest_move(opened, exact), 5e-3);
+  EXPECT_LT(2 * before, exact.bytes->size());
+}
+
+TEST(CookedClip, AnIkErrorBelowZeroIsRefused) {
+  const OpenedClip opened(write_container(
+      test::segmented_clip(test::smooth_motion(20), SegmentLayout::whole(20), true)));
+  const CookedClip cooked(opened.clip, {.apply_ik = 1, .ik_error = -1});
+  EXPECT_EQ(cooked.result.status, MCPR_ARGUMENT);
+}
+
 /// A joint that turns twice about one axis, one without channels, a hinge, and one that also
 /// translates.
 TEST(CookedClip, MatchesTheDecoderForUnusualJoints) {
