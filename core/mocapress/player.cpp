@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/mocapress/player.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/codec/decode/runtime_clip.h"
@@ -10,6 +9,13 @@
 #include "core/codec/methods/compared_file.h"
 
 namespace mocapress {
+namespace {
+
+mcpr_wrap wrap_of(AtEnds at_ends) {
+  return at_ends == AtEnds::Loop ? MCPR_LOOP : MCPR_CLAMP;
+}
+
+}  // namespace
 
 struct Player::Parts {
   RuntimeClip clip;
@@ -19,16 +25,12 @@ struct Player::Parts {
 
   /// One instant, into as many floats as the output has.
   void decode(mcpr_output output, double seconds, AtEnds at_ends, float* out) const {
-    const mcpr_request request{.output = output, .apply_ik = 1};
+    const mcpr_request request{
+        .output = output, .apply_ik = 1, .unit = MCPR_SECONDS, .wrap = wrap_of(at_ends)};
     const AlignedBytes scratch(mcpr_scratch_bytes(clip.get(), &request));
     if (!std::isfinite(seconds)) throw Error("an instant that is not finite");
-    const double frame = seconds * info.sample_rate;
     const mcpr_result result =
-        at_ends == AtEnds::Loop
-            ? mcpr_decode_looped(clip.get(), &request, frame, out, scratch.data(), scratch.size())
-            : mcpr_decode_moment(clip.get(), &request,
-                                 std::clamp(frame, 0.0, static_cast<double>(info.frames) - 1), out,
-                                 scratch.data(), scratch.size());
+        mcpr_decode_moment(clip.get(), &request, seconds, out, scratch.data(), scratch.size());
     if (result.status != MCPR_OK) throw Error(result.message);
   }
 };
@@ -89,21 +91,13 @@ const ScalarTracks& Player::tracks() const {
 Eigen::VectorXf Player::track_values(double seconds, AtEnds at_ends) const {
   if (!std::isfinite(seconds)) throw Error("an instant that is not finite");
   if (at_ends == AtEnds::Loop && !is_loop()) throw Error("the clip is not a loop");
-  double frame = seconds * sample_rate_hz();
-  if (at_ends == AtEnds::Loop) {
-    const double turn = parts_->info.loop_frames;
-    frame -= turn * std::floor(frame / turn);
-    if (frame >= turn) frame = 0;  // rounded up from just below zero
-  } else {
-    frame = std::clamp(frame, 0.0, frames() - 1.0);
-  }
-  const mcpr_track_request all{};
+  const mcpr_track_request all{.sample_rate = sample_rate_hz(), .wrap = wrap_of(at_ends)};
   Eigen::VectorXf values(static_cast<Eigen::Index>(tracks().size()));
   if (tracks().empty()) return values;
   const mcpr_tracks* const held = mcpr_clip_tracks(parts_->clip.get());
   const AlignedBytes scratch(mcpr_track_scratch_bytes(held, &all));
   const mcpr_result result =
-      mcpr_track_moment(held, &all, frame, values.data(), scratch.data(), scratch.size());
+      mcpr_track_moment(held, &all, seconds, values.data(), scratch.data(), scratch.size());
   if (result.status != MCPR_OK) throw Error(result.message);
   return values;
 }

@@ -74,11 +74,11 @@ std::uint32_t joints_of(const mcpr_cooked& clip, const mcpr_sample_request& requ
 mcpr_result check_sample_request(const mcpr_cooked* clip, const mcpr_sample_request* request) {
   if (!is_cooked(clip)) return refused("no cooked clip");
   if (request == nullptr || request->layout < MCPR_TRANSFORMS || request->layout > MCPR_MATRICES ||
-      request->unit < MCPR_FRAMES || request->unit > MCPR_SECONDS || request->wrap < MCPR_CLAMP ||
-      request->wrap > MCPR_LOOP || poses_of(request->path) == nullptr)
-    return refused("unsupported layout, unit, wrap or path");
-  if (request->wrap == MCPR_LOOP && clip->turn_frames() < 1)
-    return refused("the clip is not a loop");
+      request->unit < MCPR_FRAMES || request->unit > MCPR_SECONDS ||
+      poses_of(request->path) == nullptr)
+    return refused("unsupported layout, unit or path");
+  if (!clip->wrapping(request->wrap).is_possible())
+    return refused("no such wrap, or the clip is not a loop");
   if (request->bands_left_out > MCPR_MOST_BANDS_LEFT_OUT)
     return refused("more bands left out than may be");
   if (request->selection != nullptr &&
@@ -94,6 +94,11 @@ mcpr_result check_sample_request(const mcpr_cooked* clip, const mcpr_sample_requ
   }
   if (request->parents != nullptr && !are_parents(request->parents, joints_of(*clip, *request)))
     return refused("a parent that does not come before its joint");
+  if (request->stepped == nullptr && request->stepped_count != 0)
+    return refused("no list of stepped joints");
+  for (std::uint32_t i = 0; i < request->stepped_count; ++i)
+    if (request->stepped[i] >= clip->joints)
+      return refused("a stepped joint that the clip does not have");
   return kOk;
 }
 
@@ -161,11 +166,14 @@ class JointMotion {
     request_.selection = nullptr;
     request_.parents = nullptr;
     request_.convention = nullptr;
+    // Nothing moves back to the first frame of a clip that is no such loop.
+    if (request_.wrap == MCPR_LOOP_BLEND && clip.loop != LoopKind::Follows)
+      request_.wrap = MCPR_LOOP_HOLD;
   }
 
   Rigid between(double from, double to) const {
-    if (request_.wrap == MCPR_CLAMP) return inverse(at(from)) * at(to);
-    const int frames = clip_.turn_frames();
+    const int frames = clip_.wrapping(request_.wrap).cycle();
+    if (frames == 0 || request_.wrap == MCPR_PING_PONG) return inverse(at(from)) * at(to);
     const double first = std::floor(from / frames);
     const double last = std::floor(to / frames);
     const Rigid turns = power(inverse(at(0)) * end_of_turn(), last - first);
@@ -183,12 +191,13 @@ class JointMotion {
             vector_of(out.translation)};
   }
 
-  /// The joint's transform at the start of the next cycle: that of the last frame if it repeats the
-  /// first pose; else one frame further, moving on as in the last frame.
+  /// The joint's transform at the start of the next cycle: that of the last frame; or one frame
+  /// further, moving on as in the last frame, if the wrap has that.
   Rigid end_of_turn() const {
     mcpr_transform out;
-    const PlaceInClip place = clip_.loop == LoopKind::Repeats ? PlaceInClip{clip_.frames - 1.0, 0}
-                                                              : PlaceInClip{clip_.frames - 1.0, 1};
+    const bool goes_on = clip_.loop == LoopKind::Follows &&
+                         (request_.wrap == MCPR_LOOP || request_.wrap == MCPR_LOOP_BLEND);
+    const PlaceInClip place{clip_.frames - 1.0, goes_on ? 1.0F : 0.0F};
     sample(clip_, *poses_of(request_.path), place, request_, out.rotation);
     const float* const q = out.rotation;
     return {rotation_of(static_cast<double>(q[0]), static_cast<double>(q[1]),

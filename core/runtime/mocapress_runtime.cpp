@@ -198,34 +198,16 @@ mcpr_result mcpr_decode_frames(const mcpr_clip* clip, const mcpr_request* reques
   return kOk;
 }
 
-mcpr_result mcpr_decode_moment(const mcpr_clip* clip, const mcpr_request* request, double frame,
+mcpr_result mcpr_decode_moment(const mcpr_clip* clip, const mcpr_request* request, double time,
                                float* out, void* scratch, size_t scratch_size) {
   mcpr_result result = check_request(clip, request);
   if (failed(result)) return result;
-  if (!(frame >= 0 && frame <= clip->block.segments.frames - 1) || out == nullptr)
-    return argument("an instant outside the clip, or no output");
-  if (failed(result = check_scratch(clip, request, scratch, scratch_size))) return result;
-  Memory memory(scratch, scratch_size);
-  FrameDecoder(memory, clip->block, *request).sample_at(frame, out);
-  return kOk;
-}
-
-mcpr_result mcpr_decode_looped(const mcpr_clip* clip, const mcpr_request* request, double frame,
-                               float* out, void* scratch, size_t scratch_size) {
-  mcpr_result result = check_request(clip, request);
-  if (failed(result)) return result;
-  const int turn = clip->block.turn_frames();
-  if (turn < 1) return argument("the clip is not a loop");
+  const Wrapping wrapping{clip->block.segments.frames, clip->block.loop, request->wrap};
+  if (!wrapping.is_possible()) return argument("no such wrap, or the clip is not a loop");
+  const double frame = request->unit == MCPR_SECONDS ? time * clip->block.sample_rate : time;
   if (!std::isfinite(frame) || out == nullptr) return argument("no finite instant, or no output");
   if (failed(result = check_scratch(clip, request, scratch, scratch_size))) return result;
-  double within = std::fmod(frame, turn);
-  if (within < 0) within += turn;
-  if (within >= turn) within = 0;  // a tiny negative instant rounds up to a whole cycle
   Memory memory(scratch, scratch_size);
-  FrameDecoder decoder(memory, clip->block, *request);
-  if (within <= clip->block.segments.frames - 1)
-    decoder.sample_at(within, out);
-  else
-    decoder.decode_across(static_cast<float>(within - (turn - 1)), out);
+  FrameDecoder(memory, clip->block, *request).sample_at(wrapping.place(frame), out);
   return kOk;
 }

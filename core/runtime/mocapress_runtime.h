@@ -199,6 +199,26 @@ MCPR_API int32_t mcpr_find_joint(const mcpr_clip* clip, const char* name);
 
 /* ---------------------------------------------------------------- decoding */
 
+/* The unit of instants in a request. */
+typedef enum mcpr_time { MCPR_FRAMES = 0, MCPR_SECONDS = 1 } mcpr_time;
+
+/* The pose before the first frame and after the last. The caller chooses for any clip; only
+ * MCPR_LOOP needs a clip that is a loop. In a loop the character starts each cycle at the same
+ * place: the caller adds up the distance and the turn of the cycles, see mcpr_sample_motion. */
+typedef enum mcpr_wrap {
+  MCPR_CLAMP = 0,      /* the first or the last frame */
+  MCPR_LOOP = 1,       /* another cycle, of loop_frames frames. If the first frame follows the last,
+                          channels go linearly from one to the other, angles the shorter way round,
+                          and roots go on as they moved in the last frame */
+  MCPR_PING_PONG = 2,  /* forwards, then backwards, and so on */
+  MCPR_LOOP_JUMP = 3,  /* the last frame stands for the first: a cycle of frames - 1, without
+                          anything in between */
+  MCPR_LOOP_BLEND = 4, /* the first frame follows the last: a cycle of `frames`. From one to the
+                          other as in MCPR_LOOP; if the clip is not such a loop, roots go straight,
+                          too */
+  MCPR_LOOP_HOLD = 5   /* a cycle of `frames`, at the end of which the last frame is held */
+} mcpr_wrap;
+
 /* The values that decoding returns for each frame. */
 typedef enum mcpr_output {
   MCPR_CHANNELS = 0, /* 1 float per channel, in cm or radians, in the order of the request */
@@ -233,6 +253,8 @@ typedef struct mcpr_request {
   mcpr_path path;
   uint32_t solver_iterations; /* cap on the IK solver's iterations, such as for characters far away;
                                  0, or beyond the clip's own (mcpr_limits): the clip's own */
+  mcpr_time unit;             /* this and the next are for mcpr_decode_moment */
+  mcpr_wrap wrap;
 } mcpr_request;
 
 /* Returns the number of floats that one decoded frame takes; 0 if the request is not possible. */
@@ -249,20 +271,12 @@ MCPR_API mcpr_result mcpr_decode_frames(const mcpr_clip* clip, const mcpr_reques
                                         uint32_t first, uint32_t count, float* out, void* scratch,
                                         size_t scratch_size);
 
-/* Decodes the pose at one instant, 0 <= frame <= frames - 1, into mcpr_frame_values() floats. Whole
- * numbers give exactly that frame. Between two frames the channels and the offsets of effectors are
- * interpolated linearly, and the IK correction is solved for that instant. */
+/* Decodes the pose at one finite instant into mcpr_frame_values() floats. Whole numbers of frames
+ * give exactly that frame. Between two frames the channels and the offsets of effectors are
+ * interpolated linearly, and the IK correction is solved for that instant. Fails with MCPR_ARGUMENT
+ * for MCPR_LOOP if the clip is not a loop. */
 MCPR_API mcpr_result mcpr_decode_moment(const mcpr_clip* clip, const mcpr_request* request,
-                                        double frame, float* out, void* scratch,
-                                        size_t scratch_size);
-
-/* Decodes the pose of a loop at any finite instant, as mcpr_decode_moment does after whole cycles
- * are taken off. Between the last frame and the first of the next cycle, channels are interpolated
- * linearly, angles the shorter way round; roots go on as they moved in the last frame. The
- * character starts each cycle at the same place: the caller adds up the distance and the turn of
- * the cycles. Fails with MCPR_ARGUMENT if the clip is not a loop. */
-MCPR_API mcpr_result mcpr_decode_looped(const mcpr_clip* clip, const mcpr_request* request,
-                                        double frame, float* out, void* scratch,
+                                        double time, float* out, void* scratch,
                                         size_t scratch_size);
 
 /* ---------------------------------------------------------------- poses at any instant */
@@ -338,15 +352,6 @@ typedef enum mcpr_layout {
   MCPR_MATRICES = 2 /* 12 floats per joint: a 3 x 4 matrix [rotation | translation], row by row */
 } mcpr_layout;
 
-/* The unit of instants in a request. */
-typedef enum mcpr_time { MCPR_FRAMES = 0, MCPR_SECONDS = 1 } mcpr_time;
-
-/* The pose before the first frame and after the last. */
-typedef enum mcpr_wrap {
-  MCPR_CLAMP = 0, /* the first or the last frame */
-  MCPR_LOOP = 1   /* the pose in another cycle, as in mcpr_decode_looped; for loops only */
-} mcpr_wrap;
-
 /* The axes, unit and order of numbers that an engine wants. All zero: the clip's own, as the top of
  * this file tells. */
 typedef struct mcpr_convention {
@@ -389,10 +394,15 @@ typedef struct mcpr_sample_request {
   uint32_t bands_left_out;           /* number of finest bands to leave out, 0 to
                                         MCPR_MOST_BANDS_LEFT_OUT */
   const mcpr_convention* convention; /* the engine's; null: the clip's own */
-  const int16_t* parents; /* gives transforms in the character's space instead of the parents': for
-                             each joint of the output the place of its parent in the output, which
-                             is smaller; -1 keeps a joint as it is. Null: all are kept. A cooked
-                             clip has no parents: mcpr_clip_joint and mcpk_joint tell them */
+  const int16_t* parents;  /* gives transforms in the character's space instead of the parents': for
+                              each joint of the output the place of its parent in the output, which
+                              is smaller; -1 keeps a joint as it is. Null: all are kept. A cooked
+                              clip has no parents: mcpr_clip_joint and mcpk_joint tell them */
+  const uint16_t* stepped; /* joints that jump from frame to frame, such as props that change hands:
+                              between two frames they have the transform of the earlier. The clip's
+                              numbers; others than those of the output are ignored. Each takes the
+                              time of another pose */
+  uint32_t stepped_count;  /* length of `stepped` */
 } mcpr_sample_request;
 
 /* Returns the bytes that a selection of this many joints takes, about 1.5 KB for 30 joints; 0
@@ -446,8 +456,10 @@ typedef struct mcpr_character {
   double time;                     /* the instant, in the unit of the request */
   float* out;                      /* room for the pose: mcpr_sample_values() floats */
   mcpr_wrap wrap;
-  uint32_t bands_left_out; /* this and `parents`: as in mcpr_sample_request */
+  uint32_t bands_left_out; /* this and those below: as in mcpr_sample_request */
   const int16_t* parents;
+  const uint16_t* stepped;
+  uint32_t stepped_count;
 } mcpr_character;
 
 /* The settings that all characters of a call share. All zero: transforms, time in frames. */
@@ -462,7 +474,7 @@ typedef struct mcpr_crowd_request {
                 are within 5e-4 radians and 2e-3 cm of mcpr_decode_moment on every path */
 } mcpr_crowd_request;
 
-/* Returns the bytes of scratch memory that mcpr_sort_crowd needs: about 72 per character. */
+/* Returns the bytes of scratch memory that mcpr_sort_crowd needs: about 88 per character. */
 MCPR_API size_t mcpr_sort_crowd_scratch_bytes(uint32_t count);
 
 /* Sorts the characters, in place, into the order in which mcpr_sample_crowd is fastest: by clip,
@@ -539,6 +551,9 @@ MCPR_API int32_t mcpr_find_track(const mcpr_tracks* tracks, mcpr_track_kind kind
 typedef struct mcpr_track_request {
   const uint16_t* tracks; /* tracks to decode, in any order, without duplicates; null: all */
   uint32_t track_count;   /* length of `tracks`; 0 if that is null */
+  double sample_rate;     /* for instants in seconds: frames per second, those of the clip. 0:
+                             instants are in frames */
+  mcpr_wrap wrap;         /* for instants */
 } mcpr_track_request;
 
 /* Returns the number of floats that one frame takes, one per track; 0 if the request is not
@@ -556,12 +571,27 @@ MCPR_API mcpr_result mcpr_track_frames(const mcpr_tracks* tracks, const mcpr_tra
                                        uint32_t first, uint32_t count, float* out, void* scratch,
                                        size_t scratch_size);
 
-/* Decodes the tracks at one instant, 0 <= frame <= frames - 1, into mcpr_track_values() floats. In
- * a loop of `frames` frames per cycle, instants up to `frames` lie between the last frame and the
- * first. */
+/* Decodes the tracks at one finite instant into mcpr_track_values() floats. A track that does not
+ * step goes linearly from frame to frame, and from the last to the first as the wrap says. Fails
+ * with MCPR_ARGUMENT for MCPR_LOOP if the clip is not a loop. */
 MCPR_API mcpr_result mcpr_track_moment(const mcpr_tracks* tracks, const mcpr_track_request* request,
-                                       double frame, float* out, void* scratch,
-                                       size_t scratch_size);
+                                       double time, float* out, void* scratch, size_t scratch_size);
+
+/* A switch that changed: a track that steps. */
+typedef struct mcpr_change {
+  double time;    /* a frame, in the unit of the request; beyond the clip it is in another cycle */
+  uint32_t track; /* its place in the request, or its number if all were asked for */
+  float value;    /* what it is after the change, on the way from `from` to `to` */
+} mcpr_change;
+
+/* Lists what changed of the tracks that step on the way from one instant to another, for events:
+ * (from, to] in the order of time, or backwards [to, from) if `to` is earlier. So calls that start
+ * where the one before ended tell each change once. Sets *count to their number, and writes as many
+ * as `capacity` allows; `changes` may be null if that is 0. Takes time in proportion to the frames
+ * between. Fails with MCPR_ARGUMENT if these are more than 2^22. */
+MCPR_API mcpr_result mcpr_track_changes(const mcpr_tracks* tracks,
+                                        const mcpr_track_request* request, double from, double to,
+                                        mcpr_change* changes, uint32_t capacity, uint32_t* count);
 
 /* ---------------------------------------------------------------- banks */
 

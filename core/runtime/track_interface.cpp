@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The part of the C interface that decodes tracks: checks the arguments, then calls the
 // implementation.
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
 #include "core/runtime/decode/clip.h"
 #include "core/runtime/decode/track_decoder.h"
+#include "core/runtime/format/format_limits.h"
+#include "core/runtime/format/place_in_clip.h"
 #include "core/runtime/format/result.h"
 #include "core/runtime/mocapress_runtime.h"
 #include "core/runtime/pose/cooked_clip.h"
@@ -28,6 +31,19 @@ mcpr_result check_track_call(const mcpr_tracks* tracks, const mcpr_track_request
   if (out == nullptr) return wrong_track("no output");
   const std::size_t needed = mcpr_track_scratch_bytes(tracks, request);
   return needed == 0 ? kOk : check_memory(scratch, size, needed, "too little scratch memory");
+}
+
+double frame_at(const mcpr_track_request& request, double time) {
+  return request.sample_rate > 0 ? time * request.sample_rate : time;
+}
+
+Wrapping wrapping_of(const mcpr_tracks& tracks, const mcpr_track_request& request) {
+  return {static_cast<int>(tracks.frames), tracks.loop, request.wrap};
+}
+
+/// The frame whose values held tracks have at an instant.
+std::uint32_t frame_held_at(const Wrapping& wrapping, double frame) {
+  return static_cast<std::uint32_t>(wrapping.place(frame).frame);
 }
 
 }  // namespace
@@ -94,17 +110,54 @@ mcpr_result mcpr_track_frames(const mcpr_tracks* tracks, const mcpr_track_reques
 }
 
 mcpr_result mcpr_track_moment(const mcpr_tracks* tracks, const mcpr_track_request* request,
-                              double frame, float* out, void* scratch, size_t scratch_size) {
+                              double time, float* out, void* scratch, size_t scratch_size) {
   const mcpr_result result = check_track_call(tracks, request, out, scratch, scratch_size);
   if (failed(result)) return result;
-  const std::uint32_t frames = tracks->frames;
-  const bool goes_round = tracks->loop == LoopKind::Follows;
-  if (!(frame >= 0 && (goes_round ? frame < frames : frame <= frames - 1.0)))
-    return wrong_track("an instant outside the clip");
-  const auto before = static_cast<std::uint32_t>(frame);
-  const std::uint32_t next = before + 1 < frames ? before + 1 : 0;
+  const double frame = frame_at(*request, time);
+  const Wrapping wrapping = wrapping_of(*tracks, *request);
+  if (!wrapping.is_possible()) return wrong_track("no such wrap, or the clip is not a loop");
+  if (!std::isfinite(frame)) return wrong_track("no finite instant");
+  const PlaceInClip place = wrapping.place(frame);
+  const auto before = static_cast<std::uint32_t>(place.frame);
+  const std::uint32_t next = before + 1 < tracks->frames ? before + 1 : 0;
+  const float share = place.across > 0 ? place.across : static_cast<float>(place.frame - before);
   Memory memory(scratch, scratch_size);
-  TrackDecoder(memory, *tracks, *request)
-      .sample_between(before, next, static_cast<float>(frame - before), out);
+  TrackDecoder(memory, *tracks, *request).sample_between(before, next, share, out);
+  return kOk;
+}
+
+mcpr_result mcpr_track_changes(const mcpr_tracks* tracks, const mcpr_track_request* request,
+                               double from, double to, mcpr_change* changes, uint32_t capacity,
+                               uint32_t* count) {
+  if (!may_ask(tracks, request)) return wrong_track("a list of tracks that the clip does not have");
+  if (count == nullptr || (changes == nullptr && capacity > 0))
+    return wrong_track("no place was given for the changes, or for their number");
+  const Wrapping wrapping = wrapping_of(*tracks, *request);
+  if (!wrapping.is_possible()) return wrong_track("no such wrap, or the clip is not a loop");
+  const double first = std::floor(frame_at(*request, std::min(from, to)));
+  const double last = std::floor(frame_at(*request, std::max(from, to)));
+  if (!std::isfinite(from) || !std::isfinite(to) || last - first > double{kMostFrames})
+    return wrong_track("no finite instants, or too many frames between them");
+  *count = 0;
+  const auto frames = static_cast<std::uint32_t>(last - first);
+  for (std::uint32_t i = 0; i < frames; ++i) {
+    // Frames where values may change, on the way.
+    const double frame = from <= to ? first + 1 + i : last - i;
+    const std::uint32_t before = frame_held_at(wrapping, frame - 0.5);
+    const std::uint32_t after = frame_held_at(wrapping, frame + 0.5);
+    for (std::uint32_t t = 0; t < mcpr_track_values(tracks, request); ++t) {
+      const ResidentTrack& track =
+          tracks->track(request->tracks != nullptr ? request->tracks[t] : t);
+      if (track.steps == 0 || track.is_curve != 0) continue;
+      const float value_before = tracks->held(track, before);
+      const float value_after = tracks->held(track, after);
+      if (value_before == value_after) continue;
+      if (*count < capacity)
+        changes[*count] = {.time = request->sample_rate > 0 ? frame / request->sample_rate : frame,
+                           .track = t,
+                           .value = from <= to ? value_after : value_before};
+      ++*count;
+    }
+  }
   return kOk;
 }

@@ -118,7 +118,9 @@ void print_decoded(const std::string& name, const mcpr_clip* clip) {
                                            scratch.size()));
             floats.insert(floats.end(), pose.begin(), pose.end());
             if (info.loop_frames == 0) continue;
-            check(what, mcpr_decode_looped(clip, &request, 3 * frame - 5, pose.data(),
+            mcpr_request looping = request;
+            looping.wrap = MCPR_LOOP;
+            check(what, mcpr_decode_moment(clip, &looping, 3 * frame - 5, pose.data(),
                                            scratch.data(), scratch.size()));
             floats.insert(floats.end(), pose.begin(), pose.end());
           }
@@ -191,6 +193,23 @@ void print_sampled(const std::string& name, const mcpr_cooked* cooked) {
         floats.insert(floats.end(), pose.begin(), pose.end());
       }
   });
+  print(name + " wraps", [&](mcpr_path path, std::vector<float>& floats) {
+    const std::uint16_t stepped[] = {0};
+    for (int wrap = MCPR_PING_PONG; wrap <= MCPR_LOOP_HOLD; ++wrap) {
+      mcpr_sample_request request{};
+      request.wrap = static_cast<mcpr_wrap>(wrap);
+      request.path = path;
+      request.stepped = stepped;
+      request.stepped_count = 1;
+      std::vector<float> pose(mcpr_sample_values(cooked, &request));
+      for (const double frame : instants(info.frames)) {
+        check(name, mcpr_sample(cooked, &request, 3 * frame - 5, pose.data()));
+        floats.insert(floats.end(), pose.begin(), pose.end());
+      }
+      check(name, mcpr_sample(cooked, &request, info.frames - 0.6, pose.data()));
+      floats.insert(floats.end(), pose.begin(), pose.end());
+    }
+  });
   print(name + " motion", [&](mcpr_path path, std::vector<float>& floats) {
     mcpr_sample_request request{};
     request.path = path;
@@ -222,9 +241,11 @@ void print_clip(const std::string& name, Block& scratch, size_t bytes) {
   const mcpr_clip* clip = nullptr;
   check(name, mcpr_build(scratch.data(), scratch.size(), resident.data(), bytes, &clip));
   print_decoded(name, clip);
-  for (int ik = 0; ik <= (mcpr_clip_describe(clip).effectors > 0 ? 1 : 0); ++ik) {
+  // Without the correction, exactly, and refitted.
+  for (int ik = 0; ik <= (mcpr_clip_describe(clip).effectors > 0 ? 2 : 0); ++ik) {
     mcpr_cook_options options{};
-    options.apply_ik = ik;
+    options.apply_ik = ik != 0 ? 1 : 0;
+    options.ik_error = ik == 2 ? 0.1F : 0.0F;
     Block space(mcpr_cook_scratch_bytes(clip, &options));
     size_t size = 0;
     check(name, mcpr_cook_size(clip, &options, space.data(), space.size(), &size));
@@ -232,7 +253,9 @@ void print_clip(const std::string& name, Block& scratch, size_t bytes) {
     const mcpr_cooked* cooked = nullptr;
     check(name,
           mcpr_cook(clip, &options, space.data(), space.size(), memory.data(), size, &cooked));
-    const std::string cooked_name = name + (ik != 0 ? " cooked-ik" : " cooked");
+    const std::string cooked_name = name + (ik == 0   ? " cooked"
+                                            : ik == 1 ? " cooked-ik"
+                                                      : " cooked-ik-refit");
     std::printf("%s %016llx\n", cooked_name.c_str(), hash_of(memory.data(), size));
     print_sampled(cooked_name, cooked);
   }

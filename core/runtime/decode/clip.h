@@ -7,6 +7,7 @@
 #include "core/runtime/decode/track_block.h"
 #include "core/runtime/format/end_poses.h"
 #include "core/runtime/format/kinds.h"
+#include "core/runtime/format/place_in_clip.h"
 #include "core/runtime/format/segment_layout.h"
 #include "core/runtime/ik/limb.h"
 #include "core/runtime/ik/solve.h"
@@ -66,10 +67,7 @@ struct ClipBlock {
     return *at<ResidentSignals>(at<std::uint32_t>(motions)[segment]);
   }
   /// Frames in one cycle of a loop; 0: not a loop.
-  int turn_frames() const {
-    if (loop == LoopKind::None) return 0;
-    return loop == LoopKind::Repeats ? segments.frames - 1 : segments.frames;
-  }
+  int turn_frames() const { return turn_frames_of(segments.frames, loop); }
   LimbPlan limb(int l) const {
     const ResidentLimb& limb = at<ResidentLimb>(limbs)[l];
     return {.effectors = limb.effectors,

@@ -163,7 +163,9 @@ void FrameDecoder::decode(int first, int count, float* out) {
   }
 }
 
-void FrameDecoder::sample_at(double frame, float* out) {
+void FrameDecoder::sample_at(const PlaceInClip& place, float* out) {
+  if (place.across > 0) return decode_across(place.across, out);
+  const double frame = place.frame;
   const int before = static_cast<int>(frame);
   const auto share = static_cast<float>(frame - before);
   signals_.decode_window(before, share > 0 ? 2 : 1, rows_, row_step_);
@@ -176,7 +178,7 @@ void FrameDecoder::sample_at(double frame, float* out) {
 void FrameDecoder::decode_across(float share, float* out) {
   constexpr float kTurn = 6.28318531F;  // radians
   const int last = clip_.segments.frames - 1;
-  if (last == 0) return sample_at(0, out);
+  if (last == 0) return sample_at({}, out);
   signals_.decode_window(last - 1, 2, rows_, row_step_);
   const float* const before = rows_;
   float* const row = rows_ + row_step_;
@@ -191,7 +193,7 @@ void FrameDecoder::decode_across(float share, float* out) {
     const JointModel& joint = clip_.joint_models()[j];
     for (int c = 0; c < joint.channels; ++c) {
       const std::int32_t channel = joint.first_channel + c;
-      if (joint.parent < 0)
+      if (joint.parent < 0 && clip_.loop == LoopKind::Follows)
         go(channel, [&](std::int32_t k) { return row[k] - before[k]; });
       else if (is_rotation(joint.kinds[c]))
         go(channel, [&](std::int32_t k) { return std::remainder(straight(k), kTurn); });

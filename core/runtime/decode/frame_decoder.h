@@ -4,6 +4,7 @@
 #include "core/runtime/decode/clip.h"
 #include "core/runtime/decode/segment_decoder.h"
 #include "core/runtime/format/memory.h"
+#include "core/runtime/format/place_in_clip.h"
 
 namespace mocapress::runtime {
 
@@ -30,14 +31,14 @@ class FrameDecoder {
   /// Decodes frames first ... first + count - 1, which must exist.
   void decode(int first, int count, float* out);
 
-  /// Decodes an instant, 0 <= frame <= frames - 1.
-  void sample_at(double frame, float* out);
-
-  /// Decodes an instant between the last frame of a loop and the first of its next cycle; `share`
-  /// is the fraction of the way.
-  void decode_across(float share, float* out);
+  /// Decodes an instant.
+  void sample_at(const PlaceInClip& place, float* out);
 
  private:
+  /// Decodes an instant between the last frame and the first of the next cycle; `share` is the
+  /// fraction of the way.
+  void decode_across(float share, float* out);
+
   /// Applies the IK correction to a row in place. The row holds channels, then effector offsets.
   void correct(float* row);
   void put_out(float* row, const EndShares& shares, float* out);

@@ -3,6 +3,7 @@
 // copied byte for byte into what is cooked from it.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -47,6 +48,16 @@ struct mcpr_tracks {
   }
   const mocapress::runtime::ResidentTrack& track(std::size_t number) const {
     return at<mocapress::runtime::ResidentTrack>(tracks)[number];
+  }
+  /// The run of a held track that a frame is in.
+  const mocapress::runtime::TrackRun* run_at(const mocapress::runtime::ResidentTrack& track,
+                                             std::uint32_t frame) const {
+    const auto* const first = at<mocapress::runtime::TrackRun>(runs) + track.first;
+    return std::partition_point(first, first + track.run_count,
+                                [&](const auto& run) { return run.end <= frame; });
+  }
+  float held(const mocapress::runtime::ResidentTrack& track, std::uint32_t frame) const {
+    return run_at(track, frame)->value;
   }
   const mocapress::runtime::ResidentSignals& signals() const {
     return *at<mocapress::runtime::ResidentSignals>(curves);

@@ -62,9 +62,7 @@ void TrackDecoder::decode(std::uint32_t first, std::uint32_t count, float* out) 
 /// Writes a held track's values, starting in the run that holds the first frame.
 void TrackDecoder::put_held(std::size_t place, std::uint32_t first, std::uint32_t count,
                             float* out) const {
-  const TrackRun* const runs = tracks_.at<TrackRun>(tracks_.runs) + track(place).first;
-  const TrackRun* run = std::partition_point(runs, runs + track(place).run_count,
-                                             [&](const TrackRun& one) { return one.end <= first; });
+  const TrackRun* run = tracks_.run_at(track(place), first);
   for (std::uint32_t t = first; t < first + count; ++t, out += count_) {
     if (t >= run->end) ++run;
     *out = run->value;

@@ -13,6 +13,7 @@
 #include "core/runtime/format/bit_pattern.h"
 #include "core/runtime/format/end_poses.h"
 #include "core/runtime/format/kinds.h"
+#include "core/runtime/format/place_in_clip.h"
 #include "core/runtime/format/segment_layout.h"
 #include "core/runtime/mocapress_runtime.h"
 
@@ -267,9 +268,10 @@ struct mcpr_cooked {
                  band];
   }
   int turn_frames() const {
-    if (loop == mocapress::runtime::LoopKind::None) return 0;
-    const bool repeats = loop == mocapress::runtime::LoopKind::Repeats;
-    return static_cast<int>(frames) - (repeats ? 1 : 0);
+    return mocapress::runtime::turn_frames_of(static_cast<int>(frames), loop);
+  }
+  mocapress::runtime::Wrapping wrapping(mcpr_wrap wrap) const {
+    return {static_cast<int>(frames), loop, wrap};
   }
 };
 

@@ -33,7 +33,9 @@ mcpr_sample_request request_of(const mcpr_crowd_request& request, const mcpr_cha
           .selection = character.selection,
           .bands_left_out = character.bands_left_out,
           .convention = request.convention,
-          .parents = character.parents};
+          .parents = character.parents,
+          .stepped = character.stepped,
+          .stepped_count = character.stepped_count};
 }
 
 CrowdSorter::CrowdSorter(Memory& memory, std::uint32_t count)

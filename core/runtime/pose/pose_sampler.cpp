@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <bitset>
 #include <cmath>
 #include <cstring>
 #include <iterator>
@@ -18,6 +19,35 @@
 
 namespace mocapress::runtime {
 namespace {
+
+/// The kinds of a clip's columns: as a loop has them, else found by what reads them.
+class ColumnKinds {
+ public:
+  explicit ColumnKinds(const mcpr_cooked& clip)
+      : listed_(clip.loop == LoopKind::Follows ? clip.at<ColumnKind>(clip.column_kinds) : nullptr) {
+    if (listed_ != nullptr) return;
+    const auto* const rotors = clip.at<RotorGroup>(clip.rotors);
+    for (int g = 0; g < clip.rotor_groups; ++g)
+      for (int a = 0; a < rotors[g].angles; ++a)
+        for (int i = 0; i < kGroup; ++i)
+          angles_.set(static_cast<std::size_t>(kGroup * rotors[g].vector[a] + i));
+    const auto* const turns = clip.at<OtherTurn>(clip.turns);
+    for (int i = 0; i < clip.other_turns; ++i)
+      if (turns[i].axis != OtherTurn::kConstant) angles_.set(turns[i].column);
+    const auto* const added = clip.at<AddedColumn>(clip.added);
+    for (int i = 0; i < clip.added_columns; ++i)
+      if (angles_[added[i].to]) angles_.set(added[i].from);
+  }
+
+  ColumnKind of(int column) const {
+    if (listed_ != nullptr) return listed_[column];
+    return angles_[static_cast<std::size_t>(column)] ? ColumnKind::HalfAngle : ColumnKind::Straight;
+  }
+
+ private:
+  const ColumnKind* listed_;
+  std::bitset<kMostColumns> angles_;
+};
 
 class Sampler {
  public:
@@ -181,8 +211,8 @@ class Sampler {
     }
   }
 
-  /// Makes the columns between the last frame of a loop and the first: angles go the shorter way,
-  /// and roots continue their last step.
+  /// Makes the columns between the last frame and the first: angles go the shorter way, and roots
+  /// of a loop continue their last step.
   void make_columns_across(float share) {
     constexpr float kHalfTurn = 3.14159265F;
     const int last = static_cast<int>(clip_.frames) - 1;
@@ -191,9 +221,10 @@ class Sampler {
     make_frame(last, columns_);
     make_frame(0, first);
     make_frame(std::max(last - 1, 0), before);
+    const ColumnKinds kinds(clip_);
     for (int c = 0; c < kGroup * static_cast<int>(clip_.row_groups); ++c) {
       float way = first[c] - columns_[c];
-      switch (clip_.at<ColumnKind>(clip_.column_kinds)[c]) {
+      switch (kinds.of(c)) {
         case ColumnKind::Straight:
           break;
         case ColumnKind::HalfAngle:
@@ -353,18 +384,8 @@ class Sampler {
 
 PlaceInClip place_in_clip(const mcpr_cooked& clip, const mcpr_sample_request& request,
                           double time) {
-  const double frame = request.unit == MCPR_SECONDS ? time * clip.sample_rate : time;
-  const double last = clip.frames - 1.0;
-  if (request.wrap == MCPR_CLAMP) return {std::clamp(frame, 0.0, last), 0};
-  const int turn = clip.turn_frames();
-  double within = frame;
-  if (!(within >= 0 && within < turn)) {
-    within = std::fmod(frame, turn);
-    if (within < 0) within += turn;
-    if (within >= turn) within = 0;  // a tiny negative instant rounds up to a whole cycle
-  }
-  if (within <= last) return {within, 0};
-  return {last, static_cast<float>(within - (turn - 1))};
+  return clip.wrapping(request.wrap)
+      .place(request.unit == MCPR_SECONDS ? time * clip.sample_rate : time);
 }
 
 std::size_t values_of_joint(mcpr_layout layout) {
@@ -372,10 +393,41 @@ std::size_t values_of_joint(mcpr_layout layout) {
   return layout == MCPR_ARRAYS ? 7 : 12;
 }
 
+namespace {
+
+/// Overwrites the joints that step with their transforms at the earlier frame.
+void hold_stepped(const mcpr_cooked& clip, const PoseKernels& kernels, const PlaceInClip& place,
+                  const mcpr_sample_request& request, const mcpr_selection* selection, float* out) {
+  const BetweenFrames between = between_frames(static_cast<int>(clip.frames), place.frame);
+  if (between.share == 0 && place.across == 0) return;
+  const std::size_t joints = selection == nullptr ? clip.joints : selection->joint_count;
+  for (std::uint32_t i = 0; i < request.stepped_count; ++i) {
+    const std::uint16_t joint = request.stepped[i];
+    const std::size_t at = selection == nullptr ? joint : selection->places[joint];
+    if (at == mcpr_selection::kNowhere) continue;
+    mcpr_sample_request one = request;
+    one.joints = &joint;
+    one.joint_count = 1;
+    one.selection = nullptr;
+    one.convention = nullptr;
+    one.parents = nullptr;
+    one.stepped_count = 0;
+    float values[12];
+    sample(clip, kernels, {static_cast<double>(between.before), 0}, one, values);
+    const std::size_t count = values_of_joint(request.layout);
+    const bool is_apart = request.layout == MCPR_ARRAYS;
+    for (std::size_t k = 0; k < count; ++k)
+      out[is_apart ? k * joints + at : at * count + k] = values[k];
+  }
+}
+
+}  // namespace
+
 void sample(const mcpr_cooked& clip, const PoseKernels& kernels, const PlaceInClip& place,
             const mcpr_sample_request& request, float* out, mcpr_cursor* cursor) {
   const auto run = [&](const mcpr_selection* selection) {
     Sampler(clip, kernels, request, selection, cursor).run(place, out);
+    if (request.stepped_count > 0) hold_stepped(clip, kernels, place, request, selection, out);
     const std::uint32_t joints = selection == nullptr ? clip.joints : selection->joint_count;
     if (request.parents != nullptr) place_in_model(request.layout, request.parents, joints, out);
     if (request.convention != nullptr) convert(*request.convention, request.layout, joints, out);

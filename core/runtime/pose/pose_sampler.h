@@ -9,12 +9,6 @@
 
 namespace mocapress::runtime {
 
-/// A position in the clip, or on the way from its last frame to its first.
-struct PlaceInClip {
-  double frame = 0;
-  float across = 0;
-};
-
 PlaceInClip place_in_clip(const mcpr_cooked& clip, const mcpr_sample_request& request, double time);
 
 /// A frame, or an instant between it and the next.

@@ -278,8 +278,9 @@ TEST(Decoder, RefusesRequestsTheClipCannotFulfil) {
   EXPECT_EQ(status({.channels = &beyond, .channel_count = 1}, 0, 1), MCPR_ARGUMENT);
   EXPECT_EQ(status({.output = MCPR_LOCAL, .channels = &beyond, .channel_count = 1}, 0, 1),
             MCPR_ARGUMENT);
-  EXPECT_TRUE(opened().moment({}, kFrames - 0.5).empty());
-  EXPECT_TRUE(opened().moment({}, -0.1).empty());
+  EXPECT_EQ(opened().moment({}, kFrames - 0.5), opened().moment({}, kFrames - 1));
+  EXPECT_EQ(opened().moment({}, -0.1), opened().moment({}, 0));
+  EXPECT_TRUE(opened().moment({.wrap = static_cast<mcpr_wrap>(6)}, 0).empty());
   EXPECT_TRUE(opened().moment({}, std::numeric_limits<double>::quiet_NaN()).empty());
 }
 
@@ -441,13 +442,9 @@ std::vector<std::byte> loop_file(Loop loop) {
                              .compressed);
 }
 
-std::vector<float> looped(const OpenedClip& clip, const mcpr_request& request, double frame) {
-  const AlignedBytes scratch(mcpr_scratch_bytes(clip.clip, &request));
-  std::vector<float> out(mcpr_frame_values(clip.clip, &request));
-  if (mcpr_decode_looped(clip.clip, &request, frame, out.data(), scratch.data(), scratch.size())
-          .status != MCPR_OK)
-    out.clear();
-  return out;
+std::vector<float> looped(const OpenedClip& clip, mcpr_request request, double frame) {
+  request.wrap = MCPR_LOOP;
+  return clip.moment(request, frame);
 }
 
 TEST(DecoderOfALoop, WrapsInBothDirections) {

@@ -2,7 +2,9 @@
 // The C interface to tracks.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "core/base/random.h"
 #include "core/codec/decode/track_decoding.h"
@@ -106,18 +108,108 @@ TEST_F(RuntimeTracks, InterpolateOrHoldBetweenFrames) {
   }
   EXPECT_NE(two[0], two[5]);
   EXPECT_EQ(moment(clip, {}, 84), std::vector<float>(two.begin(), two.begin() + 5));
-  for (const double outside : {-0.01, kTrackFrames - 0.99, std::nan("")})
-    EXPECT_TRUE(moment(clip, {}, outside).empty());
-  EXPECT_FALSE(moment(clip, {}, kTrackFrames - 1).empty());
+  EXPECT_TRUE(moment(clip, {}, std::nan("")).empty());
+  EXPECT_EQ(moment(clip, {}, -0.01), frames(clip, {}, 0, 1));
+  EXPECT_EQ(moment(clip, {}, kTrackFrames + 7.5), frames(clip, {}, kTrackFrames - 1, 1));
+  EXPECT_EQ(moment(clip, {.sample_rate = 120}, 84.25 / 120), between);
 }
 
 TEST_F(RuntimeTracks, WrapInALoopWithoutARepeatedFrame) {
   const OpenedClip clip(file(Loop::Follows));
   const std::vector<float> last = frames(clip, {}, kTrackFrames - 1, 1);
   const std::vector<float> first = frames(clip, {}, 0, 1);
-  const std::vector<float> across = moment(clip, {}, kTrackFrames - 0.5);
+  const mcpr_track_request looping{.wrap = MCPR_LOOP};
+  const std::vector<float> across = moment(clip, looping, kTrackFrames - 0.5);
   for (std::size_t t = 1; t < 5; ++t) EXPECT_EQ(across[t], last[t] + 0.5F * (first[t] - last[t]));
-  EXPECT_TRUE(moment(clip, {}, kTrackFrames).empty());
+  EXPECT_EQ(moment(clip, looping, kTrackFrames), first);
+  EXPECT_TRUE(moment(OpenedClip(file()), looping, 0).empty());
+}
+
+TEST_F(RuntimeTracks, WrapAsTheCallerWants) {
+  const OpenedClip clip(file());
+  const auto at = [&](mcpr_wrap wrap, double frame) { return moment(clip, {.wrap = wrap}, frame); };
+  const double last = kTrackFrames - 1;
+  EXPECT_EQ(at(MCPR_PING_PONG, last + 3.25), at(MCPR_CLAMP, last - 3.25));
+  EXPECT_EQ(at(MCPR_PING_PONG, -3.25), at(MCPR_CLAMP, 3.25));
+  EXPECT_EQ(at(MCPR_LOOP_JUMP, last), at(MCPR_CLAMP, 0));
+  EXPECT_EQ(at(MCPR_LOOP_JUMP, last + 84.5), at(MCPR_CLAMP, 84.5));
+  EXPECT_EQ(at(MCPR_LOOP_HOLD, last + 0.75), at(MCPR_CLAMP, last));
+  EXPECT_EQ(at(MCPR_LOOP_HOLD, last + 1), at(MCPR_CLAMP, 0));
+  const std::vector<float> before = at(MCPR_CLAMP, last);
+  const std::vector<float> after = at(MCPR_CLAMP, 0);
+  const std::vector<float> across = at(MCPR_LOOP_BLEND, last + 0.5);
+  for (std::size_t t = 1; t < 5; ++t)
+    EXPECT_EQ(across[t], before[t] + 0.5F * (after[t] - before[t]));
+}
+
+/// Changes between two instants, found one frame after the other.
+std::vector<std::pair<double, float>> changes_of(const OpenedClip& clip,
+                                                 const mcpr_track_request& request, double from,
+                                                 double to) {
+  const mcpr_tracks* const tracks = mcpr_clip_tracks(clip.clip);
+  std::uint32_t count = 0;
+  EXPECT_EQ(mcpr_track_changes(tracks, &request, from, to, nullptr, 0, &count).status, MCPR_OK);
+  std::vector<mcpr_change> changes(count);
+  EXPECT_EQ(mcpr_track_changes(tracks, &request, from, to, changes.data(), count, &count).status,
+            MCPR_OK);
+  std::vector<std::pair<double, float>> found;
+  for (const mcpr_change& change : changes) {
+    mcpr_track track;
+    EXPECT_EQ(mcpr_track_describe(tracks, change.track, &track).status, MCPR_OK);
+    EXPECT_EQ(track.steps, 1);
+    found.emplace_back(change.time, change.value);
+  }
+  return found;
+}
+
+TEST_F(RuntimeTracks, TellWhichSwitchesChangedBetweenTwoInstants) {
+  const OpenedClip clip(file());
+  const std::vector<float> all = frames(clip, {}, 0, kTrackFrames);
+  std::vector<std::pair<double, float>> expected;
+  for (std::size_t f = 1; f < kTrackFrames; ++f)
+    if (all[5 * f] != all[5 * (f - 1)]) expected.emplace_back(f, all[5 * f]);
+  ASSERT_GE(expected.size(), 2U);
+  EXPECT_EQ(changes_of(clip, {}, 0, kTrackFrames + 100), expected);
+  // In pieces, each change once, whether an instant is a frame or not.
+  for (const double step : {0.3, 1.0, 7.0}) {
+    std::vector<std::pair<double, float>> found;
+    for (double at = 0; at < kTrackFrames; at += step) {
+      const auto now = changes_of(clip, {}, at, at + step);
+      found.insert(found.end(), now.begin(), now.end());
+    }
+    EXPECT_EQ(found, expected) << step;
+  }
+  // Backwards, in the opposite order, to the values before.
+  const auto back = changes_of(clip, {}, kTrackFrames, 0);
+  ASSERT_EQ(back.size(), expected.size());
+  for (std::size_t i = 0; i < back.size(); ++i) {
+    const auto frame = static_cast<std::size_t>(back[i].first);
+    EXPECT_EQ(back[i].first, expected[expected.size() - 1 - i].first);
+    EXPECT_EQ(back[i].second, all[5 * (frame - 1)]);
+  }
+  // In seconds, and over cycles: what changed in the first comes back in the second, a clip later.
+  const auto seconds = changes_of(clip, {.sample_rate = 120}, 0, kTrackFrames / 120.0);
+  ASSERT_EQ(seconds.size(), expected.size());
+  EXPECT_EQ(seconds[0].first, expected[0].first / 120);
+  const auto cycles =
+      changes_of(clip, {.wrap = MCPR_LOOP_HOLD}, kTrackFrames + 1, 2 * kTrackFrames - 1);
+  ASSERT_EQ(cycles.size(), expected.size());
+  EXPECT_EQ(cycles[0].first, expected[0].first + kTrackFrames);
+  const auto mirrored =
+      changes_of(clip, {.wrap = MCPR_PING_PONG}, kTrackFrames - 1, 2 * kTrackFrames - 2);
+  EXPECT_EQ(mirrored.size(), expected.size());
+}
+
+TEST_F(RuntimeTracks, RefuseChangesOfTooManyFrames) {
+  const OpenedClip clip(file());
+  const mcpr_track_request all{};
+  std::uint32_t count = 0;
+  for (const double to : {1e9, HUGE_VAL, std::nan("")})
+    EXPECT_EQ(
+        mcpr_track_changes(mcpr_clip_tracks(clip.clip), &all, 0, to, nullptr, 0, &count).status,
+        MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_track_changes(mcpr_clip_tracks(clip.clip), &all, 0, 1, nullptr, 0, nullptr).status,
+            MCPR_ARGUMENT);
 }
 
 TEST_F(RuntimeTracks, ImpossibleCallsAreRefused) {

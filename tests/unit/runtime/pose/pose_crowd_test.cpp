@@ -93,9 +93,13 @@ class PoseCrowd : public testing::Test {
               .wrap = character.wrap,
               .path = crowd.path,
               .selection = character.selection,
-              .bands_left_out = character.bands_left_out};
+              .bands_left_out = character.bands_left_out,
+              .stepped = character.stepped,
+              .stepped_count = character.stepped_count};
     }
   };
+
+  static constexpr std::uint16_t kStepped = 1;
 
   /// Characters at random instants of all clips, or close to one instant of each.
   std::vector<Member> members(int count, bool are_near, unsigned seed,
@@ -116,7 +120,9 @@ class PoseCrowd : public testing::Test {
                           .time = time,
                           .out = nullptr,
                           .wrap = loops ? MCPR_LOOP : MCPR_CLAMP,
-                          .bands_left_out = i % 3 == 0 ? static_cast<std::uint32_t>(i) % 4 : 0};
+                          .bands_left_out = i % 3 == 0 ? static_cast<std::uint32_t>(i) % 4 : 0,
+                          .stepped = i % 11 == 0 ? &kStepped : nullptr,
+                          .stepped_count = i % 11 == 0 ? 1U : 0U};
       const mcpr_sample_request one = member.request(request);
       member.out.assign(mcpr_sample_values(stage.clip(), &one) + 1, -7.0F);
       made.push_back(std::move(member));
