@@ -2,6 +2,7 @@
 #include "core/bank/bank.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -25,6 +26,7 @@
 #include "core/base/parallel_in_order.h"
 #include "core/base/staged_file.h"
 #include "core/codec/format/format_error.h"
+#include "core/formats/text_cursor.h"
 
 namespace mocapress::cli {
 namespace {
@@ -36,6 +38,12 @@ std::string wrong_pair(const std::string& text) {
   return text.find('=') == std::string::npos || text.front() == '='
              ? "'" + text + "' is not key=value"
              : std::string();
+}
+
+std::string wrong_distance(const std::string& text) {
+  const std::optional<double> cm = parse_number(text);
+  return cm && *cm >= 0 && std::isfinite(*cm) ? std::string()
+                                               : "'" + text + "' is not a distance in cm, 0 or more";
 }
 
 /// Counts finished clips on one line until the user or the system asks to stop.
@@ -126,7 +134,7 @@ struct BankFilling {
                 "In a cooked bank: how far cooking an IK correction may move a joint at any "
                 "frame, 0 for not at all [the error that each clip was encoded with]")
             ->type_name("CM")
-            ->check(CLI::NonNegativeNumber);
+            ->check(wrong_distance);
     command.add_flag("--no-ik", no_ik, "In a cooked bank: leave IK corrections out")
         ->excludes(error);
   }

@@ -110,6 +110,25 @@ TEST_F(CliBank, ACookedBankIsMadeOfAPackedOne) {
   EXPECT_THAT(refused.err, HasSubstr("the bank is cooked"));
 }
 
+TEST_F(CliBank, SaysWhatIkCorrectionsTake) {
+  const std::string walk = std::string(MOCAPRESS_SOURCE_DIR) + "/resources/samples/human_walk.amc";
+  const std::string clip = file("walk.mcpr");
+  ASSERT_EQ(mocapress({"compress", walk, "--ik", "auto", "-o", clip}).exit_code, 0);
+  const auto bytes_with = [&](const std::vector<std::string>& options, bool says) {
+    std::vector<std::string> words = {"bank", "make", file("b.mcpk"), clip, "--cooked"};
+    words.insert(words.end(), options.begin(), options.end());
+    const Outcome made = mocapress(words);
+    EXPECT_EQ(made.exit_code, 0) << made.err;
+    EXPECT_EQ(made.err.find("IK corrections take ") != std::string::npos, says) << made.err;
+    return fs::file_size(file("b.mcpk"));
+  };
+  const std::uintmax_t none = bytes_with({"--no-ik"}, false);
+  const std::uintmax_t usual = bytes_with({}, true);
+  const std::uintmax_t exact = bytes_with({"--ik-error", "0"}, true);
+  EXPECT_LT(none, usual);
+  EXPECT_LT(usual, exact);
+}
+
 TEST_F(CliBank, RemovesClips) {
   compress_two();
   const std::string bank = file("b.mcpk");
@@ -145,6 +164,12 @@ TEST_F(CliBank, SaysWhatIsWrong) {
   ASSERT_EQ(mocapress({"bank", "make", file("b.mcpk"), file("clips")}).exit_code, 0);
   EXPECT_EQ(mocapress({"bank", "extract", file("b.mcpk"), "run"}).exit_code, 3);
   EXPECT_EQ(mocapress({"bank", "make", file("b.mcpk"), file("clips"), "--meta", "x"}).exit_code, 2);
+  for (const char* const wrong : {"-1", "nan", "inf", "far"}) {
+    const Outcome refused =
+        mocapress({"bank", "make", file("b.mcpk"), file("clips"), "--cooked", "--ik-error", wrong});
+    EXPECT_EQ(refused.exit_code, 2) << wrong;
+    EXPECT_THAT(refused.err, HasSubstr("is not a distance in cm, 0 or more")) << wrong;
+  }
   const Outcome twice = mocapress(
       {"bank", "make", file("b.mcpk"), file("clips/walk.mcpr"), file("clips/slow/walk.mcpr")});
   EXPECT_EQ(twice.exit_code, 3);
