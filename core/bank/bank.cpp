@@ -50,7 +50,7 @@ class Filler {
     throw InputError(source.file.string(), 0, 0, error.what());
   }
 
-  /// What IK corrections take of the clips put so far.
+  /// Bytes that IK corrections take of the clips put so far.
   std::uint64_t ik_bytes() const { return ik_bytes_; }
 
   void put(const std::string& name, ReadyClip ready) {

@@ -23,11 +23,11 @@ struct ClipForBank {
   const mcpr_cooked& cooked() const { return *reinterpret_cast<const mcpr_cooked*>(clip.data()); }
 };
 
-/// How IK corrections are cooked.
+/// Options for cooking IK corrections.
 struct CookedIk {
   bool apply = true;
-  /// How far cooking may move a joint at any frame, cm; 0: not at all. Unset: the error that the
-  /// clip's file states.
+  /// The furthest that cooking may move a joint at any frame, cm; 0: not at all. Unset: the error
+  /// that the clip's file states.
   std::optional<float> error;
 };
 

@@ -474,7 +474,7 @@ typedef struct mcpr_crowd_request {
                 are within 5e-4 radians and 2e-3 cm of mcpr_decode_moment on every path */
 } mcpr_crowd_request;
 
-/* Returns the bytes of scratch memory that mcpr_sort_crowd needs: about 88 per character. */
+/* Returns the bytes of scratch memory that mcpr_sort_crowd needs: about 96 per character. */
 MCPR_API size_t mcpr_sort_crowd_scratch_bytes(uint32_t count);
 
 /* Sorts the characters, in place, into the order in which mcpr_sample_crowd is fastest: by clip,

@@ -21,7 +21,7 @@ constexpr int turn_frames_of(int frames, LoopKind loop) {
   return loop == LoopKind::None ? 0 : frames - (loop == LoopKind::Repeats ? 1 : 0);
 }
 
-/// What happens at the ends of a clip with this many frames.
+/// The caller's rule for instants beyond the ends of a clip.
 struct Wrapping {
   int frames = 1;
   LoopKind loop = LoopKind::None;
