@@ -144,6 +144,13 @@
             <numerusform>, %Ln still missing</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1, %Ln Clip(s)</source>
+        <translation>
+            <numerusform>%1, %Ln Clip</numerusform>
+            <numerusform>%1, %Ln Clips</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryModel</name>
@@ -159,6 +166,14 @@
         <translation>
             <numerusform>%Ln note</numerusform>
             <numerusform>%Ln notes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln clip(s)</source>
+        <comment>selected</comment>
+        <translation>
+            <numerusform>%Ln clip</numerusform>
+            <numerusform>%Ln clips</numerusform>
         </translation>
     </message>
 </context>

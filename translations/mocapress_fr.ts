@@ -1253,6 +1253,29 @@
     </message>
 </context>
 <context>
+    <name>mocapress::EncodingBar</name>
+    <message>
+        <source>Clips that are compressed</source>
+        <translation>Clips compressés</translation>
+    </message>
+    <message>
+        <source>Pause compressing clips in the background</source>
+        <translation>Suspendre la compression en arrière-plan</translation>
+    </message>
+    <message>
+        <source>Compress all clips in the background, each by its settings. The clip that is open comes first.</source>
+        <translation>Compresser tous les clips en arrière-plan, chacun selon ses réglages. Le clip ouvert passe d’abord.</translation>
+    </message>
+    <message>
+        <source>%L1 of %L2 compressed</source>
+        <translation>%L1 compressés sur %L2</translation>
+    </message>
+    <message>
+        <source>%1, %L2 failed</source>
+        <translation>%1, %L2 en échec</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::ErrorDisplay</name>
     <message>
         <source>Errors in &amp;Degrees</source>
@@ -2057,6 +2080,183 @@
             <numerusform>, %Ln manquent encore</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Paste Settings</source>
+        <translation>Coller les réglages</translation>
+    </message>
+    <message>
+        <source>Paste Importance</source>
+        <translation>Coller l’importance</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %Ln Clip(s)</source>
+        <translation>
+            <numerusform>%1, %Ln clip</numerusform>
+            <numerusform>%1, %Ln clips</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Character</source>
+        <translation>Personnage</translation>
+    </message>
+    <message>
+        <source>Its files changed while it was compressed.</source>
+        <translation>Ses fichiers ont changé pendant la compression.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::LibraryColumns</name>
+    <message>
+        <source>loop, last pose repeats the first</source>
+        <translation>boucle, la dernière pose répète la première</translation>
+    </message>
+    <message>
+        <source>loop</source>
+        <translation>boucle</translation>
+    </message>
+    <message>
+        <source>Clip</source>
+        <translation>Clip</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>Taux</translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation>Octets</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Erreur</translation>
+    </message>
+    <message>
+        <source>Worst</source>
+        <translation>Pire</translation>
+    </message>
+    <message>
+        <source>Slide</source>
+        <translation>Glissement</translation>
+    </message>
+    <message>
+        <source>Eye</source>
+        <translation>Œil</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Alertes</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Boucle</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Préréglage</translation>
+    </message>
+    <message>
+        <source>The clip, what it came to, and what you said about it</source>
+        <translation>Le clip, son résultat, et ce que vous en avez dit</translation>
+    </message>
+    <message>
+        <source>How many times smaller the motion is</source>
+        <translation>Combien de fois le mouvement est plus petit</translation>
+    </message>
+    <message>
+        <source>Bytes of the compressed motion</source>
+        <translation>Octets du mouvement compressé</translation>
+    </message>
+    <message>
+        <source>Error of the whole clip, eps_x</source>
+        <translation>Erreur de tout le clip, eps_x</translation>
+    </message>
+    <message>
+        <source>The largest error of any point at any frame</source>
+        <translation>La plus grande erreur d’un point, toutes images confondues</translation>
+    </message>
+    <message>
+        <source>How far feet slide that stood in the original, over all contacts</source>
+        <translation>De combien glissent les pieds posés dans l’original, tous contacts confondus</translation>
+    </message>
+    <message>
+        <source>Whether an eye notices the difference</source>
+        <translation>Si l’œil remarque la différence</translation>
+    </message>
+    <message>
+        <source>What you said about it</source>
+        <translation>Ce que vous en avez dit</translation>
+    </message>
+    <message>
+        <source>Notes of the reader, which repaired or guessed something</source>
+        <translation>Notes de la lecture, qui a réparé ou deviné quelque chose</translation>
+    </message>
+    <message>
+        <source>Whether the clip is a loop</source>
+        <translation>Si le clip est une boucle</translation>
+    </message>
+    <message>
+        <source>How long the clip is, in seconds</source>
+        <translation>Durée du clip, en secondes</translation>
+    </message>
+    <message>
+        <source>The preset that its settings come of</source>
+        <translation>Le préréglage dont viennent ses réglages</translation>
+    </message>
+    <message>
+        <source>%L1 : 1</source>
+        <translation>%L1 : 1</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::LibraryFilter</name>
+    <message>
+        <source>All clips</source>
+        <translation>Tous les clips</translation>
+    </message>
+    <message>
+        <source>Not reviewed</source>
+        <translation>Non revus</translation>
+    </message>
+    <message>
+        <source>Approved</source>
+        <translation>Approuvés</translation>
+    </message>
+    <message>
+        <source>Rejected</source>
+        <translation>Rejetés</translation>
+    </message>
+    <message>
+        <source>Out of date</source>
+        <translation>Périmés</translation>
+    </message>
+    <message>
+        <source>With warnings</source>
+        <translation>Avec alertes</translation>
+    </message>
+    <message>
+        <source>Seen by the eye</source>
+        <translation>Visibles à l’œil</translation>
+    </message>
+    <message>
+        <source>Not compressed yet</source>
+        <translation>Pas encore compressés</translation>
+    </message>
+    <message>
+        <source>Missed or failed</source>
+        <translation>Manqués ou en échec</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryModel</name>
@@ -2137,6 +2337,38 @@
             <numerusform>%Ln remarque</numerusform>
             <numerusform>%Ln remarques</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>! cannot be compressed</source>
+        <translation>! ne peut être compressé</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln clip(s)</source>
+        <comment>selected</comment>
+        <translation>
+            <numerusform>%Ln clip</numerusform>
+            <numerusform>%Ln clips</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2 bytes, %3 before</source>
+        <translation>%1 : %2 octets, %3 avant</translation>
+    </message>
+    <message>
+        <source>%1: %2 bytes</source>
+        <translation>%1 : %2 octets</translation>
+    </message>
+    <message>
+        <source>%L1 not compressed yet</source>
+        <translation>%L1 pas encore compressés</translation>
+    </message>
+    <message>
+        <source>%1: %2 bytes before, %3</source>
+        <translation>%1 : %2 octets avant, %3</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
     </message>
 </context>
 <context>
@@ -2229,6 +2461,69 @@
         <source>Find Missing Clips in a Folder…</source>
         <translation>Retrouver les clips manquants dans un dossier…</translation>
     </message>
+    <message>
+        <source>Clips that are shown</source>
+        <translation>Clips montrés</translation>
+    </message>
+    <message>
+        <source>Which clips are shown</source>
+        <translation>Quels clips sont montrés</translation>
+    </message>
+    <message>
+        <source>Groups of the clips</source>
+        <translation>Groupes des clips</translation>
+    </message>
+    <message>
+        <source>How clips are grouped</source>
+        <translation>Comment les clips sont groupés</translation>
+    </message>
+    <message>
+        <source>Copy Settings</source>
+        <translation>Copier les réglages</translation>
+    </message>
+    <message>
+        <source>Paste Settings</source>
+        <translation>Coller les réglages</translation>
+    </message>
+    <message>
+        <source>Paste Importance Alone</source>
+        <translation>Coller l’importance seule</translation>
+    </message>
+    <message>
+        <source>Put a Character On…</source>
+        <translation>Mettre un personnage…</translation>
+    </message>
+    <message>
+        <source>Take the Character Off</source>
+        <translation>Retirer le personnage</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::LibraryPlot</name>
+    <message>
+        <source>Clips of the library, error over ratio</source>
+        <translation>Clips de la bibliothèque, erreur selon le taux</translation>
+    </message>
+    <message>
+        <source>The library&apos;s columns have every figure.</source>
+        <translation>Les colonnes de la bibliothèque ont tous les chiffres.</translation>
+    </message>
+    <message>
+        <source>Compression ratio (smaller →)</source>
+        <translation>Taux de compression (plus petit →)</translation>
+    </message>
+    <message>
+        <source>Error of a clip, eps_x (cm)</source>
+        <translation>Erreur d’un clip, eps_x (cm)</translation>
+    </message>
+    <message>
+        <source>Compress the library&apos;s clips to see them here</source>
+        <translation>Compressez les clips de la bibliothèque pour les voir ici</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>inconnu</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryTree</name>
@@ -2242,6 +2537,26 @@
     <message>
         <source>%1, %L2 missed</source>
         <translation>%1, %L2 cible manquée</translation>
+    </message>
+    <message>
+        <source>By folder</source>
+        <translation>Par dossier</translation>
+    </message>
+    <message>
+        <source>By verdict</source>
+        <translation>Par verdict</translation>
+    </message>
+    <message>
+        <source>By what the eye sees</source>
+        <translation>Par visibilité</translation>
+    </message>
+    <message>
+        <source>As a list</source>
+        <translation>En liste</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>inconnu</translation>
     </message>
 </context>
 <context>
@@ -2265,6 +2580,14 @@
     <message>
         <source>Find Missing Clips</source>
         <translation>Retrouver les clips manquants</translation>
+    </message>
+    <message>
+        <source>Put a Character On</source>
+        <translation>Mettre un personnage</translation>
+    </message>
+    <message>
+        <source>Characters (*.fbx *.glb *.gltf *.vrm)</source>
+        <translation>Personnages (*.fbx *.glb *.gltf *.vrm)</translation>
     </message>
 </context>
 <context>
@@ -2476,6 +2799,10 @@
     <message>
         <source>Pinned</source>
         <translation>Épinglés</translation>
+    </message>
+    <message>
+        <source>All clips</source>
+        <translation>Tous les clips</translation>
     </message>
 </context>
 <context>

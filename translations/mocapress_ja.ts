@@ -1243,6 +1243,29 @@
     </message>
 </context>
 <context>
+    <name>mocapress::EncodingBar</name>
+    <message>
+        <source>Clips that are compressed</source>
+        <translation>圧縮したクリップ</translation>
+    </message>
+    <message>
+        <source>Pause compressing clips in the background</source>
+        <translation>裏での圧縮を一時停止</translation>
+    </message>
+    <message>
+        <source>Compress all clips in the background, each by its settings. The clip that is open comes first.</source>
+        <translation>すべてのクリップをそれぞれの設定で裏で圧縮します。開いているクリップが先です。</translation>
+    </message>
+    <message>
+        <source>%L1 of %L2 compressed</source>
+        <translation>%L2 件中 %L1 件を圧縮</translation>
+    </message>
+    <message>
+        <source>%1, %L2 failed</source>
+        <translation>%1、失敗 %L2 件</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::ErrorDisplay</name>
     <message>
         <source>Errors in &amp;Degrees</source>
@@ -2039,6 +2062,182 @@
             <numerusform>、未発見 %Ln 個</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Paste Settings</source>
+        <translation>設定を貼り付け</translation>
+    </message>
+    <message>
+        <source>Paste Importance</source>
+        <translation>重要度を貼り付け</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %Ln Clip(s)</source>
+        <translation>
+            <numerusform>%1、クリップ %Ln 件</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Character</source>
+        <translation>キャラクター</translation>
+    </message>
+    <message>
+        <source>Its files changed while it was compressed.</source>
+        <translation>圧縮中にファイルが変わりました。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::LibraryColumns</name>
+    <message>
+        <source>loop, last pose repeats the first</source>
+        <translation>ループ（最後の姿勢が最初と同じ）</translation>
+    </message>
+    <message>
+        <source>loop</source>
+        <translation>ループ</translation>
+    </message>
+    <message>
+        <source>Clip</source>
+        <translation>クリップ</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>圧縮比</translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation>バイト数</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>誤差</translation>
+    </message>
+    <message>
+        <source>Worst</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>Slide</source>
+        <translation>滑り</translation>
+    </message>
+    <message>
+        <source>Eye</source>
+        <translation>見え方</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>ループ</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>長さ</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>プリセット</translation>
+    </message>
+    <message>
+        <source>The clip, what it came to, and what you said about it</source>
+        <translation>クリップとその結果、あなたの判定</translation>
+    </message>
+    <message>
+        <source>How many times smaller the motion is</source>
+        <translation>動きが何分の一になったか</translation>
+    </message>
+    <message>
+        <source>Bytes of the compressed motion</source>
+        <translation>圧縮した動きのバイト数</translation>
+    </message>
+    <message>
+        <source>Error of the whole clip, eps_x</source>
+        <translation>クリップ全体の誤差 eps_x</translation>
+    </message>
+    <message>
+        <source>The largest error of any point at any frame</source>
+        <translation>全フレーム全点のうち最大の誤差</translation>
+    </message>
+    <message>
+        <source>How far feet slide that stood in the original, over all contacts</source>
+        <translation>元では立っていた足が滑った距離（全接地の合計）</translation>
+    </message>
+    <message>
+        <source>Whether an eye notices the difference</source>
+        <translation>目が違いに気づくか</translation>
+    </message>
+    <message>
+        <source>What you said about it</source>
+        <translation>あなたの判定</translation>
+    </message>
+    <message>
+        <source>Notes of the reader, which repaired or guessed something</source>
+        <translation>読み込みで修復や推測をした際の注記</translation>
+    </message>
+    <message>
+        <source>Whether the clip is a loop</source>
+        <translation>クリップがループかどうか</translation>
+    </message>
+    <message>
+        <source>How long the clip is, in seconds</source>
+        <translation>クリップの長さ（秒）</translation>
+    </message>
+    <message>
+        <source>The preset that its settings come of</source>
+        <translation>設定の元になったプリセット</translation>
+    </message>
+    <message>
+        <source>%L1 : 1</source>
+        <translation>%L1 : 1</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::LibraryFilter</name>
+    <message>
+        <source>All clips</source>
+        <translation>全クリップ</translation>
+    </message>
+    <message>
+        <source>Not reviewed</source>
+        <translation>未確認</translation>
+    </message>
+    <message>
+        <source>Approved</source>
+        <translation>承認</translation>
+    </message>
+    <message>
+        <source>Rejected</source>
+        <translation>却下</translation>
+    </message>
+    <message>
+        <source>Out of date</source>
+        <translation>無効</translation>
+    </message>
+    <message>
+        <source>With warnings</source>
+        <translation>警告あり</translation>
+    </message>
+    <message>
+        <source>Seen by the eye</source>
+        <translation>目に見える</translation>
+    </message>
+    <message>
+        <source>Not compressed yet</source>
+        <translation>未圧縮</translation>
+    </message>
+    <message>
+        <source>Missed or failed</source>
+        <translation>未達または失敗</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryModel</name>
@@ -2117,6 +2316,37 @@
         <translation>
             <numerusform>注記%Ln件</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>! cannot be compressed</source>
+        <translation>! 圧縮できません</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln clip(s)</source>
+        <comment>selected</comment>
+        <translation>
+            <numerusform>クリップ %Ln 件</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2 bytes, %3 before</source>
+        <translation>%1：%2 バイト（以前は %3）</translation>
+    </message>
+    <message>
+        <source>%1: %2 bytes</source>
+        <translation>%1：%2 バイト</translation>
+    </message>
+    <message>
+        <source>%L1 not compressed yet</source>
+        <translation>%L1 件は未圧縮</translation>
+    </message>
+    <message>
+        <source>%1: %2 bytes before, %3</source>
+        <translation>%1：以前は %2 バイト、%3</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
     </message>
 </context>
 <context>
@@ -2209,6 +2439,69 @@
         <source>Find Missing Clips in a Folder…</source>
         <translation>見つからないクリップをフォルダーから探す…</translation>
     </message>
+    <message>
+        <source>Clips that are shown</source>
+        <translation>表示するクリップ</translation>
+    </message>
+    <message>
+        <source>Which clips are shown</source>
+        <translation>どのクリップを表示するか</translation>
+    </message>
+    <message>
+        <source>Groups of the clips</source>
+        <translation>クリップのまとめ方</translation>
+    </message>
+    <message>
+        <source>How clips are grouped</source>
+        <translation>クリップをどうまとめるか</translation>
+    </message>
+    <message>
+        <source>Copy Settings</source>
+        <translation>設定をコピー</translation>
+    </message>
+    <message>
+        <source>Paste Settings</source>
+        <translation>設定を貼り付け</translation>
+    </message>
+    <message>
+        <source>Paste Importance Alone</source>
+        <translation>重要度だけを貼り付け</translation>
+    </message>
+    <message>
+        <source>Put a Character On…</source>
+        <translation>キャラクターを着せる…</translation>
+    </message>
+    <message>
+        <source>Take the Character Off</source>
+        <translation>キャラクターを外す</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::LibraryPlot</name>
+    <message>
+        <source>Clips of the library, error over ratio</source>
+        <translation>ライブラリのクリップ、圧縮比と誤差</translation>
+    </message>
+    <message>
+        <source>The library&apos;s columns have every figure.</source>
+        <translation>数値はすべてライブラリの列にあります。</translation>
+    </message>
+    <message>
+        <source>Compression ratio (smaller →)</source>
+        <translation>圧縮比（小さい →）</translation>
+    </message>
+    <message>
+        <source>Error of a clip, eps_x (cm)</source>
+        <translation>クリップの誤差 eps_x（cm）</translation>
+    </message>
+    <message>
+        <source>Compress the library&apos;s clips to see them here</source>
+        <translation>ライブラリのクリップを圧縮するとここに表示されます</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>不明</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryTree</name>
@@ -2221,6 +2514,26 @@
     <message>
         <source>%1, %L2 missed</source>
         <translation>%1、未達 %L2</translation>
+    </message>
+    <message>
+        <source>By folder</source>
+        <translation>フォルダー別</translation>
+    </message>
+    <message>
+        <source>By verdict</source>
+        <translation>判定別</translation>
+    </message>
+    <message>
+        <source>By what the eye sees</source>
+        <translation>見え方別</translation>
+    </message>
+    <message>
+        <source>As a list</source>
+        <translation>一覧</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>不明</translation>
     </message>
 </context>
 <context>
@@ -2244,6 +2557,14 @@
     <message>
         <source>Find Missing Clips</source>
         <translation>見つからないクリップを探す</translation>
+    </message>
+    <message>
+        <source>Put a Character On</source>
+        <translation>キャラクターを着せる</translation>
+    </message>
+    <message>
+        <source>Characters (*.fbx *.glb *.gltf *.vrm)</source>
+        <translation>キャラクター (*.fbx *.glb *.gltf *.vrm)</translation>
     </message>
 </context>
 <context>
@@ -2454,6 +2775,10 @@
     <message>
         <source>Pinned</source>
         <translation>ピン留め</translation>
+    </message>
+    <message>
+        <source>All clips</source>
+        <translation>全クリップ</translation>
     </message>
 </context>
 <context>

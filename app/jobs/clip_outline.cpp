@@ -98,6 +98,7 @@ ClipOutline outlineOf(const Motion& motion, const Skin* skin) {
   outline.sample_rate_hz = motion.clip.sample_rate_hz;
   outline.rig = rig_of(motion.skeleton);
   if (outline.frames == 0) return outline;
+  outline.loop = find_loop(motion);
   Clip shown;
   shown.channels = motion.clip.channels.row(outline.frames / 2);
   const Eigen::MatrixXd track = landmark_tracks(motion.skeleton, shown);

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/formats/motion_file.h"
+#include "core/motion/loop.h"
 
 namespace mocapress {
 
@@ -20,6 +21,7 @@ struct ClipOutline {
   QList<QLineF> bones;  // lines of a pose in a square from 0 to 1, y down
   QImage skin;          // picture of the same pose; null: no skin
   QStringList notes;    // what the reader repaired or guessed
+  Loop loop = Loop::None;
 };
 
 /// Draws the middle frame from its widest side. `skin` may be null.

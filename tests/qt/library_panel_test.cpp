@@ -25,13 +25,14 @@ TEST(LibraryModel, SaysInWordsWhatItsPicturesShow) {
   entry.outcome = Outcome{25, 0.5, 2, 1000, false};
   model.setEntry(entry);
   ASSERT_EQ(model.rowCount(), 1);
-  const QString words = model.index(0).data(Qt::AccessibleTextRole).toString();
+  const QString words = model.index(0, 0).data(Qt::AccessibleTextRole).toString();
   EXPECT_TRUE(words.contains(QStringLiteral("walk.bvh")));
   EXPECT_TRUE(words.contains(QStringLiteral("25.0 : 1, 5.0 mm")));
   EXPECT_TRUE(words.contains(QStringLiteral("target missed")));
   entry.trouble = QStringLiteral("line 3: nonsense");
   model.setEntry(entry);
-  EXPECT_TRUE(model.index(0).data(Qt::ToolTipRole).toString().contains(QStringLiteral("nonsense")));
+  EXPECT_TRUE(
+      model.index(0, 0).data(Qt::ToolTipRole).toString().contains(QStringLiteral("nonsense")));
 }
 
 TEST(LibraryModel, SaysWhyAVerdictIsStaleWhoGaveItAndWhen) {
@@ -41,7 +42,7 @@ TEST(LibraryModel, SaysWhyAVerdictIsStaleWhoGaveItAndWhen) {
   entry.review = {Verdict::Approved, "fine", "ann", "2026-11-27T01:39:46Z", "1", "2"};
   const auto words = [&] {
     model.setEntry(entry);
-    return model.index(0).data(Qt::AccessibleTextRole).toString();
+    return model.index(0, 0).data(Qt::AccessibleTextRole).toString();
   };
   EXPECT_TRUE(words().contains(QStringLiteral("5.0 mm, ✓ approved, borderline")));
   EXPECT_EQ(stateOf(entry), RowState::Good);
@@ -52,7 +53,7 @@ TEST(LibraryModel, SaysWhyAVerdictIsStaleWhoGaveItAndWhen) {
   entry.stale = Staleness::Missing;
   EXPECT_TRUE(words().contains(QStringLiteral("✓ stale: file missing")));
   EXPECT_EQ(stateOf(entry), RowState::Bad);
-  EXPECT_TRUE(model.index(0).data(Qt::ToolTipRole).toString().contains(QStringLiteral("ann, ")));
+  EXPECT_TRUE(model.index(0, 0).data(Qt::ToolTipRole).toString().contains(QStringLiteral("ann, ")));
 }
 
 TEST(LibraryModel, NotesOnReadingAreBehindAMarkOfTheRow) {
@@ -63,12 +64,12 @@ TEST(LibraryModel, NotesOnReadingAreBehindAMarkOfTheRow) {
   entry.notes = {QStringLiteral("guessed"), QStringLiteral("repaired")};
   EXPECT_EQ(notesOf(entry), entry.notes);
   model.setEntry(entry);
-  EXPECT_TRUE(model.index(0)
+  EXPECT_TRUE(model.index(0, 0)
                   .data(Qt::ToolTipRole)
                   .toString()
                   .endsWith(QStringLiteral("guessed\nrepaired")));
   EXPECT_TRUE(
-      model.index(0).data(Qt::AccessibleTextRole).toString().contains(QStringLiteral("2 note")));
+      model.index(0, 0).data(Qt::AccessibleTextRole).toString().contains(QStringLiteral("2 note")));
 }
 
 TEST(LibraryPanel, AClickOnTheMarkOfARowTellsItsNotes) {

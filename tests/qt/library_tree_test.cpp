@@ -4,12 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
+#include <QComboBox>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTreeView>
+#include <algorithm>
 #include <numeric>
 
+#include "widgets/panels/elided_label.h"
 #include "widgets/panels/library_panel.h"
 
 namespace mocapress {
@@ -110,6 +114,149 @@ TEST_F(ALibraryTree, ThePanelKeepsWhatIsCollapsedAndChosen) {
   panel.filter()->clear();
   EXPECT_EQ(tree->clipOf(view->currentIndex()), 2);
   EXPECT_EQ(opened.count(), 0);
+}
+
+TEST_F(ALibraryTree, SortsByAnyColumnAndByNoneAsTheLibraryHasThem) {
+  LibraryEntry small = entry("/m/walks/a.bvh", true);
+  small.outcome->motion_bytes = 10;
+  small.outcome->ratio = 9;
+  LibraryEntry large = entry("/m/walks/d.bvh", true);
+  large.outcome->motion_bytes = 5000;
+  large.outcome->ratio = 100;
+  clips_.setEntries({large, small, entry("/m/walks/b.bvh")});
+  const auto sorted = [this](LibraryColumn column, Qt::SortOrder order) {
+    tree_.sort(static_cast<int>(column), order);
+    return textOf(tree_).toStdString();
+  };
+  EXPECT_EQ(sorted(LibraryColumn::Bytes, Qt::AscendingOrder), "b.bvh a.bvh d.bvh");
+  EXPECT_EQ(sorted(LibraryColumn::Ratio, Qt::DescendingOrder), "d.bvh a.bvh b.bvh");
+  EXPECT_EQ(sorted(LibraryColumn::Clip, Qt::AscendingOrder), "a.bvh b.bvh d.bvh");
+  small.outcome->ratio = 200;
+  clips_.setEntry(small);
+  EXPECT_EQ(sorted(LibraryColumn::Ratio, Qt::DescendingOrder), "a.bvh d.bvh b.bvh");
+  tree_.sort(-1, Qt::AscendingOrder);
+  EXPECT_EQ(textOf(tree_).toStdString(), "d.bvh a.bvh b.bvh");
+}
+
+TEST_F(ALibraryTree, FollowsWhatARowIsSortedAndGroupedBy) {
+  clips_.setEntries({entry("/m/a.bvh", true), entry("/m/b.bvh", true), entry("/m/c.bvh", true)});
+  tree_.sort(static_cast<int>(LibraryColumn::Ratio), Qt::AscendingOrder);
+  LibraryEntry best = clips_.entry(0);
+  best.outcome->ratio = 99;
+  clips_.setEntry(best);
+  EXPECT_EQ(textOf(tree_).toStdString(), "b.bvh c.bvh a.bvh");
+  tree_.setGrouping(Grouping::Verdict);
+  EXPECT_EQ(textOf(tree_).toStdString(), "Not reviewed[b.bvh c.bvh a.bvh]");
+  best.review.verdict = Verdict::Approved;
+  clips_.setEntry(best);
+  EXPECT_EQ(textOf(tree_).toStdString(), "Approved[a.bvh] Not reviewed[b.bvh c.bvh]");
+  best.outcome->sight = Sight::Visible;
+  clips_.setEntry(best);
+  tree_.setGrouping(Grouping::Seen);
+  EXPECT_EQ(textOf(tree_).toStdString(), "not known[b.bvh c.bvh] visible[a.bvh]");
+  tree_.setGrouping(Grouping::None);
+  EXPECT_EQ(textOf(tree_).toStdString(), "b.bvh c.bvh a.bvh");
+}
+
+TEST_F(ALibraryTree, ShowsClipsOfOneKind) {
+  LibraryEntry seen = entry("/m/seen.bvh", true);
+  seen.outcome->sight = Sight::Borderline;
+  LibraryEntry noted = entry("/m/noted.bvh", true);
+  noted.notes << QStringLiteral("guessed");
+  LibraryEntry rejected = entry("/m/rejected.bvh", true);
+  rejected.review.verdict = Verdict::Rejected;
+  clips_.setEntries({seen, noted, rejected, entry("/m/missed.bvh", false), entry("/m/new.bvh")});
+  const auto shown = [this](LibraryShow show) {
+    tree_.setShow(show);
+    return textOf(tree_).toStdString();
+  };
+  EXPECT_EQ(shown(LibraryShow::Visible), "seen.bvh");
+  EXPECT_EQ(shown(LibraryShow::WithWarnings), "noted.bvh");
+  EXPECT_EQ(shown(LibraryShow::Rejected), "rejected.bvh");
+  EXPECT_EQ(shown(LibraryShow::Missed), "missed.bvh");
+  EXPECT_EQ(shown(LibraryShow::Unfinished), "new.bvh");
+  EXPECT_EQ(shown(LibraryShow::NotReviewed), "seen.bvh noted.bvh missed.bvh new.bvh");
+  tree_.setFilter(QStringLiteral("new"));
+  EXPECT_EQ(textOf(tree_).toStdString(), "new.bvh") << "both must match";
+  EXPECT_EQ(shown(LibraryShow::Approved), "");
+}
+
+TEST_F(ALibraryTree, EveryColumnSaysWhatStandsInTheRow) {
+  LibraryEntry full = entry("/m/walks/a.bvh", true);
+  full.sample_rate_hz = 5;
+  full.outcome->slide_cm = 1.5;
+  full.outcome->sight = Sight::NotVisible;
+  full.loop = Loop::Repeats;
+  full.preset = QStringLiteral("Crowd");
+  full.notes << QStringLiteral("guessed");
+  full.review.verdict = Verdict::Approved;
+  clips_.setEntries({full});
+  for (int column = 0; column < kLibraryColumns; ++column) {
+    const QModelIndex index = tree_.indexOf(0).siblingAtColumn(column);
+    EXPECT_FALSE(index.data().toString().isEmpty()) << column;
+    EXPECT_FALSE(tree_.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString().isEmpty());
+    EXPECT_FALSE(tree_.headerData(column, Qt::Horizontal, Qt::ToolTipRole).toString().isEmpty());
+  }
+  const auto text = [&](LibraryColumn column) {
+    return tree_.indexOf(0)
+        .siblingAtColumn(static_cast<int>(column))
+        .data()
+        .toString()
+        .toStdString();
+  };
+  EXPECT_EQ(text(LibraryColumn::Length), "2.00 s");
+  EXPECT_EQ(text(LibraryColumn::Slide), "1.50 cm");
+  EXPECT_EQ(text(LibraryColumn::Bytes), "1,000");
+}
+
+TEST_F(ALibraryTree, ThePanelsColumnsAreChosenAndComeBack) {
+  LibraryPanel panel(&clips_);
+  const int bytes = static_cast<int>(LibraryColumn::Bytes);
+  EXPECT_TRUE(panel.view()->isColumnHidden(bytes));
+  QSignalSpy changed(&panel, &LibraryPanel::arrangementChanged);
+  panel.makeColumnMenu()->actions().at(bytes - 1)->trigger();
+  EXPECT_FALSE(panel.view()->isColumnHidden(bytes));
+  panel.view()->sortByColumn(bytes, Qt::DescendingOrder);
+  panel.groupingBox()->setCurrentIndex(static_cast<int>(Grouping::None));
+  EXPECT_GE(changed.count(), 3);
+  LibraryPanel next(&clips_);
+  next.arrange(panel.arrangement());
+  EXPECT_FALSE(next.view()->isColumnHidden(bytes));
+  EXPECT_TRUE(next.view()->isColumnHidden(bytes + 1));
+  EXPECT_EQ(textOf(*next.tree()), textOf(*panel.tree()));
+  next.arrange("nonsense");
+  EXPECT_FALSE(next.view()->isColumnHidden(bytes));
+}
+
+TEST_F(ALibraryTree, ThePanelKeepsTheSelectionWhereRowsMove) {
+  LibraryPanel panel(&clips_);
+  panel.setCurrent(0);
+  panel.view()->selectionModel()->setCurrentIndex(panel.tree()->indexOf(3),
+                                                  QItemSelectionModel::Select);
+  panel.view()->sortByColumn(static_cast<int>(LibraryColumn::Clip), Qt::DescendingOrder);
+  panel.groupingBox()->setCurrentIndex(static_cast<int>(Grouping::None));
+  std::vector<int> chosen = panel.chosenRows();
+  std::sort(chosen.begin(), chosen.end());
+  EXPECT_EQ(chosen, (std::vector<int>{0, 3}));
+  clips_.setEntry(entry("/m/walks/fast/b.bvh", true));
+  EXPECT_EQ(panel.chosenRows().size(), 2u);
+}
+
+TEST_F(ALibraryTree, ThePanelSaysWhatTheSelectionComesToAndCameToBefore) {
+  LibraryEntry a = entry("/m/a.bvh", true), b = entry("/m/b.bvh", true);
+  clips_.setEntries({a, b});
+  LibraryPanel panel(&clips_);
+  panel.view()->selectAll();
+  EXPECT_EQ(panel.sum()->text().toStdString(), "2 clip(s): 2,000 bytes");
+  a.bytes_before = 1000;
+  a.outdated = Staleness::Settings;
+  clips_.setEntry(a);
+  EXPECT_EQ(panel.sum()->text().toStdString(),
+            "2 clip(s): 2,000 bytes before, 1 not compressed yet");
+  a.outdated = Staleness::None;
+  a.outcome->motion_bytes = 400;
+  clips_.setEntry(a);
+  EXPECT_EQ(panel.sum()->text().toStdString(), "2 clip(s): 1,400 bytes, 2,000 before");
 }
 
 TEST_F(ALibraryTree, AFolderIsRemovedWithAllThatIsInIt) {

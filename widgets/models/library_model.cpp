@@ -3,9 +3,11 @@
 
 #include <QDateTime>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QLocale>
 
 #include "widgets/models/display_names.h"
+#include "widgets/models/library_columns.h"
 #include "widgets/models/number_text.h"
 
 namespace mocapress {
@@ -39,9 +41,30 @@ RowState stateOf(const LibraryEntry& entry) {
     if (entry.stale != Staleness::None) return RowState::Doubtful;
     return entry.review.verdict == Verdict::Approved ? RowState::Good : RowState::Bad;
   }
+  if (!entry.failure.isEmpty()) return RowState::Bad;
   if (!entry.outcome) return RowState::Plain;
   return entry.outdated != Staleness::None || !entry.outcome->met ? RowState::Doubtful
                                                                   : RowState::Plain;
+}
+
+QColor colourOf(RowState state, const QPalette& palette) {
+  const bool dark = palette.color(QPalette::Base).lightness() < 128;
+  switch (state) {
+    case RowState::Good:
+      return dark ? QColor(0x6c, 0xc6, 0x7f) : QColor(0x1e, 0x7a, 0x34);
+    case RowState::Bad:
+      return dark ? QColor(0xff, 0x8a, 0x80) : QColor(0xb3, 0x26, 0x1e);
+    case RowState::Doubtful:
+      return dark ? QColor(0xf0, 0xb4, 0x4c) : QColor(0x92, 0x5a, 0x00);
+    case RowState::Plain:
+      break;
+  }
+  return palette.color(QPalette::Text);
+}
+
+bool isMissed(const LibraryEntry& entry) {
+  return entry.missing || !entry.trouble.isEmpty() || !entry.failure.isEmpty() ||
+         (entry.outcome && !entry.outcome->met);
 }
 
 namespace {
@@ -60,6 +83,7 @@ QString stateText(const LibraryEntry& entry) {
   if (const QString verdict = verdictText(entry.review.verdict, entry.stale); !verdict.isEmpty())
     return entry.stale == Staleness::None ? withOutcome(verdict, entry) : verdict;
   if (entry.missing) return LibraryModel::tr("! file missing");
+  if (!entry.failure.isEmpty()) return LibraryModel::tr("! cannot be compressed");
   if (!entry.outcome) return {};
   if (entry.outdated != Staleness::None)
     return LibraryModel::tr("! %1").arg(displayName(entry.outdated));
@@ -100,6 +124,30 @@ QString reviewerText(const ClipReview& review) {
          QLocale().toString(time.toLocalTime(), QLocale::ShortFormat);
 }
 
+QString sumText(const LibraryModel& model, const std::vector<int>& rows) {
+  std::size_t now = 0, before = 0;
+  int waiting = 0;
+  bool changed = false;
+  for (const int row : rows) {
+    const LibraryEntry& entry = model.entry(row);
+    const bool is_known = entry.outcome && entry.outdated == Staleness::None;
+    if (!is_known) ++waiting;
+    if (is_known) now += entry.outcome->motion_bytes;
+    before += entry.bytes_before.value_or(is_known ? entry.outcome->motion_bytes : 0);
+    changed = changed || entry.bytes_before;
+  }
+  const auto bytes = [](std::size_t sum) {
+    return QLocale().toString(static_cast<qulonglong>(sum));
+  };
+  const QString clips = LibraryModel::tr("%Ln clip(s)", "selected", static_cast<int>(rows.size()));
+  if (waiting == 0 && changed)
+    return LibraryModel::tr("%1: %2 bytes, %3 before").arg(clips, bytes(now), bytes(before));
+  if (waiting == 0) return LibraryModel::tr("%1: %2 bytes").arg(clips, bytes(now));
+  const QString waits = LibraryModel::tr("%L1 not compressed yet").arg(waiting);
+  return changed ? LibraryModel::tr("%1: %2 bytes before, %3").arg(clips, bytes(before), waits)
+                 : LibraryModel::tr("%1: %2").arg(clips, waits);
+}
+
 void LibraryModel::setEntries(std::vector<LibraryEntry> entries) {
   beginResetModel();
   entries_ = std::move(entries);
@@ -121,13 +169,17 @@ void LibraryModel::setEntry(const LibraryEntry& entry) {
     return;
   }
   entries_[static_cast<std::size_t>(row)] = entry;
-  emit dataChanged(index(row), index(row));
+  tellOf(row, row);
+}
+
+void LibraryModel::tellOf(int first, int last) {
+  emit dataChanged(index(first, 0), index(last, kLibraryColumns - 1));
 }
 
 void LibraryModel::replace(const std::map<int, LibraryEntry>& entries) {
   if (entries.empty()) return;
   for (const auto& [row, entry] : entries) entries_[static_cast<std::size_t>(row)] = entry;
-  emit dataChanged(index(entries.begin()->first), index(entries.rbegin()->first));
+  tellOf(entries.begin()->first, entries.rbegin()->first);
 }
 
 void LibraryModel::addEntries(const std::vector<LibraryEntry>& entries) {
@@ -141,13 +193,35 @@ int LibraryModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(entries_.size());
 }
 
+int LibraryModel::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : kLibraryColumns;
+}
+
+QVariant LibraryModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  const auto column = static_cast<LibraryColumn>(section);
+  if (orientation == Qt::Vertical || section >= kLibraryColumns) return {};
+  if (role == Qt::DisplayRole) return titleOf(column);
+  if (role == Qt::ToolTipRole) return purposeOf(column);
+  if (role == Qt::TextAlignmentRole && isNumber(column))
+    return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+  return {};
+}
+
 QVariant LibraryModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const LibraryEntry& shown = entry(index.row());
+  const auto column = static_cast<LibraryColumn>(index.column());
+  if (role == Qt::DisplayRole) return textOf(shown, column);
+  if (role == Qt::TextAlignmentRole && isNumber(column))
+    return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+  const bool is_old = shown.outdated != Staleness::None && column >= LibraryColumn::Ratio &&
+                      column <= LibraryColumn::Seen;
+  if (role == Qt::ForegroundRole && is_old)
+    return QGuiApplication::palette().color(QPalette::PlaceholderText);
+  if (role == Qt::AccessibleTextRole && column != LibraryColumn::Clip)
+    return titleOf(column) + QLatin1Char(' ') + textOf(shown, column);
   const QString name = QFileInfo(shown.path).fileName();
   switch (role) {
-    case Qt::DisplayRole:
-      return name;
     case Qt::AccessibleTextRole: {
       QStringList parts = {name, outcomeText(shown), stateText(shown)};
       if (const auto notes = notesOf(shown); !notes.isEmpty())
@@ -156,7 +230,11 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
       return parts.join(QStringLiteral(", "));
     }
     case Qt::ToolTipRole: {
-      QStringList lines = {shown.path, shown.trouble, stateText(shown), reviewerText(shown.review),
+      QStringList lines = {shown.path,
+                           shown.trouble,
+                           stateText(shown),
+                           shown.failure,
+                           reviewerText(shown.review),
                            QString::fromStdString(shown.review.note)};
       lines << notesOf(shown);
       lines.removeAll(QString());

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QAbstractListModel>
+#include <QAbstractTableModel>
+#include <QColor>
 #include <QHash>
 #include <QImage>
 #include <QLineF>
 #include <QList>
+#include <QPalette>
 #include <QString>
 #include <QStringList>
 #include <cstddef>
@@ -15,6 +17,7 @@
 #include <vector>
 
 #include "core/metrics/visibility.h"
+#include "core/motion/loop.h"
 #include "core/report/review.h"
 
 namespace mocapress {
@@ -33,11 +36,12 @@ struct Outcome {
   double eps_cm = 0;
   double max_cm = 0;
   std::size_t motion_bytes = 0;
-  bool met = true;             // the target was met
-  std::optional<Sight> sight;  // unset: not examined
-  QStringList warnings;        // the reader's warnings
-  std::string source;          // hash of the input's bytes
-  std::string settings;        // settings_hash() of the settings
+  bool met = true;                 // the target that was set
+  std::optional<Sight> sight;      // unset: nobody looked
+  std::optional<double> slide_cm;  // of the feet, over all contacts; unset: there are none
+  QStringList warnings;            // of the reader
+  std::string source;              // hash of the bytes it was made from
+  std::string settings;            // settings_hash() of what it was made by
 
   bool operator==(const Outcome&) const = default;
 };
@@ -45,25 +49,39 @@ struct Outcome {
 /// A clip as the library lists it.
 struct LibraryEntry {
   QString path;
-  int frames = 0;  // 0: not read yet
+  bool is_compressed = false;  // a .mcpr
+  int frames = 0;              // 0: not read yet
   double sample_rate_hz = 0;
-  QList<QLineF> outline;  // a pose scaled to a square from 0 to 1, y down
-  QImage skin;            // the same pose with its skin, for a clip that has one
-  QString trouble;        // why reading failed; empty: it succeeded or was not tried
-  QStringList notes;      // what the reader repaired or guessed
-  bool missing = false;   // the file is gone
+  QList<QLineF> outline;  // a pose in a square from 0 to 1, y down
+  QImage skin;            // the same pose, where the clip has a skin
+  QString trouble;        // why it could not be read; empty: it could, or was not tried
+  QStringList notes;      // what its reader repaired or guessed
+  bool missing = false;   // its file is gone
+  Loop loop = Loop::None;
+  QString preset;  // the settings come of; empty: of none
+  QString
+      failure;  // why it could not be compressed by its settings; empty: it could, or nobody tried
   std::optional<Outcome> outcome;
-  Staleness outdated = Staleness::None;  // why the outcome no longer applies
+  std::optional<std::size_t> bytes_before;  // with the settings it had before the last that it got
+                                            // together with others
+  Staleness outdated = Staleness::None;     // of the outcome: why it is no longer that of the clip
   ClipReview review;
-  Staleness stale = Staleness::None;  // why the verdict no longer applies
+  Staleness stale = Staleness::None;  // of the verdict
+
+  /// It could be compressed, and what that would come to is not known.
+  bool wantsEncoding() const {
+    return frames > 0 && !is_compressed && !missing && trouble.isEmpty() && failure.isEmpty() &&
+           (!outcome || outdated != Staleness::None);
+  }
 };
 
-/// The clips of a project, one row each. A row's text says all that its picture shows.
-class LibraryModel : public QAbstractListModel {
+/// The clips of a project, one row each, with the columns of LibraryColumn. The text of a row's
+/// first column says all that its picture does.
+class LibraryModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  using QAbstractListModel::QAbstractListModel;
+  using QAbstractTableModel::QAbstractTableModel;
 
   void setEntries(std::vector<LibraryEntry> entries);
 
@@ -79,9 +97,13 @@ class LibraryModel : public QAbstractListModel {
   int rowOf(const QString& path) const;  // -1: none
 
   int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
+  void tellOf(int first, int last);
+
   std::vector<LibraryEntry> entries_;
 };
 
@@ -96,7 +118,14 @@ enum class RowState { Plain, Good, Bad, Doubtful };
 
 RowState stateOf(const LibraryEntry& entry);
 
-/// "approved", "✓ stale: file changed", "target missed"; empty when there is nothing to report.
+/// Dark enough on white, bright enough on black.
+QColor colourOf(RowState state, const QPalette& palette);
+
+/// Its target was not met, or it cannot be read or compressed at all.
+bool isMissed(const LibraryEntry& entry);
+
+/// "approved", "✓ stale: file changed", "target missed" ...; empty where there is
+/// nothing to report.
 QString stateText(const LibraryEntry& entry);
 
 /// Names a staleness, such as "file changed"; empty for None.
@@ -108,7 +137,11 @@ QString verdictText(Verdict verdict, Staleness stale);
 /// "Ann, 27.11.26 01:39"; empty when the reviewer is unknown.
 QString reviewerText(const ClipReview& review);
 
-/// A clip's review as the library keeps it.
+/// "12 clips: 41,200 bytes, 51,800 before": what they come to together, and came to before they got
+/// other settings.
+QString sumText(const LibraryModel& model, const std::vector<int>& rows);
+
+/// The library's review of a clip.
 struct LibraryReview {
   ClipReview review;
   std::string source;    // hash of the clip's files today; empty: unknown

@@ -28,9 +28,9 @@ struct LibraryTree::Folder {
     return *folders.back();
   }
 
-  /// Merges a folder with its only subfolder when it holds nothing else.
-  void shorten() {
-    while (clips.empty() && folders.size() == 1) {
+  /// Sorts folders by name. Shortened, what holds one folder and nothing else becomes one with it.
+  void arrange(bool shorten) {
+    while (shorten && clips.empty() && folders.size() == 1) {
       const std::unique_ptr<Folder> only = std::move(folders.front());
       name = name.isEmpty() || !above ? only->name : name + QLatin1Char('/') + only->name;
       path = only->path;
@@ -42,7 +42,7 @@ struct LibraryTree::Folder {
     for (std::size_t i = 0; i < folders.size(); ++i) {
       folders[i]->above = this;
       folders[i]->row = static_cast<int>(i);
-      folders[i]->shorten();
+      folders[i]->arrange(shorten);
     }
   }
 
@@ -52,8 +52,23 @@ struct LibraryTree::Folder {
   }
 };
 
+QString displayName(Grouping grouping) {
+  switch (grouping) {
+    case Grouping::Folder:
+      return LibraryTree::tr("By folder");
+    case Grouping::Verdict:
+      return LibraryTree::tr("By verdict");
+    case Grouping::Seen:
+      return LibraryTree::tr("By what the eye sees");
+    case Grouping::None:
+      return LibraryTree::tr("As a list");
+  }
+  return {};
+}
+
+/// Connected after the filter, which has followed a change when the tree hears of it.
 LibraryTree::LibraryTree(LibraryModel* clips, QObject* parent)
-    : QAbstractItemModel(parent), clips_(clips) {
+    : QAbstractItemModel(parent), clips_(clips), filter_(clips) {
   connect(clips, &LibraryModel::modelReset, this, &LibraryTree::build);
   connect(clips, &LibraryModel::rowsInserted, this, &LibraryTree::build);
   connect(clips, &LibraryModel::rowsRemoved, this, &LibraryTree::build);
@@ -66,23 +81,46 @@ LibraryTree::LibraryTree(LibraryModel* clips, QObject* parent)
 
 LibraryTree::~LibraryTree() = default;
 
+/// The names of the folders that a clip is in, from the outermost one.
+QStringList LibraryTree::foldersOf(int clip) const {
+  const LibraryEntry& entry = clips_->entry(clip);
+  switch (grouping_) {
+    case Grouping::Folder:
+      return QFileInfo(entry.path).path().split(QLatin1Char('/'), Qt::SkipEmptyParts);
+    case Grouping::Verdict:
+      if (entry.review.verdict == Verdict::None) return {displayName(LibraryShow::NotReviewed)};
+      if (entry.stale != Staleness::None) return {displayName(LibraryShow::Stale)};
+      return {displayName(entry.review.verdict == Verdict::Approved ? LibraryShow::Approved
+                                                                    : LibraryShow::Rejected)};
+    case Grouping::Seen:
+      if (!entry.outcome || !entry.outcome->sight) return {tr("not known")};
+      return {displayName(*entry.outcome->sight)};
+    case Grouping::None:
+      break;
+  }
+  return {};
+}
+
 void LibraryTree::build() {
   beginResetModel();
   root_ = std::make_unique<Folder>();
-  for (int clip = 0; clip < clips_->rowCount(); ++clip) {
-    if (!matches(clip)) continue;
+  places_.assign(static_cast<std::size_t>(clips_->rowCount()), {});
+  for (int row = 0; row < filter_.rowCount(); ++row) {
+    const int clip = filter_.clipAt(row);
     Folder* folder = root_.get();
-    const QString path = QFileInfo(clips_->entry(clip).path).path();
-    for (const QString& name : path.split(QLatin1Char('/'), Qt::SkipEmptyParts))
-      folder = &folder->child(name);
+    const QStringList names = foldersOf(clip);
+    for (const QString& name : names) folder = &folder->child(name);
     folder->clips.push_back(clip);
+    places_[static_cast<std::size_t>(clip)] = {row, nullptr, names};
   }
-  root_->shorten();
-  holders_.assign(static_cast<std::size_t>(clips_->rowCount()), nullptr);
+  // A single verdict stays, for it says something of the clips.
+  root_->arrange(grouping_ == Grouping::Folder);
   const auto note = [this](auto&& self, Folder& folder) -> void {
     QStringList names;
     for (const int clip : folder.clips) {
-      holders_[static_cast<std::size_t>(clip)] = &folder;
+      Place& place = places_[static_cast<std::size_t>(clip)];
+      place.folder = &folder;
+      place.in_folder = static_cast<int>(names.size());
       names << QFileInfo(clips_->entry(clip).path).fileName();
     }
     folder.shared = sharedName(names);
@@ -92,25 +130,35 @@ void LibraryTree::build() {
   endResetModel();
 }
 
-bool LibraryTree::matches(int clip) const {
-  const QString text = clips_->entry(clip).path + QLatin1Char(' ') +
-                       clips_->index(clip).data(Qt::AccessibleTextRole).toString();
-  return std::all_of(words_.begin(), words_.end(),
-                     [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+void LibraryTree::setFilter(const QString& words) {
+  filter_.setWords(words);
+  build();
 }
 
-void LibraryTree::setFilter(const QString& words) {
-  words_ = words.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+void LibraryTree::setShow(LibraryShow show) {
+  filter_.setShow(show);
+  build();
+}
+
+void LibraryTree::setGrouping(Grouping grouping) {
+  grouping_ = grouping;
+  build();
+}
+
+void LibraryTree::sort(int column, Qt::SortOrder order) {
+  filter_.sort(column, order);
   build();
 }
 
 void LibraryTree::clipsChanged(int first, int last) {
   for (int clip = first; clip <= last; ++clip) {
-    const bool is_there = holders_[static_cast<std::size_t>(clip)] != nullptr;
-    if (is_there != matches(clip)) return build();
+    const Place& place = places_[static_cast<std::size_t>(clip)];
+    if (place.row != filter_.rowOf(clip) || (place.folder && place.folders != foldersOf(clip)))
+      return build();
   }
   for (int clip = first; clip <= last; ++clip)
-    for (QModelIndex at = indexOf(clip); at.isValid(); at = at.parent()) emit dataChanged(at, at);
+    for (QModelIndex at = indexOf(clip); at.isValid(); at = at.parent())
+      emit dataChanged(at, at.siblingAtColumn(kLibraryColumns - 1));
 }
 
 LibraryTree::Folder* LibraryTree::holderOf(const QModelIndex& index) const {
@@ -140,6 +188,7 @@ QModelIndex LibraryTree::parent(const QModelIndex& index) const {
 }
 
 int LibraryTree::rowCount(const QModelIndex& parent) const {
+  if (parent.column() > 0) return 0;
   const Folder* folder = folderAt(parent);
   return folder ? static_cast<int>(folder->folders.size() + folder->clips.size()) : 0;
 }
@@ -151,13 +200,11 @@ int LibraryTree::clipOf(const QModelIndex& index) const {
 }
 
 QModelIndex LibraryTree::indexOf(int clip) const {
-  if (clip < 0 || clip >= static_cast<int>(holders_.size())) return {};
-  Folder* holder = holders_[static_cast<std::size_t>(clip)];
-  if (!holder) return {};
-  const auto place = std::find(holder->clips.begin(), holder->clips.end(), clip);
-  const auto row =
-      static_cast<std::ptrdiff_t>(holder->folders.size()) + (place - holder->clips.begin());
-  return createIndex(static_cast<int>(row), 0, holder);
+  if (clip < 0 || clip >= static_cast<int>(places_.size())) return {};
+  const Place& place = places_[static_cast<std::size_t>(clip)];
+  if (!place.folder) return {};
+  return createIndex(static_cast<int>(place.folder->folders.size()) + place.in_folder, 0,
+                     place.folder);
 }
 
 std::vector<int> LibraryTree::clipsBelow(const QModelIndex& index) const {
@@ -176,18 +223,21 @@ QString LibraryTree::folderPath(const QModelIndex& index) const {
 
 QString LibraryTree::folderSummary(const QModelIndex& index) const {
   const std::vector<int> clips = clipsBelow(index);
-  const auto missed = std::count_if(clips.begin(), clips.end(), [this](int clip) {
-    const LibraryEntry& entry = clips_->entry(clip);
-    return entry.missing || !entry.trouble.isEmpty() || (entry.outcome && !entry.outcome->met);
-  });
+  const auto missed = std::count_if(clips.begin(), clips.end(),
+                                    [this](int clip) { return isMissed(clips_->entry(clip)); });
   const QString count = tr("%Ln clip(s)", nullptr, static_cast<int>(clips.size()));
   return missed == 0 ? count : tr("%1, %L2 missed").arg(count).arg(missed);
+}
+
+QVariant LibraryTree::headerData(int section, Qt::Orientation orientation, int role) const {
+  return clips_->headerData(section, orientation, role);
 }
 
 QVariant LibraryTree::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const Folder* folder = folderAt(index);
-  if (!folder) return clips_->index(clipOf(index)).data(role);
+  if (!folder) return clips_->index(clipOf(index), index.column()).data(role);
+  if (index.column() > 0) return {};
   switch (role) {
     case Qt::DisplayRole:
       return folder->name;

@@ -5,13 +5,21 @@
 #include <memory>
 #include <vector>
 
+#include "widgets/models/library_columns.h"
+#include "widgets/models/library_filter.h"
 #include "widgets/models/library_model.h"
 #include "widgets/models/shared_name.h"
 
 namespace mocapress {
 
-/// The clips of a library as a tree of folders, reduced by a filter. Folders that all clips share
-/// are left out, and so are folders that hold nothing but one folder.
+/// Folders that the clips of a library stand in: on the disk, by what was said of them, or none.
+enum class Grouping { Folder, Verdict, Seen, None };
+
+QString displayName(Grouping grouping);
+
+/// The clips of a library below their folders, as far as they match a filter, and in its order.
+/// Folders of the disk that all clips share are left out, and so are those between with nothing but
+/// one folder in them.
 class LibraryTree : public QAbstractItemModel {
   Q_OBJECT
 
@@ -19,8 +27,14 @@ class LibraryTree : public QAbstractItemModel {
   explicit LibraryTree(LibraryModel* clips, QObject* parent = nullptr);
   ~LibraryTree() override;
 
-  /// Words that must all occur in name, folder or state; empty: no filter.
+  /// See LibraryFilter.
   void setFilter(const QString& words);
+  void setShow(LibraryShow show);
+  void sort(int column, Qt::SortOrder order) override;
+
+  void setGrouping(Grouping grouping);
+
+  const LibraryFilter* filter() const { return &filter_; }
 
   /// The clip's row in the library; -1 for a folder.
   int clipOf(const QModelIndex& index) const;
@@ -41,22 +55,32 @@ class LibraryTree : public QAbstractItemModel {
   QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
   QModelIndex parent(const QModelIndex& index) const override;
   int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex&) const override { return 1; }
+  int columnCount(const QModelIndex& = {}) const override { return kLibraryColumns; }
   QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
   struct Folder;
 
   void build();
-  bool matches(int clip) const;
-  Folder* holderOf(const QModelIndex& index) const;  // the folder that has the index as a row
+  QStringList foldersOf(int clip) const;
+  Folder* holderOf(const QModelIndex& index) const;  // the folder the index is a row of
   Folder* folderAt(const QModelIndex& index) const;  // null: a clip
   void clipsChanged(int first, int last);
 
   LibraryModel* clips_;
-  QStringList words_;
+  LibraryFilter filter_;
+  Grouping grouping_ = Grouping::Folder;
   std::unique_ptr<Folder> root_;
-  std::vector<Folder*> holders_;  // the folder of each clip; null: filtered out
+
+  /// Where a clip stood in the filter when the tree was built, and in which folder.
+  struct Place {
+    int row = -1;  // -1: filtered out
+    Folder* folder = nullptr;
+    QStringList folders;  // foldersOf() it
+    int in_folder = 0;    // among its clips
+  };
+  std::vector<Place> places_;  // of each clip
 };
 
 }  // namespace mocapress

@@ -3,11 +3,13 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
+#include <QHeaderView>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QStyledItemDelegate>
 #include <QToolTip>
@@ -18,6 +20,8 @@
 #include "widgets/models/display_names.h"
 #include "widgets/models/library_model.h"
 #include "widgets/models/library_tree.h"
+#include "widgets/panels/elided_label.h"
+#include "widgets/panels/encoding_bar.h"
 
 namespace mocapress {
 namespace {
@@ -26,7 +30,9 @@ constexpr int kRowHeight = 58;
 constexpr int kPicture = 46;
 constexpr int kFolderHeight = 28;
 constexpr int kMargin = 6;
-const QString kMark = QStringLiteral("⚠");  // marks a clip with notes of its reader
+constexpr int kColumnWidth = 12;            // characters
+constexpr int kClipWidth = 200;             // at least, where there are other columns
+const QString kMark = QStringLiteral("⚠");  // there are notes on reading the clip
 
 /// Draws a clip's pose, name, result and verdict, and a folder's summary.
 class RowPainter : public QStyledItemDelegate {
@@ -100,22 +106,6 @@ class RowPainter : public QStyledItemDelegate {
     return {option.rect.right() - kMargin - size, option.rect.top() + kMargin, size, size};
   }
 
-  /// Colours dark enough on white and bright enough on black.
-  static QColor colourOf(RowState state, const QPalette& palette) {
-    const bool dark = palette.color(QPalette::Base).lightness() < 128;
-    switch (state) {
-      case RowState::Good:
-        return dark ? QColor(0x6c, 0xc6, 0x7f) : QColor(0x1e, 0x7a, 0x34);
-      case RowState::Bad:
-        return dark ? QColor(0xff, 0x8a, 0x80) : QColor(0xb3, 0x26, 0x1e);
-      case RowState::Doubtful:
-        return dark ? QColor(0xf0, 0xb4, 0x4c) : QColor(0x92, 0x5a, 0x00);
-      case RowState::Plain:
-        break;
-    }
-    return palette.color(QPalette::Text);
-  }
-
   void paintFolder(QPainter& painter, const QStyleOptionViewItem& option,
                    const QModelIndex& index) const {
     const bool chosen = option.state & QStyle::State_Selected;
@@ -172,7 +162,11 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
       model_(model),
       tree_(new LibraryTree(model, this)),
       filter_(new QLineEdit(this)),
+      shown_(new QComboBox(this)),
+      grouping_(new QComboBox(this)),
       view_(new QTreeView(this)),
+      sum_(new ElidedLabel(this)),
+      encoding_(new EncodingBar(model, this)),
       add_(new QPushButton(tr("Add"), this)),
       remove_(new QPushButton(tr("Remove"), this)),
       verdict_(new QComboBox(this)),
@@ -182,8 +176,22 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
   filter_->setToolTip(tr("Words of a clip's name, folder or state: “walks missed”."));
   filter_->setClearButtonEnabled(true);
   view_->setModel(tree_);
-  view_->setItemDelegate(new RowPainter(model, tree_, view_));
-  view_->setHeaderHidden(true);
+  view_->setItemDelegateForColumn(0, new RowPainter(model, tree_, view_));
+  view_->setUniformRowHeights(false);
+  view_->setAllColumnsShowFocus(true);
+  for (int show = 0; show <= static_cast<int>(LibraryShow::Missed); ++show)
+    shown_->addItem(displayName(static_cast<LibraryShow>(show)));
+  for (int grouping = 0; grouping <= static_cast<int>(Grouping::None); ++grouping)
+    grouping_->addItem(displayName(static_cast<Grouping>(grouping)));
+  shown_->setAccessibleName(tr("Clips that are shown"));
+  shown_->setToolTip(tr("Which clips are shown"));
+  grouping_->setAccessibleName(tr("Groups of the clips"));
+  grouping_->setToolTip(tr("How clips are grouped"));
+  for (QComboBox* box : {shown_, grouping_}) {
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(6);
+  }
+  makeHead();
   view_->setIndentation(14);
   view_->setFrameShape(QFrame::NoFrame);
   view_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
@@ -217,16 +225,28 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
   auto* above = new QVBoxLayout;
   above->setContentsMargins(8, 0, 8, 0);
   above->addWidget(filter_);
+  auto* choices = new QHBoxLayout;
+  choices->addWidget(shown_, 1);
+  choices->addWidget(grouping_, 1);
+  above->addLayout(choices);
   column->addLayout(above);
   column->addWidget(view_, 1);
   auto* below = new QVBoxLayout;
   below->setContentsMargins(8, 0, 8, 0);
+  below->addWidget(sum_);
+  below->addWidget(encoding_);
   below->addWidget(verdict_);
   below->addWidget(note_);
   below->addLayout(buttons);
   column->addLayout(below);
 
   connect(filter_, &QLineEdit::textChanged, tree_, &LibraryTree::setFilter);
+  connect(shown_, &QComboBox::currentIndexChanged, tree_,
+          [this](int show) { tree_->setShow(static_cast<LibraryShow>(show)); });
+  connect(grouping_, &QComboBox::currentIndexChanged, tree_, [this](int grouping) {
+    tree_->setGrouping(static_cast<Grouping>(grouping));
+    emit arrangementChanged();
+  });
   connect(remove_, &QPushButton::clicked, this, &LibraryPanel::removeChosen);
   connect(view_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
     const int row = current();
@@ -235,11 +255,14 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
     if (row >= 0) emit openRequested(row);
   });
   connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
-          &LibraryPanel::showReview);
+          &LibraryPanel::noteSelection);
   connect(view_, &QTreeView::collapsed, this,
           [this](const QModelIndex& folder) { collapsed_.insert(tree_->folderPath(folder)); });
   connect(view_, &QTreeView::expanded, this,
           [this](const QModelIndex& folder) { collapsed_.remove(tree_->folderPath(folder)); });
+  connect(model, &LibraryModel::dataChanged, this, &LibraryPanel::showSum);
+  connect(tree_, &LibraryTree::modelAboutToBeReset, this,
+          [this] { scrolled_ = view_->verticalScrollBar()->value(); });
   connect(tree_, &LibraryTree::modelReset, this, &LibraryPanel::showTree);
   connect(verdict_, &QComboBox::activated, this, [this] {
     emit verdictChosen(reviewedRows(), static_cast<Verdict>(verdict_->currentData().toInt()));
@@ -247,6 +270,74 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
   connect(note_, &QLineEdit::textEdited, this,
           [this](const QString& note) { emit noteEdited(current(), note); });
   showTree();
+}
+
+/// A third click on a title sorts clips as the library has them.
+void LibraryPanel::makeHead() {
+  QHeaderView* head = view_->header();
+  head->setSortIndicator(-1, Qt::AscendingOrder);
+  head->setSortIndicatorClearable(true);
+  head->setStretchLastSection(false);
+  head->setContextMenuPolicy(Qt::CustomContextMenu);
+  view_->setSortingEnabled(true);
+  for (int column = 1; column < kLibraryColumns; ++column) {
+    head->hideSection(column);
+    head->resizeSection(column, head->fontMetrics().averageCharWidth() * kColumnWidth);
+  }
+  view_->viewport()->installEventFilter(this);
+  connect(head, &QWidget::customContextMenuRequested, this,
+          [this, head](const QPoint& place) { makeColumnMenu()->popup(head->mapToGlobal(place)); });
+  connect(head, &QHeaderView::sectionResized, this, [this](int column) {
+    fitColumns();
+    if (column > 0) emit arrangementChanged();
+  });
+  connect(head, &QHeaderView::sectionMoved, this, &LibraryPanel::arrangementChanged);
+  connect(head, &QHeaderView::sortIndicatorChanged, this, &LibraryPanel::arrangementChanged);
+}
+
+bool LibraryPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == view_->viewport() && event->type() == QEvent::Resize) fitColumns();
+  return QWidget::eventFilter(watched, event);
+}
+
+/// The clip has the room that the other columns leave, and what it needs to say something.
+void LibraryPanel::fitColumns() {
+  QHeaderView* head = view_->header();
+  int others = 0;
+  for (int column = 1; column < kLibraryColumns; ++column)
+    if (!head->isSectionHidden(column)) others += head->sectionSize(column);
+  const int width = std::max(view_->viewport()->width() - others, others > 0 ? kClipWidth : 0);
+  if (head->sectionSize(0) != width) head->resizeSection(0, width);
+}
+
+QMenu* LibraryPanel::makeColumnMenu() {
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  for (int column = 1; column < kLibraryColumns; ++column) {
+    QAction* action = menu->addAction(titleOf(static_cast<LibraryColumn>(column)));
+    action->setCheckable(true);
+    action->setChecked(!view_->isColumnHidden(column));
+    connect(action, &QAction::toggled, this, [this, column](bool shown) {
+      view_->setColumnHidden(column, !shown);
+      fitColumns();
+      emit arrangementChanged();
+    });
+  }
+  return menu;
+}
+
+QByteArray LibraryPanel::arrangement() const {
+  return QByteArray::number(grouping_->currentIndex()) + ' ' + view_->header()->saveState();
+}
+
+void LibraryPanel::arrange(const QByteArray& arrangement) {
+  const auto space = arrangement.indexOf(' ');
+  QHeaderView* head = view_->header();
+  if (space < 0 || !head->restoreState(arrangement.mid(space + 1))) return;
+  head->setSortIndicatorClearable(true);
+  view_->sortByColumn(head->sortIndicatorSection(), head->sortIndicatorOrder());
+  grouping_->setCurrentIndex(arrangement.left(space).toInt());
+  fitColumns();
 }
 
 void LibraryPanel::showMenu(const QPoint& place) {
@@ -263,6 +354,22 @@ void LibraryPanel::addVerdicts(QMenu* menu, const std::vector<int>& rows) {
   }
 }
 
+void LibraryPanel::addSettings(QMenu* menu, const std::vector<int>& rows) {
+  const auto add = [&](const QString& text, bool enabled, const auto& act) {
+    QAction* action = menu->addAction(text);
+    action->setEnabled(enabled && !rows.empty());
+    connect(action, &QAction::triggered, this, act);
+  };
+  const int row = current();
+  add(tr("Copy Settings"), row >= 0, [this, row] { emit copySettingsRequested(row); });
+  add(tr("Paste Settings"), can_paste_, [this, rows] { emit pasteSettingsRequested(rows); });
+  add(tr("Paste Importance Alone"), can_paste_,
+      [this, rows] { emit pasteImportanceRequested(rows); });
+  menu->addSeparator();
+  add(tr("Put a Character On…"), true, [this, rows] { emit putCharacterRequested(rows); });
+  add(tr("Take the Character Off"), true, [this, rows] { emit takeCharacterOffRequested(rows); });
+}
+
 QMenu* LibraryPanel::makeMenu() {
   const std::vector<int> rows = chosenRows();
   auto* menu = new QMenu(this);
@@ -273,6 +380,7 @@ QMenu* LibraryPanel::makeMenu() {
   for (const Settings& preset : presets_)
     connect(presets->addAction(displayName(preset)), &QAction::triggered, this,
             [this, rows, preset] { emit presetChosen(rows, preset); });
+  addSettings(menu, rows);
   menu->addSeparator();
   QAction* selected = menu->addAction(tr("Export Selected, Each by Its Own Settings…"));
   selected->setEnabled(!rows.empty());
@@ -308,9 +416,11 @@ void LibraryPanel::setCurrent(int row) {
     using Selection = QItemSelectionModel;
     Selection* selection = view_->selectionModel();
     const QSignalBlocker blocker(selection);
-    // Making one of several selected rows current keeps the others selected.
-    selection->setCurrentIndex(
-        index, selection->isSelected(index) ? Selection::NoUpdate : Selection::ClearAndSelect);
+    // One of several that are chosen leaves them so.
+    selection->setCurrentIndex(index, selection->isSelected(index)
+                                          ? Selection::SelectionFlags(Selection::NoUpdate)
+                                          : Selection::ClearAndSelect | Selection::Rows);
+    selected_ = pathsOf(chosenRows());
     if (index.isValid()) view_->scrollTo(index);
   }
   view_->viewport()->update();
@@ -324,31 +434,57 @@ void LibraryPanel::showTree() {
     const bool has_folders = tree_->rowCount() > 0 && tree_->clipOf(tree_->index(0, 0)) < 0;
     view_->setRootIsDecorated(has_folders);
     view_->expandAll();
-    const auto collapse = [this](auto&& self, const QModelIndex& above) -> void {
+    const auto show_folders = [this](auto&& self, const QModelIndex& above) -> void {
       for (int row = 0; row < tree_->rowCount(above); ++row) {
         const QModelIndex index = tree_->index(row, 0, above);
+        if (tree_->clipOf(index) >= 0) break;  // folders come first
+        view_->setFirstColumnSpanned(row, above, true);
         self(self, index);
         if (collapsed_.contains(tree_->folderPath(index))) view_->collapse(index);
       }
     };
-    if (!collapsed_.isEmpty()) collapse(collapse, {});
+    show_folders(show_folders, {});
   }
-  const int row = model_->rowOf(chosen_);
+  using Selection = QItemSelectionModel;
   const QSignalBlocker blocker(view_->selectionModel());
-  view_->setCurrentIndex(tree_->indexOf(row));
+  view_->setCurrentIndex(tree_->indexOf(model_->rowOf(chosen_)));
+  QItemSelection selection;
+  for (int row = 0; row < model_->rowCount() && !selected_.isEmpty(); ++row)
+    if (selected_.contains(model_->entry(row).path))
+      if (const QModelIndex index = tree_->indexOf(row); index.isValid())
+        selection.append(QItemSelectionRange(index));
+  view_->selectionModel()->select(selection, Selection::Select | Selection::Rows);
+  view_->verticalScrollBar()->setValue(scrolled_);
   showReview();
+}
+
+void LibraryPanel::noteSelection() {
+  selected_ = pathsOf(chosenRows());
+  showReview();
+}
+
+QSet<QString> LibraryPanel::pathsOf(const std::vector<int>& rows) const {
+  QSet<QString> paths;
+  for (const int row : rows) paths.insert(model_->entry(row).path);
+  return paths;
 }
 
 std::vector<int> LibraryPanel::chosenRows() const {
   std::vector<int> rows;
   QSet<int> known;
-  for (const QModelIndex& index : view_->selectionModel()->selectedIndexes())
-    for (const int row : tree_->clipsBelow(index)) {
-      if (known.contains(row)) continue;
-      known.insert(row);
-      rows.push_back(row);
-    }
+  for (const QItemSelectionRange& range : view_->selectionModel()->selection())
+    for (int at = range.top(); range.left() == 0 && at <= range.bottom(); ++at)
+      for (const int row : tree_->clipsBelow(tree_->index(at, 0, range.parent()))) {
+        if (known.contains(row)) continue;
+        known.insert(row);
+        rows.push_back(row);
+      }
   return rows;
+}
+
+void LibraryPanel::showSum() {
+  sum_->setVisible(selected_.size() > 1);
+  if (selected_.size() > 1) sum_->setText(sumText(*model_, chosenRows()));
 }
 
 void LibraryPanel::removeChosen() {
@@ -358,6 +494,7 @@ void LibraryPanel::removeChosen() {
 }
 
 void LibraryPanel::showReview() {
+  showSum();
   const int row = current();
   verdict_->setEnabled(!reviewedRows().empty());
   note_->setEnabled(row >= 0);

@@ -16,10 +16,13 @@ class QTreeView;
 
 namespace mocapress {
 
+class ElidedLabel;
+class EncodingBar;
 class LibraryModel;
 class LibraryTree;
 
-/// The clips of the project in their folders, with results and verdicts. A click opens a clip.
+/// The clips of the project in groups: what each came to, and what the reviewer says. A click opens
+/// a clip. The context menu of the head chooses columns.
 class LibraryPanel : public QWidget {
   Q_OBJECT
 
@@ -35,12 +38,30 @@ class LibraryPanel : public QWidget {
   /// The presets that can be given to clips.
   void setPresets(const std::vector<Settings>& presets) { presets_ = presets; }
 
+  /// There are settings to paste.
+  void setCanPaste(bool can_paste) { can_paste_ = can_paste; }
+
+  /// What the selection comes to together.
+  ElidedLabel* sum() const { return sum_; }
+
   QTreeView* view() const { return view_; }
   LibraryTree* tree() const { return tree_; }
   QPushButton* removeButton() const { return remove_; }
   QLineEdit* filter() const { return filter_; }
+  QComboBox* shownBox() const { return shown_; }
+  QComboBox* groupingBox() const { return grouping_; }
+
+  /// The columns, their widths and order, what rows are sorted by, and their groups.
+  QByteArray arrangement() const;
+
+  /// As arrangement() said once. What is no arrangement changes nothing.
+  void arrange(const QByteArray& arrangement);
+
+  /// Choices of columns.
+  QMenu* makeColumnMenu();
   QComboBox* verdict() const { return verdict_; }
   QLineEdit* note() const { return note_; }
+  EncodingBar* encoding() const { return encoding_; }
 
   /// Makes the context menu for the selection.
   QMenu* makeMenu();
@@ -59,16 +80,33 @@ class LibraryPanel : public QWidget {
   void verdictChosen(const std::vector<int>& rows, mocapress::Verdict verdict);
   void presetChosen(const std::vector<int>& rows, const mocapress::Settings& preset);
 
+  void copySettingsRequested(int row);
+  void pasteSettingsRequested(const std::vector<int>& rows);
+  void pasteImportanceRequested(const std::vector<int>& rows);
+  void putCharacterRequested(const std::vector<int>& rows);
+  void takeCharacterOffRequested(const std::vector<int>& rows);
+
   void noteEdited(int row, const QString& note);
 
   /// Exports these clips as a batch; no rows: all clips.
   void exportRequested(const std::vector<int>& rows);
 
-  /// The user wants to look for missing files.
+  void arrangementChanged();
+
+  /// Clips whose files are gone are to be looked for.
   void findMissingRequested();
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
+  void makeHead();
+  void fitColumns();
+  void noteSelection();
+  QSet<QString> pathsOf(const std::vector<int>& rows) const;
   void showReview();
+  void showSum();
+  void addSettings(QMenu* menu, const std::vector<int>& rows);
   void showMenu(const QPoint& place);
   void showTree();
   void removeChosen();
@@ -79,14 +117,22 @@ class LibraryPanel : public QWidget {
   LibraryModel* model_;
   LibraryTree* tree_;
   QLineEdit* filter_;
+  QComboBox* shown_;
+  QComboBox* grouping_;
   QTreeView* view_;
+  ElidedLabel* sum_;
+  EncodingBar* encoding_;
   QPushButton* add_;
   QPushButton* remove_;
   QComboBox* verdict_;
   QLineEdit* note_;
   std::vector<Settings> presets_;
+  bool can_paste_ = false;
   QSet<QString> collapsed_;  // paths of folders
-  QString chosen_;           // path of the selected clip, kept while the tree is rebuilt
+  // Kept while the tree is built anew:
+  QString chosen_;          // path of the clip that is current
+  QSet<QString> selected_;  // paths of clips
+  int scrolled_ = 0;
 };
 
 }  // namespace mocapress

@@ -16,7 +16,12 @@ void applyPalette(QCustomPlot* plot);
 /// The same for one axis of a plot with more of them.
 void applyPalette(QCPAxis* axis, const QPalette& palette, const QFont& font);
 
-/// Makes one point for each frame, against seconds.
+inline QColor fainter(QColor colour, float alpha) {
+  colour.setAlphaF(alpha);
+  return colour;
+}
+
+/// One point a frame, against seconds.
 QVector<QCPGraphData> overTime(const Eigen::VectorXd& values, double sample_rate_hz);
 
 /// Ticks of a logarithmic axis: every digit, 1, 2 and 5, or whole decades, whichever is the finest

@@ -36,11 +36,6 @@ QCPScatterStyle markOf(const SeriesStyle& style, const QColor& background, doubl
           size};
 }
 
-QColor fainter(QColor colour, float alpha) {
-  colour.setAlphaF(alpha);
-  return colour;
-}
-
 QPalette paper() {
   QPalette palette(Qt::white);
   palette.setColor(QPalette::Base, Qt::white);

@@ -38,7 +38,8 @@ Motion motionOf(const TunedClip& clip) {
   return read_motion_of_many(pathOf(clip.path), skeleton, clip.reading).motion;
 }
 
-/// The clip as it waits in the queue. If it cannot be read, the batch will report that.
+}  // namespace
+
 QueuedClip queuedClip(const TunedClip& clip) {
   QueuedClip queued{
       .source = {clip.path.toStdString(), QFileInfo(clip.path).dir().dirName().toStdString(), {}},
@@ -57,8 +58,6 @@ QueuedClip queuedClip(const TunedClip& clip) {
   }
   return queued;
 }
-
-}  // namespace
 
 BatchSession::BatchSession(PresetShelf* presets, QObject* parent)
     : QObject(parent), presets_(presets) {

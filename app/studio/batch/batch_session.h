@@ -20,7 +20,11 @@ namespace mocapress {
 
 class PresetShelf;
 
-/// A batch export: its queue, settings and run. Uses no widgets.
+/// A clip as it waits in the queue. Reads it where its settings name joints; where that fails, the
+/// batch says so.
+QueuedClip queuedClip(const TunedClip& clip);
+
+/// The queue of a batch export, its settings and its run. No widgets.
 class BatchSession : public QObject {
   Q_OBJECT
 

@@ -445,14 +445,20 @@ void Session::recallCharacters(const CharacterFiles& files) {
   document_.setCharacters(characters);
 }
 
-void Session::setCharacter(const std::string& rig, const std::optional<PutCharacter>& character) {
+void Session::putCharacters(const CharacterChanges& by_rig) {
   Characters characters = document_.characters();
-  if (character)
-    characters[rig] = *character;
-  else
-    characters.erase(rig);
+  for (const auto& [rig, character] : by_rig) {
+    if (character)
+      characters[rig] = *character;
+    else
+      characters.erase(rig);
+  }
   document_.setCharacters(characters);
   wear();
+}
+
+void Session::setCharacter(const std::string& rig, const std::optional<PutCharacter>& character) {
+  putCharacters({{rig, character}});
 }
 
 void Session::wear() {

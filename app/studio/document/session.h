@@ -117,7 +117,11 @@ class Session : public QObject {
   /// Removes the character from clips of the rig. Can be undone.
   void takeCharacterOff();
 
-  /// Sets the characters of a project. They are read when a clip needs them.
+  /// Puts them on clips of these rigs, as a step of somebody else. Unset: each has its own.
+  using CharacterChanges = std::map<std::string, std::optional<PutCharacter>>;
+  void putCharacters(const CharacterChanges& by_rig);
+
+  /// Has them again as a project has them. They are read once a clip needs them.
   void recallCharacters(const CharacterFiles& files);
 
   /// True while an answer, or a better one, is on its way.

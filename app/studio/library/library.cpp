@@ -7,14 +7,17 @@
 #include <QHash>
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "app/jobs/batch_runner.h"
+#include "app/jobs/open_clip.h"
 #include "app/studio/document/edit_step.h"
 #include "app/studio/document/session.h"
 #include "app/studio/document/settings_field.h"
 #include "core/batch/batch.h"
 #include "core/report/verdict.h"
+#include "widgets/models/display_names.h"
 #include "widgets/models/library_model.h"
 
 namespace mocapress {
@@ -60,11 +63,15 @@ namespace {
 LibraryEntry entryOf(const ProjectClip& clip, const LibraryEntry& read) {
   LibraryEntry entry = read;
   entry.path = clip.path;
+  entry.is_compressed = isCompressedFile(clip.path);
   entry.missing = clip.missing;
   entry.outcome = clip.outcome;
+  entry.bytes_before = clip.bytes_before;
   entry.outdated = outdated(clip);
   entry.review = clip.review;
   entry.stale = staleVerdict(clip);
+  entry.preset = clip.settings ? displayName(clip.settings->preset) : QString();
+  entry.failure = clip.failure;
   return entry;
 }
 
@@ -89,10 +96,11 @@ double quantityOf(const DecodedClip& decoded, const EncodeSettings& options) {
 
 /// Makes the outcome, including whether the target was met. Requires a distortion.
 Outcome outcomeOf(const DecodedClip& decoded, const OriginalClip& original,
-                  const EncodeSettings& options) {
+                  const EncodeSettings& options, bool has_contacts) {
   Outcome outcome{decoded.ratio, decoded.distortion->eps(options.weighting),
                   decoded.distortion->max.cm, decoded.compressed.motion_bytes(),
                   reached(options.target, quantityOf(decoded, options))};
+  if (decoded.footskate && has_contacts) outcome.slide_cm = decoded.footskate->total_cm;
   if (decoded.visibility) outcome.sight = decoded.visibility->sight();
   for (const Warning& warning : original.warnings)
     outcome.warnings << QString::fromStdString(warning.text());
@@ -105,6 +113,7 @@ Outcome outcomeOf(const BatchStep& step, const Settings& settings) {
   const Measurement& measured = *step.measured;
   Outcome outcome{measured.ratio, measured.eps_cm(settings.weighting), measured.max_error_cm,
                   measured.motion_bytes, keeps_promise(settings, measured)};
+  outcome.slide_cm = measured.footskate_cm;
   if (measured.seen) outcome.sight = measured.seen->sight();
   for (const std::string& warning : step.warnings)
     outcome.warnings << QString::fromStdString(warning);
@@ -167,6 +176,8 @@ void Library::leave() {
   checking_.abandon();
   check_again_ = false;
   finding_.abandon();
+  reading_character_.abandon();
+  known_.clear();
 }
 
 void Library::enter() {
@@ -336,21 +347,80 @@ void Library::apply(const Reviews& reviews) {
 }
 
 void Library::setPreset(const std::vector<int>& rows, const Settings& preset) {
+  change(rows, tr("Preset"), [&](NamedSettings& settings) {
+    const auto contacts = settings.preset.contacts;
+    settings.preset = preset;
+    if (!preset.contacts) settings.preset.contacts = contacts;
+  });
+}
+
+void Library::copySettings(int row) {
+  const ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
+  copied_ = clip.settings.value_or(NamedSettings{usualPreset(), {}});
+}
+
+void Library::pasteSettings(const std::vector<int>& rows) {
+  if (!copied_) return;
+  change(rows, tr("Paste Settings"), [this](NamedSettings& settings) {
+    const auto contacts = settings.preset.contacts;
+    settings = *copied_;
+    settings.preset.contacts = contacts;
+  });
+}
+
+void Library::pasteImportance(const std::vector<int>& rows) {
+  if (!copied_) return;
+  change(rows, tr("Paste Importance"), [this](NamedSettings& settings) {
+    settings.preset.importance = copied_->preset.importance;
+  });
+}
+
+/// In one step. Clips that were never tuned begin with the usual settings.
+void Library::change(const std::vector<int>& rows, const QString& name,
+                     const std::function<void(NamedSettings&)>& change) {
   SettingsByPath before, after;
   for (const int row : rows) {
     const ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
-    NamedSettings settings{preset, {}};
-    if (clip.settings) {
-      settings.contacts = clip.settings->contacts;
-      if (!preset.contacts) settings.preset.contacts = clip.settings->preset.contacts;
-      if (settings.preset == clip.settings->preset) continue;
-    }
+    NamedSettings settings = clip.settings.value_or(NamedSettings{usualPreset(), {}});
+    change(settings);
+    if (clip.settings && settings.preset == clip.settings->preset &&
+        settings.contacts == clip.settings->contacts)
+      continue;
     before.emplace(clip.path, clip.settings);
     after.emplace(clip.path, settings);
   }
   if (after.empty()) return;
+  const QString text =
+      after.size() == 1 ? name
+                        : tr("%1, %Ln Clip(s)", nullptr, static_cast<int>(after.size())).arg(name);
   history_.push(new EditStep(
-      tr("Preset"), [this, after] { apply(after); }, [this, before] { apply(before); }));
+      text, [this, after] { apply(after); }, [this, before] { apply(before); }));
+}
+
+void Library::putCharacter(const std::vector<int>& rows, const QString& file) {
+  std::set<std::string> rigs;
+  for (const int row : rows)
+    if (const std::string& rig = project_.clips[static_cast<std::size_t>(row)].rig; !rig.empty())
+      rigs.insert(rig);
+  if (rigs.empty()) return;
+  const auto put_on = [this, rigs](const std::optional<PutCharacter>& put) {
+    Session::CharacterChanges before, after;
+    const Characters& now = session_->document().characters();
+    for (const std::string& rig : rigs) {
+      const auto found = now.find(rig);
+      before[rig] = found == now.end() ? std::nullopt : std::optional(found->second);
+      after[rig] = put;
+    }
+    history_.push(new EditStep(
+        tr("Character"), [this, after] { session_->putCharacters(after); },
+        [this, before] { session_->putCharacters(before); }));
+  };
+  if (file.isEmpty()) return put_on(std::nullopt);
+  reading_character_.start(
+      [path = QFileInfo(file).absoluteFilePath()](const Job&) {
+        return PutCharacter{read_character(path.toStdU16String()), path, {}};
+      },
+      put_on, [this](const QString& message) { emit failed(message); });
 }
 
 void Library::apply(const SettingsByPath& settings) {
@@ -359,7 +429,12 @@ void Library::apply(const SettingsByPath& settings) {
     ProjectClip& clip = project_.clips[row];
     const auto found = settings.find(clip.path);
     if (found == settings.end()) continue;
+    clip.bytes_before.reset();
+    if (clip.outcome && outdated(clip) == Staleness::None)
+      clip.bytes_before = clip.outcome->motion_bytes;
     clip.settings = found->second;
+    clip.failure.clear();
+    recallOutcome(clip);
     rows.push_back(static_cast<int>(row));
   }
   showRows(rows);
@@ -400,6 +475,7 @@ void Library::noteFiles(const std::vector<ClipSource>& sources, const std::vecto
     if (is_new && !was_missing && !clip.stamp.hash.empty()) ++changed;
     if (clip.missing && !was_missing) ++missing;
     if (now[i].state == SourceNow::State::Found) clip.stamp = now[i].stamp;
+    if (is_new) clip.failure.clear();
     bindVerdict(clip);
     if (is_new || clip.missing != was_missing) others.push_back(row);
   }
@@ -478,9 +554,52 @@ void Library::noteExported(const QString& path, const Settings& settings,
   Outcome outcome = outcomeOf(step, settings);
   outcome.settings = settings_hash(settings, reading);
   if (settingsHash(*clip) != outcome.settings) return;
-  clip->outcome = std::move(outcome);
+  setOutcome(*clip, outcome);
+}
+
+void Library::setOutcome(ProjectClip& clip, const Outcome& outcome) {
+  known_[{outcome.source, outcome.settings}] = outcome;
+  clip.outcome = outcome;
+  clip.failure.clear();
+  show(clip);
+  if (clip.path == project_.current) emit currentChanged();
+}
+
+/// Settings that the clip had before came to the same.
+void Library::recallOutcome(ProjectClip& clip) {
+  const auto found = known_.find({clip.stamp.source, settingsHash(clip)});
+  if (found != known_.end()) clip.outcome = found->second;
+}
+
+std::vector<TunedClip> Library::unencoded(std::size_t most) const {
+  std::vector<TunedClip> clips;
+  const auto count = static_cast<int>(project_.clips.size());
+  const int first = std::max(currentRow(), 0);
+  for (int i = 0; i < count && clips.size() < most; ++i) {
+    const int row = (first + i) % count;
+    const ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
+    if (!model_->entry(row).wantsEncoding() || session_->isOpen(clip.path)) continue;
+    clips.push_back(tunedClip(project_, clip));
+    if (!clips.back().settings) clips.back().settings = NamedSettings{usualPreset(), {}};
+  }
+  return clips;
+}
+
+void Library::noteEncoded(const TunedClip& tuned, const BatchStep& step) {
+  ProjectClip* clip = project_.find(tuned.path);
+  if (!clip || session_->isOpen(tuned.path)) return;
+  if (step.measured) {
+    noteExported(tuned.path, tuned.settings->preset, tuned.reading, step);
+  } else {
+    const std::string made_by = settings_hash(tuned.settings->preset, tuned.reading);
+    if (clip->settings && settingsHash(*clip) != made_by) return;  // it has others by now
+    clip->failure = QString::fromStdString(step.error);
+    show(*clip);
+  }
+  if (step.source.empty() || step.source == clip->stamp.source) return;
+  clip->failure = tr("Its files changed while it was compressed.");  // until they are looked at
   show(*clip);
-  if (path == project_.current) emit currentChanged();
+  checkFiles();
 }
 
 std::vector<Pin> Library::pinsOf(const QString& path) {
@@ -507,11 +626,16 @@ std::vector<TunedClip> Library::tuned(const std::vector<int>& rows) const {
         rows.empty() || std::count(rows.begin(), rows.end(), static_cast<int>(row)) > 0;
     const ProjectClip& clip = project_.clips[row];
     if (!wanted) continue;
-    clips.push_back({clip.path, clip.skeleton, clip.settings, clip.reading});
-    if (const QString file = characterFile(project_.characters, clip.rig); !file.isEmpty())
-      clips.back().reading.character = file.toStdString();
+    clips.push_back(tunedClip(project_, clip));
   }
   return clips;
+}
+
+TunedClip Library::tunedClip(const Project& project, const ProjectClip& clip) {
+  TunedClip tuned{clip.path, clip.skeleton, clip.settings, clip.reading};
+  if (const QString file = characterFile(project.characters, clip.rig); !file.isEmpty())
+    tuned.reading.character = file.toStdString();
+  return tuned;
 }
 
 ClipReviews Library::reviews() const {
@@ -581,6 +705,7 @@ void Library::showAsRead(const ProjectClip& clip, const OriginalClip& original) 
   read.sample_rate_hz = outline.sample_rate_hz;
   read.outline = outline.bones;
   read.skin = outline.skin;
+  read.loop = outline.loop;
   for (const Warning& warning : original.warnings)
     read.notes << QString::fromStdString(warning.text());
   model_->setEntry(entryOf(clip, read));
@@ -622,6 +747,7 @@ void Library::noteSettings() {
   // Those it was opened by stay as they were said.
   if (clip->settings && isAsNow(*clip->settings)) return;
   clip->settings = settingsNow();
+  clip->failure.clear();
   touch();
   if (state() == before) return;
   show(*clip);
@@ -651,12 +777,10 @@ void Library::noteOutcome() {
     touch();
   }
   Outcome outcome =
-      outcomeOf(*decoded, *session_->document().original(), session_->document().options());
+      outcomeOf(*decoded, *session_->document().original(), session_->document().options(),
+                !session_->document().contacts().empty());
   outcome.settings = settingsHash(*clip);
-  if (clip->outcome == outcome) return;
-  clip->outcome = outcome;
-  show(*clip);
-  emit currentChanged();
+  if (clip->outcome != outcome) setOutcome(*clip, outcome);
 }
 
 /// The view does not stay on the clip before: what is said of the chosen clip would seem to be said
@@ -690,6 +814,7 @@ void Library::readNextOutline() {
       entry.sample_rate_hz = outline.sample_rate_hz;
       entry.outline = outline.bones;
       entry.skin = outline.skin;
+      entry.loop = outline.loop;
       entry.notes = outline.notes;
       entry.trouble = trouble;
       model_->setEntry(entry);

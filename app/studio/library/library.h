@@ -6,6 +6,7 @@
 #include <QStringList>
 #include <QUndoStack>
 #include <deque>
+#include <functional>
 #include <map>
 #include <optional>
 
@@ -74,18 +75,39 @@ class Library : public KeptProject {
   void setVerdict(const std::vector<int>& rows, Verdict verdict);
   void setPreset(const std::vector<int>& rows, const Settings& preset);
 
-  /// Checks if the clips' files are there and unchanged. Changed ones are read again.
+  /// Keeps the settings of a clip until another's are copied.
+  void copySettings(int row);
+  bool hasCopy() const { return copied_.has_value(); }
+
+  /// Gives clips what was copied, in one step. Edited contacts stay, which are of one clip.
+  void pasteSettings(const std::vector<int>& rows);
+  void pasteImportance(const std::vector<int>& rows);
+
+  /// Puts a character on the clips' rigs, in one step; an empty path takes it off. Clips that were
+  /// not read yet are left out.
+  void putCharacter(const std::vector<int>& rows, const QString& file);
+
+  /// Looks whether the files of the clips are still there and what they were. Those that have
+  /// changed are read again.
   void checkFiles();
 
   /// Searches a folder for missing clips and continues with the files found, in one step.
   void findMissing(const QString& folder);
 
-  /// Records that a batch exported a clip: the result becomes the clip's outcome unless the clip
-  /// has other settings of its own.
+  /// A batch has done a clip by these settings: the clip has that outcome now, unless it has other
+  /// settings of its own.
   void noteExported(const QString& path, const Settings& settings, const ReadOptions& reading,
                     const BatchStep& step);
 
-  /// The pins of a clip.
+  /// Clips without an outcome of their files and settings as they are now, in the order of the rows
+  /// from the current one on, and `most` at most. Each has settings. Left out: the clip that is
+  /// open, which the session compresses, and those known to fail.
+  std::vector<TunedClip> unencoded(std::size_t most) const;
+
+  /// The background has compressed one of these, or could not.
+  void noteEncoded(const TunedClip& clip, const BatchStep& step);
+
+  /// What was pinned of a clip.
   std::vector<Pin> pinsOf(const QString& path);
   void setPins(const QString& path, const std::vector<Pin>& pins);
 
@@ -117,6 +139,8 @@ class Library : public KeptProject {
   using Reviews = std::map<QString, ClipReview>;
   using SettingsByPath = std::map<QString, std::optional<NamedSettings>>;
 
+  void change(const std::vector<int>& rows, const QString& name,
+              const std::function<void(NamedSettings&)>& change);
   void apply(const Reviews& reviews);
   void apply(const SettingsByPath& settings);
   void move(const std::map<QString, ClipSource>& to);
@@ -132,6 +156,9 @@ class Library : public KeptProject {
   void noteSettings();
   void noteCharacters();
   void noteOutcome();
+  void setOutcome(ProjectClip& clip, const Outcome& outcome);
+  void recallOutcome(ProjectClip& clip);
+  static TunedClip tunedClip(const Project& project, const ProjectClip& clip);
   void show(const ProjectClip& clip);
   void showRows(const std::vector<int>& rows);
   void showAsRead(const ProjectClip& clip, const OriginalClip& original);
@@ -147,10 +174,14 @@ class Library : public KeptProject {
   QUndoStack history_;
   JobRunner outlines_{Workers::LongRunning};
   FolderSearch folder_search_;
-  std::deque<QString> unread_;  // paths of clips without an outline yet
+  std::deque<QString> unread_;  // paths whose outline is not known yet
+  std::map<std::pair<std::string, std::string>, Outcome>
+      known_;  // by hashes of source and settings
   JobRunner checking_{Workers::LongRunning};
   bool check_again_ = false;  // files may have changed since the running check began
   JobRunner finding_{Workers::LongRunning};
+  JobRunner reading_character_;
+  std::optional<NamedSettings> copied_;
 };
 
 }  // namespace mocapress

@@ -3,6 +3,7 @@
 
 #include <QFileDialog>
 #include <QGuiApplication>
+#include <QSettings>
 #include <algorithm>
 #include <iterator>
 
@@ -10,12 +11,20 @@
 #include "app/studio/document/named_settings.h"
 #include "app/studio/document/preset_shelf.h"
 #include "app/studio/document/session.h"
+#include "app/studio/library/background_encoding.h"
 #include "app/studio/library/library.h"
 #include "widgets/models/number_text.h"
+#include "widgets/panels/encoding_bar.h"
 #include "widgets/panels/library_panel.h"
 #include "widgets/panels/slot_control.h"
+#include "widgets/plots/library_plot.h"
 
 namespace mocapress {
+namespace {
+
+const QString kArrangement = QStringLiteral("library/arrangement");
+
+}  // namespace
 
 LibraryViews::LibraryViews(Session* session, Library* library, LibraryPanel* panel,
                            SlotControl* settings, QWidget* window)
@@ -24,6 +33,7 @@ LibraryViews::LibraryViews(Session* session, Library* library, LibraryPanel* pan
       library_(library),
       panel_(panel),
       slots_(settings),
+      encoding_(new BackgroundEncoding(session, library, this)),
       window_(window) {
   connect(library, &Library::currentChanged, panel,
           [=, this] { panel_->setCurrent(library_->currentRow()); });
@@ -31,12 +41,25 @@ LibraryViews::LibraryViews(Session* session, Library* library, LibraryPanel* pan
   connect(panel, &LibraryPanel::removeRequested, library, &Library::remove);
   connect(panel, &LibraryPanel::verdictChosen, library, &Library::setVerdict);
   connect(panel, &LibraryPanel::presetChosen, library, &Library::setPreset);
+  connect(panel, &LibraryPanel::copySettingsRequested, library, [this](int row) {
+    library_->copySettings(row);
+    panel_->setCanPaste(true);
+  });
+  connect(panel, &LibraryPanel::pasteSettingsRequested, library, &Library::pasteSettings);
+  connect(panel, &LibraryPanel::pasteImportanceRequested, library, &Library::pasteImportance);
+  connect(panel, &LibraryPanel::putCharacterRequested, this, &LibraryViews::putCharacter);
+  connect(panel, &LibraryPanel::takeCharacterOffRequested, library,
+          [library](const std::vector<int>& rows) { library->putCharacter(rows, {}); });
   connect(panel, &LibraryPanel::findMissingRequested, this, &LibraryViews::findMissing);
   // Files change mostly while the user is in another program.
   connect(qApp, &QGuiApplication::applicationStateChanged, library,
           [library](Qt::ApplicationState state) {
             if (state == Qt::ApplicationActive) library->checkFiles();
           });
+  connect(panel->encoding(), &EncodingBar::activeChosen, encoding_, &BackgroundEncoding::setActive);
+  connect(encoding_, &BackgroundEncoding::activeChanged, panel->encoding(),
+          &EncodingBar::setActive);
+  connect(encoding_, &BackgroundEncoding::failed, library, &Library::failed);
   connect(panel, &LibraryPanel::noteEdited, library, &Library::setNote);
   connect(panel, &LibraryPanel::addRequested, this, &LibraryViews::addClips);
   connect(panel, &LibraryPanel::addFolderRequested, this, &LibraryViews::addFolder);
@@ -44,6 +67,9 @@ LibraryViews::LibraryViews(Session* session, Library* library, LibraryPanel* pan
   connect(settings, &SlotControl::copyRequested, session, &Session::copyToOtherSlot);
   connect(session, &Session::slotsChanged, this, &LibraryViews::showSlots);
   showSlots();
+  panel->arrange(QSettings().value(kArrangement).toByteArray());
+  connect(panel, &LibraryPanel::arrangementChanged, this,
+          [panel] { QSettings().setValue(kArrangement, panel->arrangement()); });
 }
 
 void LibraryViews::offer(const PresetShelf* presets) {
@@ -54,6 +80,12 @@ void LibraryViews::offer(const PresetShelf* presets) {
   };
   connect(presets, &PresetShelf::changed, this, show);
   show();
+}
+
+void LibraryViews::offer(LibraryPlot* plot) {
+  connect(plot, &LibraryPlot::openRequested, library_, &Library::openClip);
+  connect(library_, &Library::currentChanged, plot,
+          [this, plot] { plot->setCurrent(library_->currentRow()); });
 }
 
 void LibraryViews::showSlots() {
@@ -74,6 +106,12 @@ void LibraryViews::addClips() {
 void LibraryViews::addFolder() {
   const QString folder = QFileDialog::getExistingDirectory(window_, tr("Add Folder"));
   if (!folder.isEmpty()) library_->addFolder(folder);
+}
+
+void LibraryViews::putCharacter(const std::vector<int>& rows) {
+  const QString file = QFileDialog::getOpenFileName(window_, tr("Put a Character On"), {},
+                                                    tr("Characters (*.fbx *.glb *.gltf *.vrm)"));
+  if (!file.isEmpty()) library_->putCharacter(rows, file);
 }
 
 void LibraryViews::findMissing() {

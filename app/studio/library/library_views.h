@@ -7,8 +7,10 @@ class QWidget;
 
 namespace mocapress {
 
+class BackgroundEncoding;
 class Library;
 class LibraryPanel;
+class LibraryPlot;
 class PresetShelf;
 class Session;
 class SlotControl;
@@ -24,18 +26,23 @@ class LibraryViews : public QObject {
   /// Sets the presets that clips of the library can get.
   void offer(const PresetShelf* presets);
 
-  /// Asks for files.
+  /// Clips are opened there too.
+  void offer(LibraryPlot* plot);
+
+  /// With a file dialog.
   void addClips();
   void addFolder();
   void findMissing();
 
  private:
+  void putCharacter(const std::vector<int>& rows);
   void showSlots();
 
   Session* session_;
   Library* library_;
   LibraryPanel* panel_;
   SlotControl* slots_;
+  BackgroundEncoding* encoding_;
   QWidget* window_;
 };
 

@@ -40,6 +40,7 @@ Json toJson(const Outcome& outcome) {
           {"bytes", outcome.motion_bytes},
           {"met", outcome.met},
           {"visibility", outcome.sight ? Json(name(*outcome.sight)) : Json()},
+          {"slide_cm", outcome.slide_cm ? Json(*outcome.slide_cm) : Json()},
           {"warnings", texts(outcome.warnings)},
           {"source", outcome.source},
           {"made_by", outcome.settings}};
@@ -56,6 +57,8 @@ Outcome outcomeFrom(const Json& json) {
                   valueAt<double>(json, "max_cm"), valueAt<std::size_t>(json, "bytes"),
                   valueAt<bool>(json, "met")};
   outcome.sight = sightNamed(valueAt<std::string>(json, "visibility"));
+  if (json.contains("slide_cm") && !json["slide_cm"].is_null())
+    outcome.slide_cm = json["slide_cm"].get<double>();
   for (const std::string& warning : valueAt<std::vector<std::string>>(json, "warnings"))
     outcome.warnings << QString::fromStdString(warning);
   outcome.source = valueAt<std::string>(json, "source");

@@ -24,9 +24,11 @@ struct ProjectClip {
   std::optional<Outcome> outcome;
   ClipReview review;
   std::vector<Pin> pins;
-  std::string rig;       // rig_of() its joints when last read; empty: never read
-  InputStamp stamp;      // its files when last checked; no hash: never
-  bool missing = false;  // files are gone, as far as known; not saved
+  std::string rig;   // rig_of() its joints as they were read last; empty: they never were
+  InputStamp stamp;  // of its files as they were found last; no hash: they never were
+  std::optional<std::size_t> bytes_before;  // as LibraryEntry has it; not kept
+  bool missing = false;                     // they are gone, by what is known now; not kept
+  QString failure;  // why its settings cannot compress it, likewise; empty: nobody knows
 };
 
 /// Hash of the clip's current settings and reading options; empty: no settings of its own.

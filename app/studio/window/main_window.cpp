@@ -87,6 +87,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   library_views_ =
       new LibraryViews(session_, library_, panels_.library, panels_.slot_control, this);
   library_views_->offer(presets_);
+  library_views_->offer(panels_.library_plot);
   presets_->setHistory([this] { return session_->history(); });
   preset_views_ = new PresetViews(session_, presets_, panels_.views.compression->presets(), this);
   pinned_ = new PinnedResults(session_, pinned_model, panels_.pinned, panels_.views.viewport, this);

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "widgets/models/library_tree.h"
 #include "widgets/panels/annealing_panel.h"
 #include "widgets/panels/compression_panel.h"
 #include "widgets/panels/figures_bar.h"
@@ -30,6 +31,7 @@
 #include "widgets/plots/channel_graph.h"
 #include "widgets/plots/error_graph.h"
 #include "widgets/plots/heat_map.h"
+#include "widgets/plots/library_plot.h"
 #include "widgets/plots/rate_plot.h"
 #include "widgets/timeline/timeline.h"
 #include "widgets/timeline/transport_bar.h"
@@ -39,7 +41,7 @@ namespace mocapress {
 
 namespace {
 
-constexpr int kLayoutVersion = 6;
+constexpr int kLayoutVersion = 7;
 const QString kGeometry = QStringLiteral("window/geometry");
 const QString kState = QStringLiteral("window/state");
 
@@ -245,11 +247,13 @@ Panels makePanels(QMainWindow* window, WindowLayout* layout, const PanelModels& 
   inspection.heat_map = new HeatMap(window);
   inspection.channel = new ChannelGraph(window);
   inspection.curve = new RatePlot(window);
+  panels.library_plot = new LibraryPlot(panels.library->tree()->filter(), window);
   QDockWidget* graph =
       addTabs({{views.graph, "error-over-time", DockTitles::tr("Error over time")},
                {inspection.heat_map, "heat-map", DockTitles::tr("Heat map")},
                {inspection.channel, "channel", DockTitles::tr("Channel")},
-               {inspection.curve, "rate-distortion", DockTitles::tr("Rate-distortion")}},
+               {inspection.curve, "rate-distortion", DockTitles::tr("Rate-distortion")},
+               {panels.library_plot, "library-plot", DockTitles::tr("All clips")}},
               layout, window);
   inspection.figures = new FiguresBar(window);
   window->statusBar()->addWidget(inspection.figures, 1);

@@ -16,6 +16,7 @@ namespace mocapress {
 
 class LibraryModel;
 class LibraryPanel;
+class LibraryPlot;
 class MessageBar;
 class PinnedModel;
 class PinnedPanel;
@@ -73,6 +74,7 @@ struct Panels {
   Views views;
   InspectionViews inspection;
   LibraryPanel* library = nullptr;
+  LibraryPlot* library_plot = nullptr;
   SlotControl* slot_control = nullptr;
   PinnedPanel* pinned = nullptr;
   MessageBar* messages = nullptr;

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/models/library_columns.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QLocale>
+
+#include "widgets/models/display_names.h"
+#include "widgets/models/number_text.h"
+
+namespace mocapress {
+namespace {
+
+struct Columns {
+  Q_DECLARE_TR_FUNCTIONS(mocapress::LibraryColumns)
+};
+
+QString nameOf(Loop loop) {
+  switch (loop) {
+    case Loop::Repeats:
+      return Columns::tr("loop, last pose repeats the first");
+    case Loop::Follows:
+      return Columns::tr("loop");
+    case Loop::None:
+      break;
+  }
+  return {};
+}
+
+/// What a column of numbers is sorted by; unset: not known.
+std::optional<double> numberOf(const LibraryEntry& entry, LibraryColumn column) {
+  const std::optional<Outcome>& outcome = entry.outcome;
+  switch (column) {
+    case LibraryColumn::Notes:
+      return static_cast<double>(notesOf(entry).size());
+    case LibraryColumn::Looping:
+      return static_cast<double>(entry.loop);
+    case LibraryColumn::Length:
+      return entry.sample_rate_hz > 0 ? entry.frames / entry.sample_rate_hz : 0;
+    case LibraryColumn::Review:
+      return static_cast<double>(entry.review.verdict) + (entry.stale == Staleness::None ? 0 : 0.5);
+    default:
+      break;
+  }
+  if (!outcome) return {};
+  switch (column) {
+    case LibraryColumn::Ratio:
+      return outcome->ratio;
+    case LibraryColumn::Bytes:
+      return static_cast<double>(outcome->motion_bytes);
+    case LibraryColumn::Error:
+      return outcome->eps_cm;
+    case LibraryColumn::Worst:
+      return outcome->max_cm;
+    case LibraryColumn::Slide:
+      return outcome->slide_cm;
+    case LibraryColumn::Seen:
+      if (outcome->sight) return static_cast<double>(*outcome->sight);
+      return {};
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+QString titleOf(LibraryColumn column) {
+  switch (column) {
+    case LibraryColumn::Clip:
+      return Columns::tr("Clip");
+    case LibraryColumn::Ratio:
+      return Columns::tr("Ratio");
+    case LibraryColumn::Bytes:
+      return Columns::tr("Bytes");
+    case LibraryColumn::Error:
+      return Columns::tr("Error");
+    case LibraryColumn::Worst:
+      return Columns::tr("Worst");
+    case LibraryColumn::Slide:
+      return Columns::tr("Slide");
+    case LibraryColumn::Seen:
+      return Columns::tr("Eye");
+    case LibraryColumn::Review:
+      return Columns::tr("Verdict");
+    case LibraryColumn::Notes:
+      return Columns::tr("Warnings");
+    case LibraryColumn::Looping:
+      return Columns::tr("Loop");
+    case LibraryColumn::Length:
+      return Columns::tr("Length");
+    case LibraryColumn::FromPreset:
+      return Columns::tr("Preset");
+  }
+  return {};
+}
+
+QString purposeOf(LibraryColumn column) {
+  switch (column) {
+    case LibraryColumn::Clip:
+      return Columns::tr("The clip, what it came to, and what you said about it");
+    case LibraryColumn::Ratio:
+      return Columns::tr("How many times smaller the motion is");
+    case LibraryColumn::Bytes:
+      return Columns::tr("Bytes of the compressed motion");
+    case LibraryColumn::Error:
+      return Columns::tr("Error of the whole clip, eps_x");
+    case LibraryColumn::Worst:
+      return Columns::tr("The largest error of any point at any frame");
+    case LibraryColumn::Slide:
+      return Columns::tr("How far feet slide that stood in the original, over all contacts");
+    case LibraryColumn::Seen:
+      return Columns::tr("Whether an eye notices the difference");
+    case LibraryColumn::Review:
+      return Columns::tr("What you said about it");
+    case LibraryColumn::Notes:
+      return Columns::tr("Notes of the reader, which repaired or guessed something");
+    case LibraryColumn::Looping:
+      return Columns::tr("Whether the clip is a loop");
+    case LibraryColumn::Length:
+      return Columns::tr("How long the clip is, in seconds");
+    case LibraryColumn::FromPreset:
+      return Columns::tr("The preset that its settings come of");
+  }
+  return {};
+}
+
+QString textOf(const LibraryEntry& entry, LibraryColumn column) {
+  const std::optional<Outcome>& outcome = entry.outcome;
+  switch (column) {
+    case LibraryColumn::Clip:
+      return QFileInfo(entry.path).fileName();
+    case LibraryColumn::Ratio:
+      return outcome ? Columns::tr("%L1 : 1").arg(outcome->ratio, 0, 'f', 1) : QString();
+    case LibraryColumn::Bytes:
+      return outcome ? QLocale().toString(static_cast<qulonglong>(outcome->motion_bytes))
+                     : QString();
+    case LibraryColumn::Error:
+      return outcome ? lengthText(outcome->eps_cm) : QString();
+    case LibraryColumn::Worst:
+      return outcome ? lengthText(outcome->max_cm) : QString();
+    case LibraryColumn::Slide:
+      return outcome && outcome->slide_cm ? lengthText(*outcome->slide_cm) : QString();
+    case LibraryColumn::Seen:
+      return outcome && outcome->sight ? displayName(*outcome->sight) : QString();
+    case LibraryColumn::Review:
+      return verdictText(entry.review.verdict, entry.stale);
+    case LibraryColumn::Notes: {
+      const auto count = notesOf(entry).size();
+      return count > 0 ? QLocale().toString(count) : QString();
+    }
+    case LibraryColumn::Looping:
+      return nameOf(entry.loop);
+    case LibraryColumn::Length:
+      return entry.frames > 0 && entry.sample_rate_hz > 0
+                 ? Columns::tr("%1 s").arg(shownFigure(entry.frames / entry.sample_rate_hz))
+                 : QString();
+    case LibraryColumn::FromPreset:
+      return entry.preset;
+  }
+  return {};
+}
+
+bool isNumber(LibraryColumn column) {
+  return (column >= LibraryColumn::Ratio && column <= LibraryColumn::Slide) ||
+         column == LibraryColumn::Notes || column == LibraryColumn::Length;
+}
+
+bool isBefore(const LibraryEntry& a, const LibraryEntry& b, LibraryColumn column) {
+  if (column == LibraryColumn::FromPreset) return a.preset.localeAwareCompare(b.preset) < 0;
+  if (column == LibraryColumn::Clip) return a.path.compare(b.path, Qt::CaseInsensitive) < 0;
+  return numberOf(a, column) < numberOf(b, column);  // what is unset is less than all else
+}
+
+}  // namespace mocapress

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include "widgets/models/library_model.h"
+
+namespace mocapress {
+
+/// The columns of LibraryModel, in the order they stand in.
+enum class LibraryColumn {
+  Clip,
+  Ratio,
+  Bytes,
+  Error,
+  Worst,
+  Slide,
+  Seen,
+  Review,
+  Notes,
+  Looping,
+  Length,
+  FromPreset
+};
+
+inline constexpr int kLibraryColumns = static_cast<int>(LibraryColumn::FromPreset) + 1;
+
+QString titleOf(LibraryColumn column);
+
+/// What the column says, for the head's tool tip.
+QString purposeOf(LibraryColumn column);
+
+/// Empty: not known, or nothing to say.
+QString textOf(const LibraryEntry& entry, LibraryColumn column);
+
+bool isNumber(LibraryColumn column);
+
+/// Whether `a` stands before `b` where rows are sorted by the column, smallest first. An entry
+/// without a value stands before those that have one.
+bool isBefore(const LibraryEntry& a, const LibraryEntry& b, LibraryColumn column);
+
+}  // namespace mocapress

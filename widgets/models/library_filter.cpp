@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/models/library_filter.h"
+
+#include <algorithm>
+
+#include "widgets/models/library_columns.h"
+
+namespace mocapress {
+namespace {
+
+bool isOf(const LibraryEntry& entry, LibraryShow show) {
+  switch (show) {
+    case LibraryShow::All:
+      return true;
+    case LibraryShow::NotReviewed:
+      return entry.review.verdict == Verdict::None;
+    case LibraryShow::Approved:
+      return entry.review.verdict == Verdict::Approved;
+    case LibraryShow::Rejected:
+      return entry.review.verdict == Verdict::Rejected;
+    case LibraryShow::Stale:
+      return entry.stale != Staleness::None || entry.outdated != Staleness::None;
+    case LibraryShow::WithWarnings:
+      return !notesOf(entry).isEmpty();
+    case LibraryShow::Visible:
+      return entry.outcome && entry.outcome->sight && *entry.outcome->sight != Sight::NotVisible;
+    case LibraryShow::Unfinished:
+      return entry.wantsEncoding();
+    case LibraryShow::Missed:
+      return isMissed(entry);
+  }
+  return true;
+}
+
+}  // namespace
+
+QString displayName(LibraryShow show) {
+  switch (show) {
+    case LibraryShow::All:
+      return LibraryFilter::tr("All clips");
+    case LibraryShow::NotReviewed:
+      return LibraryFilter::tr("Not reviewed");
+    case LibraryShow::Approved:
+      return LibraryFilter::tr("Approved");
+    case LibraryShow::Rejected:
+      return LibraryFilter::tr("Rejected");
+    case LibraryShow::Stale:
+      return LibraryFilter::tr("Out of date");
+    case LibraryShow::WithWarnings:
+      return LibraryFilter::tr("With warnings");
+    case LibraryShow::Visible:
+      return LibraryFilter::tr("Seen by the eye");
+    case LibraryShow::Unfinished:
+      return LibraryFilter::tr("Not compressed yet");
+    case LibraryShow::Missed:
+      return LibraryFilter::tr("Missed or failed");
+  }
+  return {};
+}
+
+LibraryFilter::LibraryFilter(LibraryModel* clips, QObject* parent)
+    : QSortFilterProxyModel(parent), clips_(clips) {
+  setSourceModel(clips);
+}
+
+void LibraryFilter::setWords(const QString& words) {
+  words_ = words.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+  invalidateFilter();
+}
+
+void LibraryFilter::setShow(LibraryShow show) {
+  show_ = show;
+  invalidateFilter();
+}
+
+bool LibraryFilter::filterAcceptsRow(int clip, const QModelIndex&) const {
+  const LibraryEntry& entry = clips_->entry(clip);
+  if (!isOf(entry, show_)) return false;
+  if (words_.isEmpty()) return true;
+  const QString text = entry.path + QLatin1Char(' ') +
+                       clips_->index(clip, 0).data(Qt::AccessibleTextRole).toString();
+  return std::all_of(words_.begin(), words_.end(),
+                     [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+}
+
+bool LibraryFilter::lessThan(const QModelIndex& a, const QModelIndex& b) const {
+  return isBefore(clips_->entry(a.row()), clips_->entry(b.row()),
+                  static_cast<LibraryColumn>(a.column()));
+}
+
+}  // namespace mocapress

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QSortFilterProxyModel>
+#include <QStringList>
+
+#include "widgets/models/library_model.h"
+
+namespace mocapress {
+
+/// Which clips of a library are shown.
+enum class LibraryShow {
+  All,
+  NotReviewed,
+  Approved,
+  Rejected,
+  Stale,  // the verdict, or the outcome
+  WithWarnings,
+  Visible,     // an eye notices the difference, or might
+  Unfinished,  // not compressed yet by their settings
+  Missed       // no target met, or not to be read or compressed
+};
+
+QString displayName(LibraryShow show);
+
+/// The clips of a library that match, in the order of a column; by column -1 in their own.
+class LibraryFilter : public QSortFilterProxyModel {
+  Q_OBJECT
+
+ public:
+  explicit LibraryFilter(LibraryModel* clips, QObject* parent = nullptr);
+
+  /// Words that name, folder or state must all have; empty: no matter.
+  void setWords(const QString& words);
+  void setShow(LibraryShow show);
+
+  const LibraryEntry& entry(int row) const { return clips_->entry(clipAt(row)); }
+  int clipAt(int row) const { return mapToSource(index(row, 0)).row(); }
+  int rowOf(int clip) const { return mapFromSource(clips_->index(clip, 0)).row(); }
+
+ protected:
+  bool filterAcceptsRow(int clip, const QModelIndex&) const override;
+  bool lessThan(const QModelIndex& a, const QModelIndex& b) const override;
+
+ private:
+  LibraryModel* clips_;
+  QStringList words_;
+  LibraryShow show_ = LibraryShow::All;
+};
+
+}  // namespace mocapress

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+class QProgressBar;
+class QToolButton;
+
+namespace mocapress {
+
+class LibraryModel;
+
+/// A button that has the library's clips compressed in the background, and how far that is.
+class EncodingBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit EncodingBar(const LibraryModel* model, QWidget* parent = nullptr);
+
+  /// Shows that clips are compressed now. Emits nothing.
+  void setActive(bool active);
+
+  QToolButton* button() const { return button_; }
+  QProgressBar* progress() const { return progress_; }
+
+ signals:
+  void activeChosen(bool active);
+
+ private:
+  void count();
+
+  const LibraryModel* model_;
+  QToolButton* button_;
+  QProgressBar* progress_;
+  QTimer count_later_;  // clips change by the thousand
+};
+
+}  // namespace mocapress

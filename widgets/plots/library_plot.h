@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPoint>
+#include <QTimer>
+#include <QWidget>
+
+class QCPGraph;
+class QCPItemText;
+class QCustomPlot;
+
+namespace mocapress {
+
+class LibraryFilter;
+
+/// The clips that a library's filter shows as points of error against ratio, both logarithmic, in
+/// the colours of what the eye sees. A click opens a clip; the wheel zooms, dragging moves, a
+/// double click beside the points shows all.
+class LibraryPlot : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LibraryPlot(const LibraryFilter* clips, QWidget* parent = nullptr);
+
+  /// Rings the point of a clip, by its row in the library; -1: none.
+  void setCurrent(int clip);
+
+  /// In this widget's pixels. The clip has an outcome.
+  QPoint positionOf(int clip) const;
+
+ signals:
+  void openRequested(int clip);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void connectMouse();
+  void redrawSoon();
+  void redraw();
+  void placeRing();
+  void showAll();
+  void hover(const QPoint& position);
+  int clipAt(const QPoint& position) const;  // -1: none near it
+
+  const LibraryFilter* clips_;
+  QCustomPlot* plot_;
+  QCPItemText* hint_;
+  QCPGraph* ring_ = nullptr;
+  QTimer redraw_later_;  // clips change by the thousand
+  int current_ = -1;
+  bool moved_ = false;  // by the user: new points leave the axes alone
+  QPoint pressed_at_;
+};
+
+}  // namespace mocapress
