@@ -45,6 +45,8 @@ class ALibraryPlot : public testing::Test {
 TEST_F(ALibraryPlot, AClickOnAPointOpensItsClip) {
   QSignalSpy opened(&plot_, &LibraryPlot::openRequested);
   auto* plot = plot_.findChild<QCustomPlot*>();
+  for (const int clip : {0, 2})
+    EXPECT_TRUE(plot_.rect().contains(plot_.positionOf(clip))) << "all are in sight";
   QTest::mouseClick(plot, Qt::LeftButton, {}, plot->mapFrom(&plot_, plot_.positionOf(2)));
   ASSERT_EQ(opened.count(), 1);
   EXPECT_EQ(opened[0][0].toInt(), 2);

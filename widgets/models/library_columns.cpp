@@ -27,7 +27,11 @@ QString nameOf(Loop loop) {
   return {};
 }
 
-/// What a column of numbers is sorted by; unset: not known.
+QStringView nameIn(const QString& path) {
+  return QStringView(path).mid(path.lastIndexOf(QLatin1Char('/')) + 1);
+}
+
+/// The number that rows are sorted by; unset: not known.
 std::optional<double> numberOf(const LibraryEntry& entry, LibraryColumn column) {
   const std::optional<Outcome>& outcome = entry.outcome;
   switch (column) {
@@ -166,8 +170,11 @@ bool isNumber(LibraryColumn column) {
 }
 
 bool isBefore(const LibraryEntry& a, const LibraryEntry& b, LibraryColumn column) {
-  if (column == LibraryColumn::FromPreset) return a.preset.localeAwareCompare(b.preset) < 0;
-  if (column == LibraryColumn::Clip) return a.path.compare(b.path, Qt::CaseInsensitive) < 0;
+  if (column == LibraryColumn::FromPreset) return a.preset < b.preset;
+  if (column == LibraryColumn::Clip) {
+    const int order = nameIn(a.path).compare(nameIn(b.path), Qt::CaseInsensitive);
+    return order != 0 ? order < 0 : a.path < b.path;
+  }
   return numberOf(a, column) < numberOf(b, column);  // what is unset is less than all else
 }
 

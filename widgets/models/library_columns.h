@@ -27,7 +27,7 @@ inline constexpr int kLibraryColumns = static_cast<int>(LibraryColumn::FromPrese
 
 QString titleOf(LibraryColumn column);
 
-/// What the column says, for the head's tool tip.
+/// Explains the column, in the head's tool tip.
 QString purposeOf(LibraryColumn column);
 
 /// Empty: not known, or nothing to say.

@@ -8,7 +8,7 @@
 
 namespace mocapress {
 
-/// Which clips of a library are shown.
+/// Kinds of clips that a library can show alone.
 enum class LibraryShow {
   All,
   NotReviewed,

@@ -41,7 +41,7 @@ class LibraryPanel : public QWidget {
   /// There are settings to paste.
   void setCanPaste(bool can_paste) { can_paste_ = can_paste; }
 
-  /// What the selection comes to together.
+  /// The bytes of the selection together.
   ElidedLabel* sum() const { return sum_; }
 
   QTreeView* view() const { return view_; }

@@ -156,15 +156,21 @@ void LibraryPlot::placeRing() {
 }
 
 void LibraryPlot::showAll() {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  QCPRange ratios(kInfinity, 0), errors(kInfinity, 0);
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  // A QCPRange would turn round what is empty.
+  struct Range {
+    double lower = kInfinity, upper = 0;
+    void include(double value) {
+      lower = std::min(lower, value);
+      upper = std::max(upper, value);
+    }
+  };
+  Range ratios, errors;
   for (int row = 0; row < clips_->rowCount(); ++row) {
     const LibraryEntry& entry = clips_->entry(row);
     if (!isShown(entry)) continue;
-    ratios = {std::min(ratios.lower, entry.outcome->ratio),
-              std::max(ratios.upper, entry.outcome->ratio)};
-    errors = {std::min(errors.lower, entry.outcome->eps_cm),
-              std::max(errors.upper, entry.outcome->eps_cm)};
+    ratios.include(entry.outcome->ratio);
+    errors.include(entry.outcome->eps_cm);
   }
   if (!(ratios.upper > 0)) ratios = {5, 200}, errors = {0.05, 3};
   plot_->xAxis->setRange(ratios.lower / 1.2, ratios.upper * 1.2);

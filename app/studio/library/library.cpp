@@ -258,8 +258,9 @@ Library::ClipsByRow Library::takeOut(const QSet<QString>& paths) {
 /// With all that was decided about them, where they were: the first row first.
 void Library::putBack(const ClipsByRow& clips) {
   std::vector<LibraryEntry> all = entries();
+  const QHash<QString, int> known = rowsByPath(project_);
   for (const auto& [row, clip] : clips) {
-    if (project_.find(clip.path)) continue;
+    if (known.contains(clip.path)) continue;
     const auto place = std::min<std::ptrdiff_t>(row, std::ssize(all));
     project_.clips.insert(project_.clips.begin() + place, clip);
     all.insert(all.begin() + place, entryOf(clip, {}));

@@ -238,22 +238,23 @@ Panels makePanels(QMainWindow* window, WindowLayout* layout, const PanelModels& 
   views.joints = new JointsPanel(models.clip.joints, window);
   views.footskate = new FootskatePanel(models.clip.slides, window);
   panels.pinned = new PinnedPanel(models.pinned, window);
-  QDockWidget* joints = addTabs({{views.joints, "joints", DockTitles::tr("Joints")},
-                                 {views.footskate, "footskate", DockTitles::tr("Footskate")},
-                                 {panels.pinned, "pinned", DockTitles::tr("Pinned")}},
-                                layout, window);
+  panels.library_plot = new LibraryPlot(panels.library->tree()->filter(), window);
+  QDockWidget* joints =
+      addTabs({{views.joints, "joints", DockTitles::tr("Joints")},
+               {views.footskate, "footskate", DockTitles::tr("Footskate")},
+               {panels.pinned, "pinned", DockTitles::tr("Pinned")},
+               {panels.library_plot, "library-plot", DockTitles::tr("All clips")}},
+              layout, window);
   InspectionViews& inspection = panels.inspection;
   views.graph = new ErrorGraph(window);
   inspection.heat_map = new HeatMap(window);
   inspection.channel = new ChannelGraph(window);
   inspection.curve = new RatePlot(window);
-  panels.library_plot = new LibraryPlot(panels.library->tree()->filter(), window);
   QDockWidget* graph =
       addTabs({{views.graph, "error-over-time", DockTitles::tr("Error over time")},
                {inspection.heat_map, "heat-map", DockTitles::tr("Heat map")},
                {inspection.channel, "channel", DockTitles::tr("Channel")},
-               {inspection.curve, "rate-distortion", DockTitles::tr("Rate-distortion")},
-               {panels.library_plot, "library-plot", DockTitles::tr("All clips")}},
+               {inspection.curve, "rate-distortion", DockTitles::tr("Rate-distortion")}},
               layout, window);
   inspection.figures = new FiguresBar(window);
   window->statusBar()->addWidget(inspection.figures, 1);
