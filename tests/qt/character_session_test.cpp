@@ -270,8 +270,28 @@ TEST_F(CharacterSession, ComesBackWithItsProject) {
   EXPECT_TRUE(library.showsSkin());
 }
 
-/// Projects were saved like this when all their clips had one character.
-TEST_F(CharacterSession, AnOlderProjectsCharacterIsOnTheClipsItFits) {
+TEST_F(CharacterSession, IsPutOnTheRigsOfSelectedClipsInOneStepOfTheLibrary) {
+  LibraryModel model;
+  Library library(&session_, &model);
+  open(sample("human_walk.amc"));
+  const QString other = folder_.filePath(QStringLiteral("other.bvh"));
+  write_motion(other.toStdU16String(), test::smooth_motion(40));
+  open(other);
+  open(sample("human_walk.amc"));
+  QSignalSpy settled(&session_, &Session::settled);
+  library.putCharacter({0, 1}, sample("character.glb"));
+  ASSERT_TRUE(settled.wait(kPatience));
+  EXPECT_TRUE(document_.skin());
+  EXPECT_EQ(document_.characters().size(), 2u);
+  EXPECT_EQ(library.history()->undoText(), QStringLiteral("Character"));
+  library.history()->undo();
+  ASSERT_TRUE(settled.wait(kPatience));
+  EXPECT_FALSE(document_.skin());
+  EXPECT_TRUE(document_.characters().empty());
+}
+
+/// As of a project that was saved when all its clips had one character.
+TEST_F(CharacterSession, OfAnOlderProjectIsOnTheClipsItFits) {
   const QString project = folder_.filePath(QStringLiteral("walkers.mocapress"));
   Project kept;
   kept.characters = {{"", sample("character.glb")}};
