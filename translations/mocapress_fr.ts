@@ -1021,6 +1021,14 @@
         <translation>FBX avec son squelette (*.fbx)</translation>
     </message>
     <message>
+        <source>%1 with this motion (*.%2)</source>
+        <translation>%1 avec ce mouvement (*.%2)</translation>
+    </message>
+    <message>
+        <source>%1 is the character. Replace it by one that moves so?</source>
+        <translation>%1 est le personnage. Le remplacer par un qui bouge ainsi ?</translation>
+    </message>
+    <message>
         <source>glTF on its skeleton (*.glb)</source>
         <translation>glTF avec son squelette (*.glb)</translation>
     </message>

@@ -1012,6 +1012,14 @@
         <translation>FBX とスケルトン (*.fbx)</translation>
     </message>
     <message>
+        <source>%1 with this motion (*.%2)</source>
+        <translation>この動きを付けた %1 (*.%2)</translation>
+    </message>
+    <message>
+        <source>%1 is the character. Replace it by one that moves so?</source>
+        <translation>%1 はキャラクターです。この動きを付けたものに置き換えますか？</translation>
+    </message>
+    <message>
         <source>glTF on its skeleton (*.glb)</source>
         <translation>glTF とスケルトン (*.glb)</translation>
     </message>

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "app/cli/commands.h"
@@ -19,8 +20,11 @@
 #include "core/codec/decode/track_decoding.h"
 #include "core/codec/format/source_section.h"
 #include "core/codec/methods/compared_file.h"
+#include "core/formats/fbx/fbx_writer.h"
 #include "core/formats/motion_file.h"
 #include "core/formats/text_cursor.h"
+#include "core/formats/text_writer.h"
+#include "core/motion/rig.h"
 
 namespace mocapress::cli {
 namespace {
@@ -28,7 +32,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Decompress {
-  std::string input;
+  std::vector<std::string> inputs;
   std::string output;
   std::string output_format;  // format of standard output
   std::optional<std::string> skeleton_output;
@@ -53,8 +57,8 @@ struct Decompress {
 
  private:
   bool writes_stream() const { return output == kStandardStream; }
-  bool is_acclaim() const {
-    return equals_ignoring_case(fs::path(output).extension().string(), ".amc");
+  bool writes(const char* extension) const {
+    return equals_ignoring_case(fs::path(output).extension().string(), extension);
   }
 
   /// Throws CLI::ValidationError.
@@ -68,6 +72,11 @@ struct Decompress {
     if (!writes_stream() && !is_written(fs::path(output).extension().string()))
       throw CLI::ValidationError(output +
                                  ": its extension is none of .bvh, .fbx, .glb, .gltf, .amc, .csv");
+    if (onto && !can_be_onto(output, *onto))
+      throw CLI::ValidationError(
+          "--onto", "only an .fbx can be written onto an .fbx, and a .glb or .gltf onto a glTF");
+    if (inputs.size() > 1 && (!writes(".fbx") || onto))
+      throw CLI::ValidationError("several clips go only into an .fbx of their own, a take each");
   }
 
   static bool is_written(const std::string& extension) {
@@ -77,7 +86,7 @@ struct Decompress {
   }
 
   std::vector<fs::path> sources() const {
-    std::vector<fs::path> files = {input};
+    std::vector<fs::path> files(inputs.begin(), inputs.end());
     if (onto) files.emplace_back(*onto);
     return files;
   }
@@ -86,27 +95,53 @@ struct Decompress {
   std::vector<fs::path> places() const {
     if (writes_stream()) return {};
     std::vector<fs::path> files = {output};
-    if (is_acclaim())
+    if (writes(".amc"))
       files.push_back(skeleton_output ? fs::path(*skeleton_output)
                                       : fs::path(output).replace_extension(".asf"));
     return files;
   }
 
+  /// Also for a file that has come since run() looked.
+  StagedFile::Existing existing() const {
+    return no_clobber ? StagedFile::Existing::Refuse : StagedFile::Existing::Replace;
+  }
+
   void write() const {
+    if (inputs.size() > 1) return write_together();
+    const std::string& input = inputs.front();
     const OpenedMcpr opened = open_mcpr(input);
     const Motion motion{opened.compressed.skeleton, opened.decoded};
     const SourceFormat source = load_source(input);
     const ScalarTracks tracks = tracks_of(read_bytes(input));
-    // Also refuses a file that appeared after run() looked.
-    const auto existing = no_clobber ? StagedFile::Existing::Refuse : StagedFile::Existing::Replace;
     if (writes_stream())
       write_standard_output(
           motion_bytes("standard output." + output_format, motion, source, target.options, tracks));
     else if (onto)
-      write_motion_onto(output, motion, *onto, source, target.options, tracks, existing);
+      write_motion_onto(output, motion, *onto, source, target.options, tracks, existing());
     else
-      print_warnings(
-          write_motion(output, motion, skeleton_output, source, target.options, tracks, existing));
+      print_warnings(write_motion(output, motion, skeleton_output, source, target.options, tracks,
+                                  existing()));
+  }
+
+  /// A take for each clip, with its file's name.
+  void write_together() const {
+    std::vector<Motion> motions;
+    std::vector<ScalarTracks> tracks;
+    for (const std::string& input : inputs) {
+      const OpenedMcpr opened = open_mcpr(input);
+      motions.push_back({opened.compressed.skeleton, opened.decoded});
+      tracks.push_back(tracks_of(read_bytes(input)));
+      if (rig_of(motions.back().skeleton) != rig_of(motions.front().skeleton))
+        throw InputError(
+            input, 0, 0,
+            "has other joints than " + inputs.front() + ": only clips of one rig go into one file");
+    }
+    std::vector<FbxClip> clips;
+    std::unordered_set<std::string> names;
+    for (std::size_t i = 0; i < inputs.size(); ++i)
+      clips.push_back(
+          {unique_word(fs::path(inputs[i]).stem().string(), names), motions[i], tracks[i]});
+    write_takes(output, clips, load_source(inputs.front()), target.options, existing());
   }
 };
 
@@ -115,7 +150,11 @@ struct Decompress {
 void add_decompress(CLI::App& app) {
   CLI::App* command = app.add_subcommand("decompress", "Turn a .mcpr back into a motion file");
   const auto call = std::make_shared<Decompress>();
-  command->add_option("input", call->input, "A .mcpr file")->required()->type_name("IN.mcpr");
+  command
+      ->add_option("input", call->inputs,
+                   "A .mcpr file, or for an .fbx several of one rig, each a take of its name")
+      ->required()
+      ->type_name("IN.mcpr...");
   command
       ->add_option("-o,--output", call->output,
                    "A .bvh, .fbx, .glb, .gltf, .amc or .csv file, by its extension; - is standard "

@@ -2,6 +2,7 @@
 #include "app/cli/motion_input.h"
 
 #include <cstdio>
+#include <map>
 
 #include "app/cli/option_words.h"
 #include "app/cli/terminal.h"
@@ -69,6 +70,11 @@ void MotionInput::add_tracks_option(CLI::App& command) {
 
 void MotionOutput::add_options(CLI::App& command) {
   add_format_options(command, "out-", " of what is written [as its source had it]", options);
+  command
+      .add_option("--fbx-version", options.fbx_version, "Version of an .fbx that is written [7.4]")
+      ->type_name("7.4|7.7")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, int>{{"7.4", 7400}, {"7.7", 7700}}));
 }
 
 std::vector<std::filesystem::path> MotionInput::files(const std::string& path) const {

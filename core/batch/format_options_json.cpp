@@ -30,6 +30,7 @@ void put(Json& json, const ReadOptions& options, const std::string& prefix) {
   if (options.bvh_root) json[prefix + "bvh_root"] = name(*options.bvh_root);
   if (options.take) json[prefix + "take"] = *options.take;
   if (options.character) json[prefix + "character"] = *options.character;
+  if (options.fbx_version) json[prefix + "fbx_version"] = *options.fbx_version;
 }
 
 ReadOptions format_options(const Json& json, const std::string& prefix) {
@@ -39,7 +40,8 @@ ReadOptions format_options(const Json& json, const std::string& prefix) {
           .bvh_root = word_at(json, prefix + "bvh_root",
                               {TranslationConvention::Adds, TranslationConvention::Replaces}),
           .take = value_if_any<std::string>(json, prefix + "take"),
-          .character = value_if_any<std::string>(json, prefix + "character")};
+          .character = value_if_any<std::string>(json, prefix + "character"),
+          .fbx_version = value_if_any<int>(json, prefix + "fbx_version")};
 }
 
 }  // namespace mocapress

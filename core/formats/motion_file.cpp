@@ -336,20 +336,30 @@ Warnings write_motion(const path& file, const Motion& motion,
   return lost([](const ScalarTrack&) { return true; });
 }
 
+void write_takes(const path& file, const std::vector<FbxClip>& clips, const SourceFormat& source,
+                 const WriteOptions& options, StagedFile::Existing existing) {
+  for (const FbxClip& clip : clips) require_finite(file, clip.motion, clip.tracks);
+  write_staged(file, fbx_bytes(clips, source, options), existing);
+}
+
+bool can_be_onto(const path& file, const path& onto) {
+  return has_extension(file, ".fbx") ? has_extension(onto, ".fbx")
+                                     : gltf_container(file) && is_gltf(onto);
+}
+
 void write_motion_onto(const path& file, const Motion& motion, const path& onto,
                        const SourceFormat& source, const WriteOptions& options,
                        const ScalarTracks& tracks, StagedFile::Existing existing) {
-  const auto container = gltf_container(file);
-  const bool is_fbx = has_extension(file, ".fbx") && has_extension(onto, ".fbx");
-  if (!is_fbx && !(container && is_gltf(onto)))
+  if (!can_be_onto(file, onto))
     throw Error(file.string() +
                 ": only an .fbx can be written onto an .fbx, and a .glb or .gltf "
                 "onto a glTF");
   require_finite(file, motion, tracks);
   write_staged(file,
-               is_fbx ? fbx_bytes_onto(onto, motion, source, options, tracks)
-                      : gltf_bytes_onto(onto, motion, *container, file.parent_path(), source,
-                                        options, tracks),
+               has_extension(file, ".fbx")
+                   ? fbx_bytes_onto(onto.string(), read_text(onto), motion, options, tracks)
+                   : gltf_bytes_onto(onto, motion, *gltf_container(file), file.parent_path(),
+                                     source, options, tracks),
                existing);
 }
 

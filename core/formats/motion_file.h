@@ -33,6 +33,7 @@ struct ReadOptions {
   // A table of curves that read_motion() adds to the clip's: read_csv_tracks(). Unset: the one that
   // find_tracks() finds.
   std::optional<std::string> tracks;
+  std::optional<int> fbx_version;  // of an FBX to be written: 7400 or 7700; unset: 7400
 
   bool operator==(const ReadOptions&) const = default;
 };
@@ -134,6 +135,15 @@ Warnings write_motion(const std::filesystem::path& path, const Motion& motion,
                       const SourceFormat& source = {}, const WriteOptions& options = {},
                       const ScalarTracks& tracks = {},
                       StagedFile::Existing existing = StagedFile::Existing::Replace);
+
+/// Writes an .fbx of clips of one rig, a take each: fbx_bytes(). Throws WriteError.
+struct FbxClip;
+void write_takes(const std::filesystem::path& path, const std::vector<FbxClip>& clips,
+                 const SourceFormat& source = {}, const WriteOptions& options = {},
+                 StagedFile::Existing existing = StagedFile::Existing::Replace);
+
+/// Whether write_motion_onto() writes a file of this extension onto one of that extension.
+bool can_be_onto(const std::filesystem::path& path, const std::filesystem::path& onto);
 
 /// Writes the .fbx, .glb or .gltf `onto` once more, to `path`, with this motion in place of the
 /// animation that it was read from: fbx_bytes_onto(), gltf_bytes_onto(). Throws InputError,

@@ -193,6 +193,47 @@ TEST_F(Files, ExportsTheMotionInEveryFormat) {
   EXPECT_EQ(session_.document().title(), QStringLiteral("motion.bvh"));
 }
 
+TEST_F(Files, ExportsTheCharacterThatTheClipWears) {
+  const QString character = QStringLiteral(MOCAPRESS_SOURCE_DIR "/resources/samples/character.fbx");
+  const QString moved = directory_.filePath(QStringLiteral("moved.fbx"));
+  openAndSettle();
+  files_.exportMotion();
+  EXPECT_FALSE(kindsOffered(window_).last().contains(QStringLiteral("with this motion")));
+  delete window_.findChild<QFileDialog*>();
+  QSignalSpy settled(&session_, &Session::settled);
+  files_.open(character);
+  ASSERT_TRUE(settled.wait(kPatience));
+  QSignalSpy exported(&files_, &ClipFiles::exported);
+  files_.exportMotion();
+  choose(window_, moved, QStringLiteral("character.fbx with this motion"));
+  ASSERT_TRUE(exported.count() > 0 || exported.wait(kPatience));
+  const MotionFile written = read_motion(moved.toStdU16String());
+  EXPECT_NE(written.skin, nullptr);
+  EXPECT_EQ(written.motion.clip.frames(), session_.document().frames());
+}
+
+TEST_F(Files, AsksBeforeTheCharacterIsReplaced) {
+  const QString character = directory_.filePath(QStringLiteral("character.fbx"));
+  ASSERT_TRUE(QFile::copy(QStringLiteral(MOCAPRESS_SOURCE_DIR "/resources/samples/character.fbx"),
+                          character));
+  const QString walk = directory_.filePath(QStringLiteral("walk.bvh"));
+  write_motion(walk.toStdU16String(), read_motion(character.toStdU16String()).motion);
+  QSignalSpy settled(&session_, &Session::settled);
+  files_.open(walk);
+  ASSERT_TRUE(settled.wait(kPatience));
+  QSignalSpy put(&session_, &Session::characterPut);
+  session_.putCharacter(character);
+  ASSERT_TRUE(put.count() > 0 || put.wait(kPatience));
+  const std::string before = read_text(character.toStdU16String());
+  files_.exportMotion();
+  auto* dialog = window_.findChild<QFileDialog*>();
+  ASSERT_TRUE(dialog);
+  dialog->selectNameFilter(kindsOffered(window_).last());
+  emit dialog->fileSelected(character);  // past the dialog's own question
+  answer(QMessageBox::No);
+  EXPECT_EQ(read_text(character.toStdU16String()), before);
+}
+
 TEST_F(Files, ExportsAReviewPageWithTheRemarksOnItsClip) {
   openAndSettle();
   files_.setRemarks([this](const QString& path) {

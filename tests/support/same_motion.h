@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,26 @@ inline double largest_move(const Motion& original, const Motion& reread,
     const auto difference =
         tracks.middleCols<3>(3 * static_cast<Eigen::Index>(p)) - reread_tracks.middleCols<3>(3 * q);
     largest = std::max(largest, difference.rowwise().norm().maxCoeff());
+  }
+  return largest;
+}
+
+/// How far (cm) any joint of `original` is from its namesake in `reread`, at the worst frame.
+inline double largest_joint_move(const Motion& original, const Motion& reread) {
+  EXPECT_EQ(reread.clip.frames(), original.clip.frames());
+  EXPECT_NEAR(reread.clip.sample_rate_hz, original.clip.sample_rate_hz, 1e-6);
+  if (reread.clip.frames() != original.clip.frames()) return INFINITY;
+  const Eigen::MatrixXd wanted = landmark_tracks(original.skeleton, original.clip);
+  const Eigen::MatrixXd found = landmark_tracks(reread.skeleton, reread.clip);
+  double largest = 0;
+  for (int j = 0; j < original.skeleton.joint_count(); ++j) {
+    const int same = reread.skeleton.find(original.skeleton.joint(j).name);
+    EXPECT_GE(same, 0) << original.skeleton.joint(j).name;
+    if (same >= 0)
+      largest = std::max(largest, (found.middleCols<3>(3 * same) - wanted.middleCols<3>(3 * j))
+                                      .rowwise()
+                                      .norm()
+                                      .maxCoeff());
   }
   return largest;
 }

@@ -412,8 +412,9 @@ TEST_F(Cli, DecompressPutsAMotionOntoTheGltfItCameFrom) {
   EXPECT_EQ(written.json()["animations"][1], knee.json["animations"][1]);
   EXPECT_EQ(read_motion(output, {}, {.take = "walk"}).motion.clip.frames(), 11);
   EXPECT_EQ(onto(output, "3").exit_code, 3);
-  EXPECT_THAT(onto(file("back.bvh"), "walk").err,
-              testing::HasSubstr("only an .fbx can be written onto an .fbx"));
+  const Outcome wrong = onto(file("back.bvh"), "walk");
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.err, testing::HasSubstr("only an .fbx can be written onto an .fbx"));
 }
 
 TEST_F(Cli, MeasuresOnTheSkinOfAClipWithAMesh) {

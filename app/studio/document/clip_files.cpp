@@ -15,6 +15,7 @@
 #include "app/studio/document/session.h"
 #include "core/codec/methods/comparison_method.h"
 #include "core/formats/clip_files.h"
+#include "core/formats/motion_file.h"
 
 namespace mocapress {
 
@@ -185,20 +186,28 @@ void ClipFiles::saveAs() {
 }
 
 void ClipFiles::exportMotion() {
-  choosePlace(tr("Export Motion"), QStringLiteral("bvh"), kExtensions);
+  choosePlace(tr("Export Motion"), QStringLiteral("bvh"), kExtensions,
+              session_->document().wornFile());
 }
 
 void ClipFiles::exportReview() {
   choosePlace(tr("Export Review Page"), QStringLiteral("html"), {QStringLiteral("html")});
 }
 
-void ClipFiles::choosePlace(const QString& title, const QString& extension,
-                            const QStringList& extensions) {
+void ClipFiles::choosePlace(const QString& title, const QString& extension, QStringList extensions,
+                            const QString& worn) {
   auto* dialog = new QFileDialog(window_, title, suggestedPath(extension));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   QStringList filters;
   for (const QString& each : extensions) filters << filterOf(each);
+  // Last, the character that the clip wears, as it moves now.
+  const qsizetype offered = filters.size();
+  for (const QString& each : {QStringLiteral("fbx"), QStringLiteral("glb")})
+    if (!worn.isEmpty() && can_be_onto("." + each.toStdString(), worn.toStdU16String())) {
+      extensions << each;
+      filters << tr("%1 with this motion (*.%2)").arg(fileName(worn), each);
+    }
   dialog->setNameFilters(filters);
   dialog->selectNameFilter(filterOf(extension));
   dialog->setDefaultSuffix(extension);
@@ -212,12 +221,15 @@ void ClipFiles::choosePlace(const QString& title, const QString& extension,
     if (extensions.contains(name.suffix().toLower()))
       dialog->selectFile(name.completeBaseName() + QLatin1Char('.') + chosen);
   });
-  connect(dialog, &QFileDialog::fileSelected, this, &ClipFiles::write);
+  connect(dialog, &QFileDialog::fileSelected, this, [=, this](const QString& path) {
+    const bool wears = filters.indexOf(dialog->selectedNameFilter()) >= offered;
+    write(path, wears ? worn : QString());
+  });
   connect(dialog, &QFileDialog::rejected, this, [this] { after_saving_ = nullptr; });
   dialog->open();
 }
 
-void ClipFiles::write(const QString& path) {
+void ClipFiles::write(const QString& path, const QString& worn) {
   const QFileInfo file(path);
   const QString kind = file.suffix().toLower();
   if (kind == QLatin1String("mcpr")) return session_->save(path);
@@ -235,13 +247,17 @@ void ClipFiles::write(const QString& path) {
   else if (kind == QLatin1String("amc") && QFileInfo::exists(skeleton))
     doubt = tr("The skeleton goes into %1, which is there already. Replace it?")
                 .arg(fileName(skeleton));
-  if (doubt.isEmpty()) return session_->exportMotion(path);
+  else if (!worn.isEmpty() && QFileInfo(path) == QFileInfo(worn))
+    doubt = tr("%1 is the character. Replace it by one that moves so?").arg(fileName(path));
+  // Another extension may have been typed.
+  const QString onto = can_be_onto(path.toStdU16String(), worn.toStdU16String()) ? worn : QString();
+  if (doubt.isEmpty()) return session_->exportMotion(path, onto);
   auto* question = new QMessageBox(QMessageBox::Question, tr("Export Motion"), doubt,
                                    QMessageBox::Yes | QMessageBox::No, window_);
   question->setDefaultButton(QMessageBox::No);
   question->setAttribute(Qt::WA_DeleteOnClose);
   connect(question, &QMessageBox::finished, this, [=, this](int button) {
-    if (button == QMessageBox::Yes) session_->exportMotion(path);
+    if (button == QMessageBox::Yes) session_->exportMotion(path, onto);
   });
   question->open();
 }

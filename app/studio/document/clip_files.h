@@ -93,8 +93,10 @@ class ClipFiles : public QObject {
  private:
   QString directory() const;
   QString suggestedPath(const QString& extension) const;
-  void choosePlace(const QString& title, const QString& extension, const QStringList& extensions);
-  void write(const QString& path);
+  /// `worn`: the file of a character that can be written with the motion; empty: none.
+  void choosePlace(const QString& title, const QString& extension, QStringList extensions,
+                   const QString& worn = {});
+  void write(const QString& path, const QString& worn);
   void noteSaved(const QString& path);
 
   Session* session_;

@@ -252,7 +252,13 @@ void Document::findSkin() {
   }
 }
 
-/// The start of the clip on the floor.
+QString Document::wornFile() const {
+  const PutCharacter put = character();
+  if (!put.path.isEmpty()) return put.character.skin ? put.path : QString();
+  return original_ && original_->skin ? original_->path : QString();
+}
+
+/// Where the clip begins, on the floor.
 Eigen::Vector3d Document::start() const {
   const Clip& clip = original_ ? original_->motion().clip : decoded_->clip;
   Pose pose;

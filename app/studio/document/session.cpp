@@ -367,13 +367,21 @@ void Session::save(const QString& path) {
       [this](const QString& message) { emit saveFailed(message); });
 }
 
-void Session::exportMotion(const QString& path) {
+void Session::exportMotion(const QString& path, const QString& onto) {
   const DecodedPtr decoded = document_.decoded();
   if (!decoded) return;
+  // In the clip's own file it is the take that was read.
+  WriteOptions writing;
+  if (const OriginalPtr& original = document_.original(); original && original->path == onto)
+    writing = original->reading;
   exporting_.start(
-      [decoded, file = document_.file(), source = document_.source(), path](const Job&) {
-        write_motion(path.toStdU16String(), {decoded->compressed.skeleton, decoded->clip}, {},
-                     source, {}, tracks_of(file));
+      [=, file = document_.file(), source = document_.source()](const Job&) {
+        const Motion motion{decoded->compressed.skeleton, decoded->clip};
+        if (onto.isEmpty())
+          write_motion(path.toStdU16String(), motion, {}, source, {}, tracks_of(file));
+        else
+          write_motion_onto(path.toStdU16String(), motion, onto.toStdU16String(), source, writing,
+                            tracks_of(file));
         return path;
       },
       [this](const QString& written) { emit exported(written); },

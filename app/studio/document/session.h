@@ -104,9 +104,9 @@ class Session : public QObject {
   /// Saves the shown clip.
   void save(const QString& path);
 
-  /// Writes the decoded motion in the format of `path`'s extension, in the unit and axes of its
-  /// source.
-  void exportMotion(const QString& path);
+  /// Writes the motion as it comes out of the compressed clip, by the extension of `path`, in the
+  /// unit and axes of its source; with `onto`, as that character with this motion.
+  void exportMotion(const QString& path, const QString& onto = {});
 
   /// Writes a page that shows the clip and its original in a browser, with remarks.
   void exportReview(const QString& path, const std::vector<std::string>& remarks);

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numbers>
 #include <optional>
 #include <unordered_map>
 #include <unordered_set>
 
 #include "core/base/error.h"
-#include "core/base/file.h"
 #include "core/formats/fbx/fbx_animation.h"
 #include "core/formats/fbx/fbx_curve_output.h"
 #include "core/formats/fbx/fbx_output.h"
@@ -38,7 +38,22 @@ std::int64_t id_of(const FbxRecords& records, const FbxObject& object) {
   return id ? id->whole() : 0;
 }
 
-/// The take whose curves are replaced.
+/// What a motion is put onto: a take, or where none has a key the nodes at rest, from the time on
+/// at which the first take begins.
+FbxTake read_target(FbxFile& file, const ReadOptions& options) {
+  const double second = file.ticks_per_second();
+  FbxAnimation animation(file.records, file.objects, second);
+  for (std::size_t take = 0; take < animation.takes().size(); ++take)
+    for (const FbxMovement& movement : animation.movements(take))
+      for (const auto& curve : movement.curves)
+        if (curve) return read_fbx_take(file, options);
+  FbxTake rest = read_fbx_rest(file);
+  if (!animation.takes().empty() && animation.takes().front().span)
+    rest.first_s = static_cast<double>(animation.takes().front().span->first) / second;
+  return rest;
+}
+
+/// A take of a file whose curves are replaced.
 class EditedTake {
  public:
   EditedTake(FbxFile& file, const FbxTake& read, const Clip& clip, double rate_hz)
@@ -51,11 +66,16 @@ class EditedTake {
         out_(ticks_of(clip, rate_hz), edits_.added[objects_], edits_.added[connections_],
              free_id()) {
     FbxAnimation animation(file.records, file.objects, ticks_per_second_);
-    take_ = animation.takes()[read.index];
-    movements_ = animation.movements(read.index);
-    if (take_.layers.empty() || take_.layers.front().is_silent)
-      file.records.fail("its take " + take_.name +
-                        " has no first layer that is heard: a motion cannot be written there");
+    if (animation.takes().empty()) {
+      add_take();
+    } else {
+      take_ = animation.takes()[read.index];
+      movements_ = animation.movements(read.index);
+      if (take_.layers.empty() || take_.layers.front().is_silent)
+        file.records.fail("its take " + take_.name +
+                          " has no first layer that is heard: a motion cannot be written there");
+      layer_ = id(take_.layers.front().object);
+    }
     keeps_rate_ = rate_hz == read.take.sample_rate_hz;
     for (const FbxRecord* c = file.records.first_child(*connections_); c != nullptr;
          c = file.records.next(*c))
@@ -74,8 +94,10 @@ class EditedTake {
   }
   std::vector<std::int64_t> ticks_of(const Clip& clip, double rate_hz);
   std::int64_t free_id() const;
+  void add_take();
   std::int64_t id(std::size_t object) const { return id_of(file_.records, file_.objects[object]); }
   double ticks_at(std::size_t frame) const { return static_cast<double>(ticks_[frame]); }
+  bool moves_so(const NodeTrack& track) const;
   const FbxMovement* movement_of(std::size_t object, std::string_view property);
   bool is_alone(std::size_t curve_node) const;
   void disconnect(std::size_t curve_node, std::size_t object, std::string_view property);
@@ -96,6 +118,7 @@ class EditedTake {
   std::vector<std::int64_t> ticks_;
   FbxCurveOutput out_;
   FbxTakeInfo take_;
+  std::int64_t layer_ = 0;  // of the take, the first
   std::vector<FbxMovement> movements_;
   bool keeps_rate_ = true;
   std::unordered_map<std::int64_t, std::vector<const FbxRecord*>> by_child_;  // by child
@@ -117,7 +140,20 @@ std::int64_t EditedTake::free_id() const {
   return largest + 1;
 }
 
-/// The first layer's movement of a property; disconnects the property from other layers.
+/// A file that has none gets one.
+void EditedTake::add_take() {
+  const std::int64_t stack = out_.new_id();
+  layer_ = out_.new_id();
+  FbxOutRecord& all =
+      out_.object("AnimationStack", stack, fbx_full_name("Take 001", "AnimStack"), "")
+          .record("Properties70");
+  for (const std::string_view stop : {"LocalStop", "ReferenceStop"})
+    all.property(stop, "KTime", "Time", "").value(ticks_.empty() ? std::int64_t{0} : ticks_.back());
+  out_.object("AnimationLayer", layer_, fbx_full_name("BaseLayer", "AnimLayer"), "").is_list = true;
+  out_.connect(layer_, stack);
+}
+
+/// The first layer's movement of a property; from other layers the property is disconnected.
 const FbxMovement* EditedTake::movement_of(std::size_t object, std::string_view property) {
   const FbxMovement* first = nullptr;
   for (const FbxMovement& movement : movements_) {
@@ -180,6 +216,10 @@ void EditedTake::set_axis(std::size_t curve_node, std::size_t axis,
 void EditedTake::set(std::size_t object, std::string_view property, const FbxMovement* movement,
                      const Vector3d& rest, const Curves& curves, double same) {
   const auto stays = [&](std::size_t axis) {
+    // Keys of the old rate among those of the new one would make a third.
+    if (!keeps_rate_ && movement != nullptr && movement->curves[axis] &&
+        movement->curves[axis]->keys().size() > 1)
+      return false;
     const auto a = static_cast<Eigen::Index>(axis);
     for (std::size_t t = 0; t < ticks_.size(); ++t) {
       double was = rest(a);
@@ -193,15 +233,34 @@ void EditedTake::set(std::size_t object, std::string_view property, const FbxMov
     return true;
   };
   if (movement == nullptr) {
-    if (!stays(0) || !stays(1) || !stays(2))
-      out_.add(id(take_.layers.front().object), id(object), property, curves);
+    if (!stays(0) || !stays(1) || !stays(2)) out_.add(layer_, id(object), property, curves);
     return;
   }
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (!stays(axis)) set_axis(movement->curve_node, axis, curves[axis], false);
 }
 
+/// Whether the node moves so already, by whatever layers do it.
+bool EditedTake::moves_so(const NodeTrack& track) const {
+  const AnimatedNode& node = read_.take.nodes[track.node];
+  if (!keeps_rate_ || static_cast<int>(ticks_.size()) != read_.take.frames) return false;
+  for (std::size_t t = 0; t < ticks_.size(); ++t) {
+    const LocalTransform& was = node.frames.empty() ? node.rest : node.frames[t];
+    const Vector3d scale =
+        track.scales.empty() ? track.scale.value_or(track.rest.scale) : track.scales[t];
+    const double turn = track.rotation[t].normalized().angularDistance(was.rotation.normalized());
+    const auto is_same = [](const Vector3d& a, const Vector3d& b) {
+      return (a - b).norm() <= kSameNumber * (1 + b.norm());
+    };
+    if (!is_same(track.translation[t], was.translation) || !is_same(scale, was.scale) ||
+        turn * 180 / std::numbers::pi > kSameAngle)
+      return false;
+  }
+  return true;
+}
+
 void EditedTake::move(const NodeTrack& track) {
+  if (moves_so(track)) return;
   const std::size_t object = read_.object_of_node[track.node];
   FbxTransform transform = read_.transforms[track.node];
   // Pivots do not move: positions and angles absorb their curves.
@@ -265,9 +324,10 @@ void EditedTake::move(const ScalarTracks& tracks) {
 
 /// Moves the take's stated end if the motion is longer.
 void EditedTake::lengthen() {
+  if (ticks_.empty() || !take_.span) return;
   FbxRecords& records = file_.records;
   const FbxRecord* const all = records.find(*file_.objects[take_.object].record, "Properties70");
-  if (all == nullptr || ticks_.empty() || !take_.span) return;
+  if (all == nullptr) return;
   for (const FbxRecord* p = records.first_child(*all); p != nullptr; p = records.next(*p)) {
     const std::vector<FbxValue> values = records.values(*p);
     if (values.size() != 5 || (values[0].text != "LocalStop" && values[0].text != "ReferenceStop"))
@@ -287,25 +347,20 @@ std::string EditedTake::bytes() {
 
 }  // namespace
 
-std::string fbx_bytes_onto(const std::filesystem::path& onto, const Motion& motion,
-                           const SourceFormat& source, const WriteOptions& options,
-                           const ScalarTracks& tracks) {
-  const std::string bytes = read_text(onto);
-  FbxFile file(onto.string(), bytes);
+std::string fbx_bytes_onto(const std::string& name, std::string_view bytes, const Motion& motion,
+                           const WriteOptions& options, const ScalarTracks& tracks) {
+  FbxFile file(name, bytes);
   if (!file.records.is_binary() || file.records.is_big_endian() || file.records.version() < 7000)
     file.records.fail(
         "is ASCII, big-endian or older than 7.0: a motion is put only onto other binary FBX files");
-  ReadOptions reading{.cm_per_unit = options.cm_per_unit, .up = options.up, .take = options.take};
-  if (source.kind == SourceFormat::Kind::Fbx) {
-    reading.cm_per_unit = options.cm_per_unit.value_or(source.cm_per_unit);
-    reading.up = options.up.value_or(source.up);
-  }
-  const FbxTake read = read_fbx_take(file, reading);
+  const ReadOptions reading{
+      .cm_per_unit = options.cm_per_unit, .up = options.up, .take = options.take};
+  const FbxTake read = read_target(file, reading);
   EditedTake take(file, read, motion.clip,
                   options.sample_rate_hz.value_or(motion.clip.sample_rate_hz));
-  for (const NodeTrack& track : tracks_following(file.records.file(), read.take, motion,
-                                                 without_namespace(fbx_names(motion.skeleton)),
-                                                 reading, JointScales(tracks, motion.skeleton)))
+  for (const NodeTrack& track :
+       tracks_following(name, read.take, motion, without_namespace(fbx_names(motion.skeleton)),
+                        reading, JointScales(tracks, motion.skeleton)))
     take.move(track);
   take.move(tracks);
   return take.bytes();

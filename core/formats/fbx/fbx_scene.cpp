@@ -177,6 +177,7 @@ void FbxTakeReader::find_nodes() {
   std::vector<Visit> open = {{FbxObjects::kScene, -1, 0}};
   std::size_t visited = 0;
   int spheric = 0;
+  int by_quaternion = 0;
   while (!open.empty()) {
     const Visit visit = open.back();
     open.pop_back();
@@ -186,10 +187,11 @@ void FbxTakeReader::find_nodes() {
     if (visit.object != FbxObjects::kScene && is_left_out(visit.object)) continue;
     const auto node = static_cast<int>(result_.take.nodes.size());
     result_.node_of_object[visit.object] = node;
-    const FbxTransform transform = visit.object == FbxObjects::kScene
-                                       ? FbxTransform()
-                                       : FbxTransform(objects_.properties(visit.object));
+    const FbxProperties properties = objects_.properties(visit.object);
+    const FbxTransform transform =
+        visit.object == FbxObjects::kScene ? FbxTransform() : FbxTransform(properties);
     spheric += transform.is_spheric;
+    by_quaternion += properties.number("QuaternionInterpolate", 0) != 0;
     result_.object_of_node.push_back(visit.object);
     result_.transforms.push_back(transform);
     result_.take.nodes.push_back(
@@ -201,6 +203,9 @@ void FbxTakeReader::find_nodes() {
   if (visited < models + 1) refuse("its nodes hang in a circle");
   if (spheric > 0)
     warn(counted(spheric, "node") + " with spheric XYZ angles, which are read as XYZ angles");
+  if (by_quaternion > 0 && !movements_.empty())
+    warn(counted(by_quaternion, "node") +
+         " with quaternions between keys, which are read as angles");
   mark_joints();
 }
 
@@ -309,10 +314,11 @@ void FbxTakeReader::clip_to_span(std::vector<double>& keys_s, std::optional<doub
       });
   double begin = goes_on ? first : std::max(first, keys_s.front());
   double end = goes_on ? last : std::min(last, keys_s.back());
-  if (rate) {  // whole frames within the span
+  if (rate) {  // whole frames within, where the span cuts: keys may have been made at another rate
     const double origin = keys_s.front();
     begin = origin + std::ceil((begin - origin) * *rate - kNearFrame) / *rate;
-    end = origin + std::floor((end - origin) * *rate + kNearFrame) / *rate;
+    if (end != keys_s.back())
+      end = origin + std::floor((end - origin) * *rate + kNearFrame) / *rate;
   }
   if (!(end > begin)) return;
   std::erase_if(keys_s, [&](double key) { return key < begin || key > end; });

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <iterator>
 #include <map>
+#include <set>
 #include <string_view>
 #include <unordered_set>
 #include <utility>
@@ -26,12 +27,12 @@ using Track3 = std::array<std::vector<float>, 3>;
 
 constexpr std::int64_t kNoObject = 0;  // parent of the scene's topmost nodes
 constexpr std::int64_t kDocument = 1;
-constexpr std::int64_t kStack = 2;
-constexpr std::int64_t kLayer = 3;
-constexpr std::int64_t kPose = 4;
+constexpr std::int64_t kPose = 2;
 constexpr std::int64_t kFirstId = 1000;
 
-/// The number of the rotation order of a joint's channels; XYZ for joints without three.
+constexpr float kPercentOfWhole = 100;
+
+/// The number of the order in which a joint's channels turn it; of other joints XYZ.
 int order_of(const Joint& joint) {
   std::vector<int> axes;
   for (const ChannelKind kind : joint.channels)
@@ -68,59 +69,68 @@ bool moves(const Track3& track) {
 
 class FbxDocument {
  public:
-  FbxDocument(const Motion& motion, const SourceFormat& format)
+  /// The joints as they rest, with the channels of `motion`.
+  FbxDocument(const Motion& motion, const std::vector<NodeTrack>& rest, const SourceFormat& format)
       : skeleton_(motion.skeleton),
         format_(format),
         rate_hz_(motion.clip.sample_rate_hz),
-        ticks_(ticks_of(motion.clip)),
-        out_(ticks_, objects_.records, connections_.records, kFirstId) {}
+        out_({}, objects_.records, connections_.records, kFirstId) {
+    add_joints(rest);
+  }
 
-  std::string bytes(const std::vector<NodeTrack>& tracks, const ScalarTracks& scalars,
-                    int version) {
-    add_take();
-    add_joints(tracks);
+  void add_take(const std::string& name, const Clip& clip, const std::vector<NodeTrack>& tracks,
+                const ScalarTracks& scalars) {
+    std::vector<std::int64_t> ticks = ticks_of(clip);
+    begin_take(name, ticks.empty() ? 0 : ticks.back());
+    out_.set_key_ticks(std::move(ticks));
     for (const NodeTrack& track : tracks) add_movement(track);
     for (const ScalarTrack& track : scalars)
       if (!is_scale(track.kind)) add_track(track);
-    pose_.records.front().field("NbPoseNodes", static_cast<std::int32_t>(bound_));
-    return finished(version);
   }
+
+  std::string bytes(int version);
 
  private:
   /// A node's numbers, for references from other parts.
   struct Node {
     std::int64_t id = 0;
     FbxOutRecord* properties = nullptr;
+    LocalTransform rest;
   };
   struct MorphedMesh {
-    std::int64_t shapes = 0;  // deformer of its blend shapes
+    std::int64_t shapes = 0;  // the deformer that holds them
+    // By the name of the shape, and how many of a take had it before.
+    std::map<std::pair<std::string, int>, std::int64_t> channels;
+    std::map<std::string, int> of_name;  // how often a name was in the take that is added
   };
 
   Node add_node(const std::string& name, std::string_view kind, std::int64_t parent);
   Node add_limb(const std::string& name, std::int64_t parent, const LocalTransform& rest,
                 const Vector3d& angles, int order, const NodePlacement& bound);
   void add_joints(const std::vector<NodeTrack>& tracks);
-  void add_take();
+  void begin_take(const std::string& name, std::int64_t end);
   void add_movement(const NodeTrack& track);
   void add_track(const ScalarTrack& track);
   void add_weights(const ScalarTrack& track);
+  std::int64_t channel_of(const ScalarTrack& track);
   Node node_of(const ScalarTrack& track);
   FbxOutRecord head(int version) const;
   FbxOutRecord settings() const;
   FbxOutRecord definitions() const;
-  std::string finished(int version);
 
   const Skeleton& skeleton_;
   const SourceFormat& format_;
   double rate_hz_;
-  std::vector<std::int64_t> ticks_;
+  std::int64_t layer_ = 0;      // of the take that is added
+  std::int64_t last_tick_ = 0;  // of all takes
   FbxOutRecord objects_{.name = "Objects"};
   FbxOutRecord connections_{.name = "Connections"};
   FbxOutRecord pose_{.name = "Objects"};  // record for the bind pose
   FbxCurveOutput out_;
   std::vector<Node> joints_;
-  std::map<std::string, Node> nodes_;                  // by name
-  std::map<std::string, MorphedMesh> morphed_meshes_;  // by name
+  std::map<std::string, Node> nodes_;                          // by name
+  std::map<std::string, MorphedMesh> morphed_meshes_;          // by name
+  std::set<std::pair<std::int64_t, std::string>> properties_;  // of nodes, by their numbers
   int bound_ = 0;
 };
 
@@ -137,7 +147,8 @@ FbxDocument::Node FbxDocument::add_node(const std::string& name, std::string_vie
 FbxDocument::Node FbxDocument::add_limb(const std::string& name, std::int64_t parent,
                                         const LocalTransform& rest, const Vector3d& angles,
                                         int order, const NodePlacement& bound) {
-  const Node node = add_node(name, "LimbNode", parent);
+  Node node = add_node(name, "LimbNode", parent);
+  node.rest = rest;
   const auto vector = [&](std::string_view of, const Vector3d& value) {
     node.properties->property(of, of, "", "A").value(value.x()).value(value.y()).value(value.z());
   };
@@ -185,14 +196,17 @@ void FbxDocument::add_joints(const std::vector<NodeTrack>& tracks) {
   }
 }
 
-void FbxDocument::add_take() {
-  FbxOutRecord& stack =
-      out_.object("AnimationStack", kStack, fbx_full_name("Take 001", "AnimStack"), "");
+void FbxDocument::begin_take(const std::string& name, std::int64_t end) {
+  const std::int64_t id = out_.new_id();
+  layer_ = out_.new_id();
+  last_tick_ = std::max(last_tick_, end);
+  for (auto& [name_of_mesh, mesh] : morphed_meshes_) mesh.of_name.clear();
+  FbxOutRecord& stack = out_.object("AnimationStack", id, fbx_full_name(name, "AnimStack"), "");
   FbxOutRecord& all = stack.record("Properties70");
-  for (const std::string_view name : {"LocalStop", "ReferenceStop"})
-    all.property(name, "KTime", "Time", "").value(ticks_.empty() ? std::int64_t{0} : ticks_.back());
-  out_.object("AnimationLayer", kLayer, fbx_full_name("BaseLayer", "AnimLayer"), "").is_list = true;
-  out_.connect(kLayer, kStack);
+  for (const std::string_view stop : {"LocalStop", "ReferenceStop"})
+    all.property(stop, "KTime", "Time", "").value(end);
+  out_.object("AnimationLayer", layer_, fbx_full_name("BaseLayer", "AnimLayer"), "").is_list = true;
+  out_.connect(layer_, id);
 }
 
 void FbxDocument::add_movement(const NodeTrack& track) {
@@ -207,12 +221,17 @@ void FbxDocument::add_movement(const NodeTrack& track) {
     append(track.translation[t], places);
     append(angles, turns);
   }
+  if (track.scales.empty() && !joints_[track.node].rest.scale.isOnes())
+    scales.fill(std::vector<float>(track.rotation.size(), 1.0F));
   for (const Vector3d& scale : track.scales) append(scale, scales);
   const std::int64_t model = joints_[track.node].id;
-  if (skeleton_.joint(static_cast<int>(track.node)).parent < 0 || moves(places))
-    out_.add(kLayer, model, "Lcl Translation", places);
-  out_.add(kLayer, model, "Lcl Rotation", turns);
-  if (!track.scales.empty()) out_.add(kLayer, model, "Lcl Scaling", scales);
+  // It may stand elsewhere than at rest, in another take perhaps.
+  const Vector3d& rest = joints_[track.node].rest.translation;
+  const bool is_at_rest = (track.translation.front() - rest).norm() <= 1e-9 * (1 + rest.norm());
+  if (skeleton_.joint(static_cast<int>(track.node)).parent < 0 || !is_at_rest || moves(places))
+    out_.add(layer_, model, "Lcl Translation", places);
+  out_.add(layer_, model, "Lcl Rotation", turns);
+  if (!scales[0].empty()) out_.add(layer_, model, "Lcl Scaling", scales);
 }
 
 /// A node outside the skeleton exists only to hold tracks.
@@ -228,15 +247,16 @@ void FbxDocument::add_track(const ScalarTrack& track) {
   if (track.kind == TrackKind::MorphWeight) return add_weights(track);
   const Node node = node_of(track);
   const auto first = static_cast<double>(track.values.front());
-  if (track.name == "Visibility")
+  const bool is_new = properties_.emplace(node.id, track.name).second;
+  if (is_new && track.name == "Visibility")
     node.properties->property(track.name, "Visibility", "", "A").value(first);
-  else
+  else if (is_new)
     node.properties->property(track.name, "Number", "", "A+U").value(first);
-  out_.add(kLayer, node.id, track.name, track.values, track.steps);
+  out_.add(layer_, node.id, track.name, track.values, track.steps);
 }
 
-void FbxDocument::add_weights(const ScalarTrack& track) {
-  constexpr float kPercentOfWhole = 100;
+/// The channel of a shape, which every take shares.
+std::int64_t FbxDocument::channel_of(const ScalarTrack& track) {
   MorphedMesh& mesh = morphed_meshes_[track.node];
   if (mesh.shapes == 0) {
     const Node model = add_node(track.node, "Mesh", kNoObject);
@@ -252,7 +272,10 @@ void FbxDocument::add_weights(const ScalarTrack& track) {
     out_.connect(geometry, model.id);
     out_.connect(mesh.shapes, geometry);
   }
-  const std::int64_t channel = out_.new_id();
+  const std::pair<std::string, int> key = {track.name, mesh.of_name[track.name]++};
+  const auto [known, is_new] = mesh.channels.emplace(key, 0);
+  if (!is_new) return known->second;
+  const std::int64_t channel = known->second = out_.new_id();
   FbxOutRecord& of = out_.object("Deformer", channel, fbx_full_name(track.name, "SubDeformer"),
                                  "BlendShapeChannel");
   of.field("Version", std::int32_t{100});
@@ -267,9 +290,13 @@ void FbxDocument::add_weights(const ScalarTrack& track) {
   same.record("Normals").array(std::vector<double>());
   out_.connect(channel, mesh.shapes);
   out_.connect(shape, channel);
+  return channel;
+}
+
+void FbxDocument::add_weights(const ScalarTrack& track) {
   std::vector<float> percent = track.values;
   for (float& value : percent) value *= kPercentOfWhole;
-  out_.add(kLayer, channel, "DeformPercent", percent, track.steps);
+  out_.add(layer_, channel_of(track), "DeformPercent", percent, track.steps);
 }
 
 FbxOutRecord FbxDocument::head(int version) const {
@@ -299,8 +326,7 @@ FbxOutRecord FbxDocument::settings() const {
   all.property("TimeMode", "enum", "", "").value(time_mode(rate_hz_));
   all.property("CustomFrameRate", "double", "Number", "").value(rate_hz_);
   all.property("TimeSpanStart", "KTime", "Time", "").value(std::int64_t{0});
-  all.property("TimeSpanStop", "KTime", "Time", "")
-      .value(ticks_.empty() ? std::int64_t{0} : ticks_.back());
+  all.property("TimeSpanStop", "KTime", "Time", "").value(last_tick_);
   return settings;
 }
 
@@ -317,8 +343,9 @@ FbxOutRecord FbxDocument::definitions() const {
   return definitions;
 }
 
-std::string FbxDocument::finished(int version) {
-  // Programs that check the file expect its footer to match this date and id.
+std::string FbxDocument::bytes(int version) {
+  pose_.records.front().field("NbPoseNodes", static_cast<std::int32_t>(bound_));
+  // Programs that check it find the end of the file to belong to this date and this id.
   constexpr std::string_view kFileId(
       "\x28\xb3\x2a\xeb\xb6\x24\xcc\xc2\xbf\xc8\xb0\x2a\xa9\x2b\xfc\xf1", 16);
   objects_.records.splice(objects_.records.end(), pose_.records);
@@ -359,18 +386,31 @@ std::vector<std::string> fbx_names(const Skeleton& skeleton) {
   return names;
 }
 
-std::string fbx_bytes(const Motion& given, const SourceFormat& source, const WriteOptions& options,
-                      const ScalarTracks& tracks, int version) {
+std::string fbx_bytes(const std::vector<FbxClip>& clips, const SourceFormat& source,
+                      const WriteOptions& options) {
   const SourceFormat format = fbx_format(source, options);
-  const Motion motion = exported_motion(given, format, options);
-  // The first root rests at the origin: Blender turns a bone without length by the direction left
-  // after rounding to floats, and far from the origin little of that is left.
-  Pose rest = resting_pose(motion, source);
+  const Motion first = exported_motion(clips.front().motion, format, options);
+  // The first root rests at the origin: Blender turns a bone without length by what is left of its
+  // direction in floats, and far out little is.
+  Pose rest = resting_pose(first, source);
   const Vector3d root = rest.origin.empty() ? Vector3d(Vector3d::Zero()) : rest.origin.front();
   for (Vector3d& origin : rest.origin) origin -= root;
-  const std::vector<NodeTrack> nodes =
-      tracks_of(motion, rest, format.cm_per_unit, JointScales(tracks, motion.skeleton));
-  return FbxDocument(motion, format).bytes(nodes, tracks, version);
+  const auto tracks = [&](const Motion& motion, const ScalarTracks& scalars) {
+    return tracks_of(motion, rest, format.cm_per_unit, JointScales(scalars, motion.skeleton));
+  };
+  std::vector<NodeTrack> nodes = tracks(first, clips.front().tracks);
+  FbxDocument document(first, nodes, format);
+  document.add_take(clips.front().take, first.clip, nodes, clips.front().tracks);
+  for (std::size_t c = 1; c < clips.size(); ++c) {
+    const Motion motion = exported_motion(clips[c].motion, format, options);
+    document.add_take(clips[c].take, motion.clip, tracks(motion, clips[c].tracks), clips[c].tracks);
+  }
+  return document.bytes(options.fbx_version.value_or(kUsualFbxVersion));
+}
+
+std::string fbx_bytes(const Motion& motion, const SourceFormat& source, const WriteOptions& options,
+                      const ScalarTracks& tracks) {
+  return fbx_bytes({{"Take 001", motion, tracks}}, source, options);
 }
 
 }  // namespace mocapress

@@ -10,20 +10,31 @@ namespace mocapress {
 
 inline constexpr int kUsualFbxVersion = 7400;
 
-/// A binary FBX of a skeleton with one take and no mesh: limbs with their bind pose, bone ends as
-/// limbs of their own, linear curves with a key for each frame. Each joint rotates in the order of
-/// its channels, or XYZ if it has no three; angles take the shorter way between keys. Bones rest as
-/// in gltf_bytes(), with the first root at the origin.
+/// One take of a file to be written.
+struct FbxClip {
+  std::string take;
+  const Motion& motion;
+  const ScalarTracks& tracks;
+};
+
+/// A binary FBX of a skeleton and its takes, without a mesh: limbs with their bind pose, bones'
+/// ends as limbs of their own, straight curves with a key each frame. Each joint turns in the order
+/// of its channels, or XYZ where it has no three; from key to key no angle takes the longer way
+/// round. Bones rest as gltf_bytes() has them in the first clip, the first root at the origin. All
+/// clips are of one rig (rig_of()), each at its own rate.
 ///
 /// Tracks become scales of joints, weights of blend shapes (whose meshes have no points, since a
 /// clip has none), visibility and custom properties of the node that they name; tracks without a
 /// node go to the first joint.
 ///
-/// `version` is 7400, or 7700 for files above 4 GiB. Equal motions give equal bytes. Throws
+/// The version is that of the options, or 7.4. The same clips make the same bytes. Throws
 /// WriteError.
+std::string fbx_bytes(const std::vector<FbxClip>& clips, const SourceFormat& source = {},
+                      const WriteOptions& options = {});
+
+/// The same of one clip.
 std::string fbx_bytes(const Motion& motion, const SourceFormat& source = {},
-                      const WriteOptions& options = {}, const ScalarTracks& tracks = {},
-                      int version = kUsualFbxVersion);
+                      const WriteOptions& options = {}, const ScalarTracks& tracks = {});
 
 /// Unit and axes of the file to write: an FBX source's own, else centimetres and the source's up
 /// axis; options override both.

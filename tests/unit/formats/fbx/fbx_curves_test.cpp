@@ -121,6 +121,27 @@ TEST(FbxCurve, GoesOnBeyondItsKeysAsTheFileSays) {
   EXPECT_NEAR(beyond("K", -0.5), -0.5, 1e-9);
 }
 
+TEST(FbxCurve, RepeatsAsOftenAsTheFileSays) {
+  const FbxCurve twice =
+      curve({"0", "1", "3"}, {{.flags = 4}}, "Post-Extrapolation: {\nType: R\nRepetition: 2\n}\n");
+  EXPECT_NEAR(at(twice, 4.5), 0.5, 1e-9);
+  EXPECT_NEAR(at(twice, 6.5), 3, 1e-9);
+}
+
+TEST(FbxCurve, IsFlatWhereAClampedKeyHasANeighbourOfItsValue) {
+  const int clamped = 8 | 0x100 | 0x1000;
+  EXPECT_NEAR(at(curve({"0", "1", "1", "1"}, {{.flags = clamped}}), 1.5), 1, 1e-12);
+  EXPECT_GT(at(curve({"0", "1", "1", "1"}, {{.flags = 8 | 0x100}}), 1.5), 1.05);
+}
+
+TEST(FbxCurve, GoesByTheSlopesOfKeysThatStateVelocities) {
+  const int user = 8 | 0x400;
+  const FbxCurve plain = curve({"0", "1"}, {{.flags = user, .a = 3, .b = -2}});
+  const FbxCurve fast =
+      curve({"0", "1"}, {{.flags = user | 0x10000000 | 0x20000000, .a = 3, .b = -2}});
+  for (const double t : {0.1, 0.5, 0.8}) EXPECT_EQ(at(fast, t), at(plain, t));
+}
+
 TEST(FbxCurve, LeavesOutKeysThatAreNoNumbers) {
   const FbxCurve holed = curve({"0", "nan", "2"}, {{.flags = 4}});
   EXPECT_EQ(holed.dropped(), 1);

@@ -137,7 +137,7 @@ TEST_F(FbxJudged, SkinsAsTheProgramDidThatWroteTheFile) {
     std::smatch parts;
     if (!std::regex_match(name, parts, std::regex("(.*)_([0-9]{4})_(ascii|binary)(_.*)?")))
       continue;
-    // Shapes and geometry caches are no part of what is read.
+    // Shapes have a test of their own; of geometry caches the files are not there.
     if (name.starts_with("maya_blend_inbetween") || name.starts_with("maya_axes_anim")) continue;
     const std::string base = parts[1].str() + parts[4].str();
     const std::string bytes = read_text(path);
@@ -177,6 +177,101 @@ TEST_F(FbxJudged, SkinsAsTheProgramDidThatWroteTheFile) {
     EXPECT_LT(worst, 1e-3) << name;
   }
   EXPECT_GE(judged, 24);
+}
+
+/// How far the shapes of a channel are in at `percent`: from each to the next as a straight line,
+/// which goes on beyond the last. The mesh itself is the shape of 0.
+std::vector<double> shares_of(const std::vector<double>& full_weights, double percent) {
+  std::vector<std::pair<double, int>> stops = {{0, -1}};
+  for (const double weight : full_weights)
+    stops.emplace_back(weight, static_cast<int>(stops.size()) - 1);
+  std::sort(stops.begin(), stops.end());
+  std::size_t next = 1;
+  while (next + 1 < stops.size() && stops[next].first < percent) ++next;
+  const double share =
+      (percent - stops[next - 1].first) / (stops[next].first - stops[next - 1].first);
+  std::vector<double> shares(full_weights.size());
+  const auto add = [&](int shape, double of) {
+    if (shape >= 0) shares[static_cast<std::size_t>(shape)] += of;
+  };
+  add(stops[next - 1].second, 1 - share);
+  add(stops[next].second, share);
+  return shares;
+}
+
+/// What we read of weights of blend shapes, held against the points of the program. No character of
+/// ours has shapes, so the test bends the mesh.
+TEST_F(FbxJudged, WeighsShapesAndTheirInBetweensAsMayaDid) {
+  const std::string base = "maya_blend_inbetween";
+  for (const fs::path& path : files_) {
+    const std::string name = path.stem().string();
+    if (!name.starts_with(base)) continue;
+    const std::string bytes = read_text(path);
+    FbxFile file(path.string(), bytes);
+    const FbxTake read = read_fbx_take(file, {});
+    ASSERT_EQ(read.take.tracks.size(), 2u);
+    double worst = 0;
+    int frames = 0;
+    for (const fs::path& picture_path : pictures_) {
+      std::smatch which;
+      const std::string of = picture_path.stem().string();
+      if (!std::regex_match(of, which, std::regex(base + "_([0-9]+)"))) continue;
+      const Picture picture = read_obj(picture_path);
+      const auto frame = static_cast<std::size_t>(std::clamp(
+          static_cast<int>(
+              std::lround(std::stoi(which[1]) - read.first_s * read.take.sample_rate_hz)),
+          0, read.take.frames - 1));
+      std::vector<double> points;
+      std::vector<std::int64_t> ends;
+      for (std::size_t o = 0; o < file.objects.all().size(); ++o) {
+        const FbxObject& object = file.objects[o];
+        if (object.kind == "Mesh" && object.type == "Geometry") {
+          points = file.records.numbers(*object.record, "Vertices");
+          ends = file.records.integers(*object.record, "PolygonVertexIndex");
+        }
+      }
+      for (std::size_t o = 0; o < file.objects.all().size(); ++o) {
+        if (file.objects[o].kind != "BlendShapeChannel") continue;
+        const auto track = std::find_if(
+            read.take.tracks.begin(), read.take.tracks.end(),
+            [&](const ScalarTrack& each) { return each.name == file.objects[o].name; });
+        ASSERT_NE(track, read.take.tracks.end());
+        std::vector<double> shares =
+            shares_of(file.records.numbers(*file.objects[o].record, "FullWeights"),
+                      100 * static_cast<double>(track->values[frame]));
+        std::size_t shape = 0;
+        for (const FbxLink& link : file.objects.children(o)) {
+          const FbxObject& geometry = file.objects[link.object];
+          if (geometry.kind != "Shape") continue;
+          const auto moved = file.records.integers(*geometry.record, "Indexes");
+          const auto offsets = file.records.numbers(*geometry.record, "Vertices");
+          for (std::size_t i = 0; i < moved.size(); ++i)
+            for (std::size_t a = 0; a < 3; ++a)
+              points[3 * static_cast<std::size_t>(moved[i]) + a] +=
+                  shares[shape] * offsets[3 * i + a];
+          ++shape;
+        }
+        ASSERT_EQ(shape, shares.size());
+      }
+      std::vector<Vector3d> corners;
+      std::vector<std::size_t> polygon;
+      for (const std::int64_t end : ends) {
+        polygon.push_back(static_cast<std::size_t>(end < 0 ? -(end + 1) : end));
+        if (end >= 0) continue;
+        for (std::size_t k = 2; k < polygon.size(); ++k)
+          for (const std::size_t corner : {polygon[0], polygon[k - 1], polygon[k]})
+            corners.emplace_back(&points[3 * corner]);
+        polygon.clear();
+      }
+      ASSERT_EQ(corners.size(), picture.corners.size());
+      for (std::size_t c = 0; c < corners.size(); ++c)
+        worst = std::max(worst, (corners[c] - picture.corners[c]).norm() / picture.height);
+      ++frames;
+    }
+    std::cout << "| " << name << " | " << frames << " | | " << worst << " |\n";
+    EXPECT_EQ(frames, 8);
+    EXPECT_LT(worst, 1e-3) << name;
+  }
 }
 
 TEST_F(FbxJudged, OpensTheOthersOrRefusesThemInOneSentence) {

@@ -9,6 +9,7 @@
 #include <iostream>
 #include <map>
 
+#include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/formats/fbx/fbx_curve_output.h"
 #include "core/formats/fbx/fbx_objects.h"
@@ -16,31 +17,15 @@
 #include "core/formats/fbx/fbx_writer.h"
 #include "core/motion/landmarks.h"
 #include "tests/support/corpus.h"
+#include "tests/support/same_motion.h"
 #include "tests/support/test_motion.h"
 
 namespace mocapress::fbx_onto_test {
 namespace {
 
-namespace fs = std::filesystem;
+using test::largest_joint_move;
 
-/// The distance (cm) of a joint from its namesake at the worst frame.
-double largest_move(const Motion& motion, const Motion& again) {
-  EXPECT_EQ(again.clip.frames(), motion.clip.frames());
-  if (again.clip.frames() != motion.clip.frames()) return 1e9;
-  const Eigen::MatrixXd wanted = landmark_tracks(motion.skeleton, motion.clip);
-  const Eigen::MatrixXd found = landmark_tracks(again.skeleton, again.clip);
-  double largest = 0;
-  for (int j = 0; j < motion.skeleton.joint_count(); ++j) {
-    const int same = again.skeleton.find(motion.skeleton.joint(j).name);
-    EXPECT_GE(same, 0) << motion.skeleton.joint(j).name;
-    if (same >= 0)
-      largest = std::max(largest, (found.middleCols<3>(3 * same) - wanted.middleCols<3>(3 * j))
-                                      .rowwise()
-                                      .norm()
-                                      .maxCoeff());
-  }
-  return largest;
-}
+namespace fs = std::filesystem;
 
 /// All records but those in curves, as they are written; what a record holds is in brackets.
 void append_but_curves(const FbxRecords& records, const FbxRecord& in, std::string& text) {
@@ -82,11 +67,15 @@ class FbxOnto : public testing::Test {
     return file;
   }
 
+  static std::string put_onto(const fs::path& onto, const Motion& motion,
+                              const WriteOptions& options = {}, const ScalarTracks& tracks = {}) {
+    return fbx_bytes_onto(onto.string(), read_text(onto), motion, options, tracks);
+  }
+
   /// Reads again `motion` written onto the file.
   MotionFile again(const fs::path& onto, const Motion& motion, const WriteOptions& options = {},
                    const ScalarTracks& tracks = {}) const {
-    return read_fbx("again.fbx", fbx_bytes_onto(onto, motion, {}, options, tracks),
-                    {.take = options.take});
+    return read_fbx("again.fbx", put_onto(onto, motion, options, tracks), {.take = options.take});
   }
 
   fs::path folder_;
@@ -95,16 +84,16 @@ class FbxOnto : public testing::Test {
 TEST_F(FbxOnto, ItselfChangesNoByteOutsideTheCurves) {
   const fs::path character = fs::path(MOCAPRESS_SOURCE_DIR) / "resources/samples/character.fbx";
   const MotionFile file = read_motion(character);
-  const std::string bytes = fbx_bytes_onto(character, file.motion, file.source, {}, file.tracks);
+  const std::string bytes = put_onto(character, file.motion, {}, file.tracks);
   EXPECT_EQ(all_but_curves(bytes), all_but_curves(read_text(character)));
-  EXPECT_LT(largest_move(file.motion, read_fbx("again.fbx", bytes).motion), 1e-4);
+  EXPECT_LT(largest_joint_move(file.motion, read_fbx("again.fbx", bytes).motion), 1e-4);
 }
 
 TEST_F(FbxOnto, ReplacesTheMotionAndKeepsTheMesh) {
   const fs::path character = fs::path(MOCAPRESS_SOURCE_DIR) / "resources/samples/character.fbx";
   const Motion motion = turned(read_motion(character).motion);
   const MotionFile found = again(character, motion);
-  EXPECT_LT(largest_move(motion, found.motion), 1e-4);
+  EXPECT_LT(largest_joint_move(motion, found.motion), 1e-4);
   EXPECT_NE(found.skin, nullptr);
 }
 
@@ -124,14 +113,60 @@ TEST_F(FbxOnto, AWholeTransformPutsJointsInTheirPlaces) {
     edits.added[records.find(*record, "Properties70")] = std::move(more.records);
   }
   const fs::path file = written(fbx_edited_bytes(records, edits));
-  EXPECT_GT(largest_move(motion, read_motion(file).motion), 1);
-  EXPECT_LT(largest_move(motion, again(file, motion).motion), 1e-4);
+  EXPECT_GT(largest_joint_move(motion, read_motion(file).motion), 1);
+  EXPECT_LT(largest_joint_move(motion, again(file, motion).motion), 1e-4);
+}
+
+TEST_F(FbxOnto, AMotionOfAnotherRateKeepsItsTime) {
+  Motion motion = test::smooth_motion(50);
+  motion.clip.sample_rate_hz = 30;
+  const fs::path file = written(fbx_bytes(motion));
+  for (const double rate : {24.0, 50.0, 60.0, 120.0}) {
+    motion.clip.sample_rate_hz = rate;
+    EXPECT_LT(largest_joint_move(motion, again(file, motion).motion), 1e-4) << rate;
+  }
+}
+
+TEST_F(FbxOnto, TheFilesOwnUnitAndAxesStand) {
+  const Motion motion = test::smooth_motion(20);
+  const fs::path file = written(fbx_bytes(motion, {}, {.cm_per_unit = 100.0, .up = UpAxis::Z}));
+  const MotionFile found = again(file, turned(motion));
+  EXPECT_EQ(found.source.cm_per_unit, 100);
+  EXPECT_EQ(found.source.up, UpAxis::Z);
+  EXPECT_LT(largest_joint_move(turned(motion), found.motion), 1e-4);
+}
+
+/// The file without its curves and the layers and takes of these types.
+std::string without(const std::string& bytes, const std::vector<std::string>& types) {
+  const FbxRecords records("f", bytes);
+  const FbxRecord* const list = records.find(records.top(), "Objects");
+  FbxEdits edits;
+  for (const FbxRecord* record = records.first_child(*list); record != nullptr;
+       record = records.next(*record))
+    if (std::find(types.begin(), types.end(), record->name) != types.end())
+      edits.dropped.insert(record);
+  return fbx_edited_bytes(records, edits);
+}
+
+TEST_F(FbxOnto, ACharacterWithoutAKeyTakesTheMotionOn) {
+  const fs::path character = fs::path(MOCAPRESS_SOURCE_DIR) / "resources/samples/character.fbx";
+  const Motion motion = read_motion(character).motion;
+  for (const std::vector<std::string>& types :
+       {std::vector<std::string>{"AnimationCurve"},
+        std::vector<std::string>{"AnimationCurve", "AnimationCurveNode", "AnimationLayer",
+                                 "AnimationStack"}}) {
+    const fs::path file = written(without(read_text(character), types));
+    EXPECT_THROW(read_motion(file), InputError);
+    const MotionFile found = again(file, motion);
+    EXPECT_LT(largest_joint_move(motion, found.motion), 1e-4);
+    EXPECT_NE(found.skin, nullptr);
+  }
 }
 
 TEST_F(FbxOnto, ALongerMotionLengthensTheTake) {
   const fs::path file = written(fbx_bytes(test::smooth_motion(20)));
   const Motion longer = test::smooth_motion(50);
-  EXPECT_LT(largest_move(longer, again(file, longer).motion), 1e-4);
+  EXPECT_LT(largest_joint_move(longer, again(file, longer).motion), 1e-4);
 }
 
 TEST_F(FbxOnto, OtherLayersOfTheTakeMoveItsJointsNoMoreAndOtherTakesStay) {
@@ -162,10 +197,10 @@ TEST_F(FbxOnto, OtherLayersOfTheTakeMoveItsJointsNoMoreAndOtherTakesStay) {
   add_layer(other, "base");
   const fs::path file = written(fbx_edited_bytes(records, edits));
   const Motion wanted = turned(motion);
-  EXPECT_GT(largest_move(motion, read_motion(file).motion), 1);
-  EXPECT_LT(largest_move(wanted, again(file, wanted, {.take = "Take 001"}).motion), 1e-4);
+  EXPECT_GT(largest_joint_move(motion, read_motion(file).motion), 1);
+  EXPECT_LT(largest_joint_move(wanted, again(file, wanted, {.take = "Take 001"}).motion), 1e-4);
   const Motion kept = read_motion(file, {}, {.take = "other"}).motion;
-  const std::string bytes = fbx_bytes_onto(file, wanted, {}, {.take = "Take 001"});
+  const std::string bytes = put_onto(file, wanted, {.take = "Take 001"});
   EXPECT_EQ(read_fbx("f", bytes, {.take = "other"}).motion.clip.channels, kept.clip.channels);
 }
 
@@ -181,7 +216,7 @@ TEST_F(FbxOnto, TracksTakeTheNewValues) {
   const fs::path file = written(fbx_bytes(motion, {}, {}, tracks));
   for (ScalarTrack& track : tracks) std::reverse(track.values.begin(), track.values.end());
   const MotionFile found = again(file, motion, {}, tracks);
-  EXPECT_LT(largest_move(motion, found.motion), 1e-4);
+  EXPECT_LT(largest_joint_move(motion, found.motion), 1e-4);
   for (const ScalarTrack& track : tracks)
     EXPECT_NE(std::find(found.tracks.begin(), found.tracks.end(), track), found.tracks.end())
         << label(track);
@@ -191,7 +226,7 @@ TEST_F(FbxOnto, AnAsciiFileIsRefusedInOneSentence) {
   const fs::path file =
       written("; FBX 7.4.0 project file\nFBXHeaderExtension: {\n FBXVersion: 7400\n}\n");
   try {
-    fbx_bytes_onto(file, test::smooth_motion(3));
+    put_onto(file, test::smooth_motion(3));
     ADD_FAILURE();
   } catch (const InputError& error) {
     EXPECT_EQ(error.what(),
@@ -210,7 +245,7 @@ TEST_F(FbxOnto, StrangersTakeBackTheirOwnMotionAndAnother) {
       if (entry.path().extension() != ".fbx") continue;
       SCOPED_TRACE(entry.path().filename().string());
       const auto put_on = [&](const Motion& motion, const MotionFile& file) {
-        return fbx_bytes_onto(entry.path(), motion, file.source, {}, file.tracks);
+        return FbxOnto::put_onto(entry.path(), motion, {}, file.tracks);
       };
       std::optional<MotionFile> file;
       try {
@@ -225,12 +260,14 @@ TEST_F(FbxOnto, StrangersTakeBackTheirOwnMotionAndAnother) {
         continue;
       }
       const std::string bytes = put_on(file->motion, *file);
+      EXPECT_EQ(all_but_curves(bytes), all_but_curves(source));
       const double size = std::max(
           1.0, landmark_tracks(file->motion.skeleton, file->motion.clip).cwiseAbs().maxCoeff());
       const MotionFile same = read_fbx("same.fbx", bytes);
-      EXPECT_LT(largest_move(file->motion, same.motion), 1e-5 * size);
+      EXPECT_LT(largest_joint_move(file->motion, same.motion), 1e-5 * size);
       const Motion wanted = turned(file->motion);
-      EXPECT_LT(largest_move(wanted, read_fbx("f.fbx", put_on(wanted, *file)).motion), 1e-5 * size);
+      EXPECT_LT(largest_joint_move(wanted, read_fbx("f.fbx", put_on(wanted, *file)).motion),
+                1e-5 * size);
       ++written_onto;
     }
   std::cout << written_onto << " files written onto\n";

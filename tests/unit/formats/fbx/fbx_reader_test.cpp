@@ -12,6 +12,7 @@
 
 #include "core/base/file.h"
 #include "core/formats/fbx/fbx_reader.h"
+#include "core/formats/fbx/fbx_scene.h"
 #include "core/motion/forward_kinematics.h"
 #include "core/motion/landmarks.h"
 #include "tests/support/corpus.h"
@@ -402,6 +403,96 @@ TEST(FbxReader, MixesAndReplacesByLayersOfAWeight) {
   EXPECT_LT((knee_turn(layered(property("Mute", "bool", "1")), 10) - degrees(90)).norm(), 1e-6);
   EXPECT_LT((knee_turn(layered(property("Solo", "bool", "1") + replace), 10) - degrees(20)).norm(),
             1e-6);
+}
+
+TEST(FbxReader, FollowsTheWeightOfALayerThatChanges) {
+  std::string text = with_layer(fbx_text({{}}), "2");
+  text.insert(text.find("}\nConnections: {\n"),
+              "AnimationCurveNode: 113, \"AnimCurveNode::Weight\", \"\" {\n}\n" +
+                  curve(114, {.degrees = 100}));
+  text.insert(text.size() - 2, "C: \"OP\",113,110, \"Weight\"\nC: \"OP\",114,113, \"d|Weight\"\n");
+  for (const int frame : {0, 5, 10}) {
+    const double weight = frame / 10.0;
+    const double degrees = 9 * frame + weight * 2 * frame;
+    EXPECT_LT((knee_turn(text, frame) - axis_rotation(0, degrees * std::numbers::pi / 180)).norm(),
+              1e-6)
+        << frame;
+  }
+}
+
+TEST(FbxReader, AddsTurnsOfLayersOneAfterTheOtherOrByAngle) {
+  std::string text = with_layer(fbx_text({{}}), "2");
+  const std::string of_layer = "112,111, \"d|X\"";
+  text.replace(text.find(of_layer), of_layer.size(), "112,111, \"d|Y\"");
+  const double y = 20 * std::numbers::pi / 180;
+  const Eigen::Matrix3d base = axis_rotation(0, std::numbers::pi / 2);
+  EXPECT_LT((knee_turn(text, 10) - base * axis_rotation(1, y)).norm(), 1e-6);
+  const std::string layer = "\"AnimLayer::Added\", \"\" {\n";
+  text.insert(text.find(layer) + layer.size(),
+              "Properties70: {\n" + property("RotationAccumulationMode", "enum", "1") + "}\n");
+  EXPECT_LT((knee_turn(text, 10) - axis_rotation(1, y) * base).norm(), 1e-6);
+}
+
+TEST(FbxReader, SaysWhatAnglesItReadsOtherwise) {
+  EXPECT_THAT(texts(read_fbx("f", fbx_text({{}}, property("RotationOrder", "enum", "6")))),
+              ElementsAre("1 node with spheric XYZ angles, which are read as XYZ angles"));
+  EXPECT_THAT(texts(read_fbx("f", fbx_text({{}}, property("QuaternionInterpolate", "enum", "1")))),
+              ElementsAre("1 node with quaternions between keys, which are read as angles"));
+}
+
+TEST(FbxReader, TakesTheFirstOfObjectsOfOneNumber) {
+  std::string text = fbx_text({{}});
+  text.insert(text.find("Model: 3,"), model(2, "rig:Other", ""));
+  const MotionFile file = read_fbx("f", text);
+  const Skeleton& skeleton = file.motion.skeleton;
+  EXPECT_EQ(skeleton.joint(skeleton.find("Foot")).parent, skeleton.find("Knee"));
+}
+
+TEST(FbxReader, ReadsAMeshOnEachNodeThatDrawsIt) {
+  std::string text = with_smile(fbx_text({{}}));
+  text.insert(text.find("Model: 24,"), "Model: 25, \"Model::Again\", \"Mesh\" {\n}\n");
+  text.insert(text.size() - 2, "C: \"OO\",25,3\nC: \"OO\",20,25\n");
+  FbxFile file("f", text);
+  EXPECT_EQ(read_fbx_take(file, {}).take.meshes.size(), 2u);
+}
+
+TEST(FbxReader, ReadsAPictureThatIsInTheFile) {
+  std::string text = with_smile(fbx_text({{}}));
+  text.insert(text.find("PolygonVertexIndex"),
+              "LayerElementUV: 0 {\nMappingInformationType: \"ByPolygonVertex\"\n" +
+                  list("UV", {"0", "0", "1", "0", "0", "1"}) + list("UVIndex", {"0", "1", "2"}) +
+                  "}\n");
+  text.insert(text.find("Model: 24,"),
+              "Material: 30, \"Material::Paint\", \"\" {\n}\nTexture: 31, \"Texture::Paint\", \"\" "
+              "{\nRelativeFilename: \"paint.png\"\n}\nVideo: 32, \"Video::Paint\", \"Clip\" "
+              "{\nContent: , \"iVBORw0K\",\"GgohIQ==\"\n}\n");
+  text.insert(text.size() - 2,
+              "C: \"OO\",30,24\nC: \"OP\",31,30, \"DiffuseColor\"\nC: \"OO\",32,31\n");
+  FbxFile file("f", text);
+  const FbxTake take = read_fbx_take(file, {});
+  ASSERT_EQ(take.take.meshes.size(), 1u);
+  ASSERT_NE(take.take.meshes[0].picture, nullptr);
+  EXPECT_EQ(take.take.meshes[0].picture->bytes, "\x89PNG\r\n\x1A\n!!");
+  EXPECT_THAT(take.warnings, IsEmpty());
+}
+
+TEST(FbxReader, ReadsVisibilityThatChanges) {
+  std::string text = with_smile(fbx_text({{}}));
+  const std::string moved = "C: \"OP\",105,23, \"DeformPercent\"";
+  text.replace(text.find(moved), moved.size(), "C: \"OP\",105,2, \"Visibility\"");
+  const MotionFile file = read_fbx("f", text);
+  ASSERT_EQ(file.tracks.size(), 1u);
+  EXPECT_EQ(label(file.tracks[0]), "rig:Knee.Visibility");
+}
+
+TEST(FbxReader, SamplesAtARateOfTheFilesOwn) {
+  std::string text = fbx_text({{.frames = {0, 4, 5, 10}}});
+  const std::string usual = property("TimeMode", "enum", "6");
+  text.replace(text.find(usual), usual.size(),
+               property("TimeMode", "enum", "14") + property("CustomFrameRate", "double", "90"));
+  const MotionFile file = read_fbx("f", text);
+  EXPECT_EQ(file.motion.clip.sample_rate_hz, 90);
+  EXPECT_EQ(file.motion.clip.frames(), 31);
 }
 
 TEST(FbxReader, ReadsAConnectionThatIsThereTwiceOnce) {

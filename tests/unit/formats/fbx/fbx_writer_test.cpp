@@ -11,38 +11,20 @@
 #include "core/formats/fbx/fbx_animation.h"
 #include "core/formats/fbx/fbx_reader.h"
 #include "core/formats/fbx/fbx_scene.h"
-#include "core/motion/landmarks.h"
+#include "tests/support/same_motion.h"
 #include "tests/support/test_motion.h"
 
 namespace mocapress::fbx_writer_test {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The largest distance (cm) of a joint of `motion` from its namesake in `again`, over all frames.
-double largest_move(const Motion& motion, const Motion& again) {
-  EXPECT_EQ(again.clip.frames(), motion.clip.frames());
-  EXPECT_NEAR(again.clip.sample_rate_hz, motion.clip.sample_rate_hz, 1e-6);
-  const Eigen::MatrixXd wanted = landmark_tracks(motion.skeleton, motion.clip);
-  const Eigen::MatrixXd found = landmark_tracks(again.skeleton, again.clip);
-  double largest = 0;
-  for (int j = 0; j < motion.skeleton.joint_count(); ++j) {
-    const int same = again.skeleton.find(motion.skeleton.joint(j).name);
-    EXPECT_GE(same, 0) << motion.skeleton.joint(j).name;
-    if (same >= 0)
-      largest = std::max(largest, (found.middleCols<3>(3 * same) - wanted.middleCols<3>(3 * j))
-                                      .rowwise()
-                                      .norm()
-                                      .maxCoeff());
-  }
-  return largest;
-}
+using test::largest_joint_move;
 
 double round_trip(const Motion& motion, const SourceFormat& source = {},
-                  const WriteOptions& options = {}, int version = kUsualFbxVersion) {
-  const MotionFile again = read_fbx("again.fbx", fbx_bytes(motion, source, options, {}, version));
+                  const WriteOptions& options = {}) {
+  const MotionFile again = read_fbx("again.fbx", fbx_bytes(motion, source, options));
   EXPECT_TRUE(again.warnings.empty()) << again.warnings.front().text();
-  return largest_move(motion, again.motion);
+  return largest_joint_move(motion, again.motion);
 }
 
 fs::path sample(const char* name) {
@@ -68,9 +50,9 @@ TEST(FbxWriter, WritesTheUnitAndTheAxesThatAreAskedFor) {
 
 TEST(FbxWriter, WritesRecordsOf64BitsWhereAskedTo) {
   const Motion motion = test::smooth_motion(20);
-  const std::string bytes = fbx_bytes(motion, {}, {}, {}, 7700);
+  const std::string bytes = fbx_bytes(motion, {}, {.fbx_version = 7700});
   EXPECT_EQ(FbxRecords("f", bytes).version(), 7700);
-  EXPECT_LT(round_trip(motion, {}, {}, 7700), 1e-4);
+  EXPECT_LT(round_trip(motion, {}, {.fbx_version = 7700}), 1e-4);
 }
 
 TEST(FbxWriter, KeepsRatesThatHaveNoNumberOfTheirOwn) {
@@ -154,12 +136,57 @@ TEST(FbxWriter, KeepsTracksThatChange) {
        .name = "smile",
        .values = {0, 1, 0.5, 0.25}},
       {.kind = TrackKind::MorphWeight, .node = "Face", .name = "blink", .values = {1, 0, 0, 0}},
+      {.kind = TrackKind::MorphWeight, .node = "Face", .name = "blink", .values = {0, 0, 1, 0}},
       {.kind = TrackKind::ScaleX, .node = joint, .name = {}, .values = {1, 2, 3, 4}}};
   const MotionFile again = read_fbx("f.fbx", fbx_bytes(motion, {}, {}, tracks));
-  EXPECT_LT(largest_move(motion, again.motion), 1e-4);
+  EXPECT_LT(largest_joint_move(motion, again.motion), 1e-4);
   for (const ScalarTrack& track : tracks)
     EXPECT_NE(std::find(again.tracks.begin(), again.tracks.end(), track), again.tracks.end())
         << label(track);
+}
+
+TEST(FbxWriter, PutsSeveralClipsOfARigIntoOneFileEachAtItsRate) {
+  const Motion walk = test::smooth_motion(20);
+  Motion jump = test::smooth_motion(31);
+  jump.clip.sample_rate_hz = 24;
+  for (int c = 0; c < jump.skeleton.channel_count(); ++c)
+    jump.clip.channels.col(c).array() += is_rotation(jump.skeleton.channel_kind(c)) ? 0.3 : 5;
+  const auto weights = [](std::size_t frames, float scale) {
+    ScalarTracks tracks = {
+        {.kind = TrackKind::MorphWeight, .node = "Face", .name = "smile", .values = {}},
+        {.kind = TrackKind::Property, .node = "event", .name = "step", .values = {}}};
+    for (ScalarTrack& track : tracks)
+      for (std::size_t t = 0; t < frames; ++t)
+        track.values.push_back(scale * static_cast<float>(t) / static_cast<float>(frames));
+    return tracks;
+  };
+  const ScalarTracks of_walk = weights(20, 1);
+  const ScalarTracks of_jump = weights(31, 0.5F);
+  const std::string bytes =
+      fbx_bytes(std::vector<FbxClip>{{"walk", walk, of_walk}, {"jump", jump, of_jump}});
+  const auto judge = [&](const char* take, const Motion& motion, const ScalarTracks& tracks) {
+    const MotionFile again = read_fbx("f.fbx", bytes, {.take = take});
+    EXPECT_EQ(again.takes.keys, (std::vector<std::string>{"walk", "jump"}));
+    EXPECT_LT(largest_joint_move(motion, again.motion), 1e-4) << take;
+    ASSERT_EQ(again.tracks.size(), 2u) << take;
+    for (std::size_t i = 0; i < 2; ++i)
+      for (std::size_t t = 0; t < tracks[i].values.size(); ++t)
+        EXPECT_NEAR(again.tracks[i].values[t], tracks[i].values[t], 1e-6) << take << ' ' << i;
+  };
+  judge("walk", walk, of_walk);
+  judge("jump", jump, of_jump);
+}
+
+TEST(FbxWriter, PlacesAJointThatRestsElsewhereThanItStands) {
+  Motion motion;
+  motion.skeleton.add({.name = "hip", .channels = {ChannelKind::RotationX}});
+  motion.skeleton.add({.name = "slider",
+                       .parent = 0,
+                       .offset = {0, 10, 0},
+                       .channels = {ChannelKind::TranslationX}});
+  motion.clip = {30, Eigen::MatrixXd::Constant(5, 2, 3)};
+  motion.clip.channels.col(0).setLinSpaced(0, 1);
+  EXPECT_LT(round_trip(motion), 1e-4);
 }
 
 TEST(FbxWriter, LeavesNamesAsTheyAre) {

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// FBX files that the command line writes.
+#include "core/formats/motion_file.h"
+#include "tests/support/same_motion.h"
+#include "tests/system/command.h"
+
+namespace mocapress::test {
+namespace {
+
+class CliFbx : public CommandLine {
+ protected:
+  const std::string packed_ = file("clip.mcpr");
+};
+
+TEST_F(CliFbx, PutsAMotionOntoAnFbxAtAnotherRateThanItsOwn) {
+  const std::string character =
+      std::string(MOCAPRESS_SOURCE_DIR) + "/resources/samples/character.fbx";
+  const std::string output = file("moved.fbx");
+  ASSERT_EQ(
+      mocapress({"compress", character, "-o", packed_, "--rate", "60", "--target-error", "0.01"})
+          .exit_code,
+      0);
+  ASSERT_EQ(mocapress({"decompress", packed_, "-o", output, "--onto", character}).exit_code, 0);
+  const MotionFile source = read_motion(character, {}, {.sample_rate_hz = 60.0});
+  const MotionFile found = read_motion(output, {}, {.sample_rate_hz = 60.0});
+  EXPECT_NE(found.skin, nullptr);
+  EXPECT_EQ(read_motion(output).motion.clip.sample_rate_hz, 60);
+  EXPECT_LT(largest_joint_move(source.motion, found.motion), 0.2);
+  EXPECT_EQ(
+      mocapress({"decompress", packed_, "-o", file("moved.glb"), "--onto", character}).exit_code,
+      2);
+}
+
+TEST_F(CliFbx, PutsSeveralClipsOfARigIntoOneFbxATakeEach) {
+  const std::string samples = std::string(MOCAPRESS_SOURCE_DIR) + "/resources/samples/";
+  std::vector<std::string> words = {"decompress"};
+  for (const char* clip : {"human_walk", "human_run"}) {
+    words.push_back(file(clip + std::string(".mcpr")));
+    ASSERT_EQ(mocapress({"compress", samples + clip + ".amc", "-o", words.back()}).exit_code, 0);
+  }
+  const auto onto = [&](const std::string& output, const std::vector<std::string>& more) {
+    std::vector<std::string> all = words;
+    all.insert(all.end(), {"-o", output});
+    all.insert(all.end(), more.begin(), more.end());
+    return mocapress(all);
+  };
+  const std::string output = file("moves.fbx");
+  ASSERT_EQ(onto(output, {"--fbx-version", "7.7"}).exit_code, 0);
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    const std::string take = std::filesystem::path(words[i]).stem().string();
+    const MotionFile found = read_motion(output, {}, {.take = take});
+    EXPECT_EQ(found.takes.keys, (std::vector<std::string>{"human_walk", "human_run"}));
+    const std::string alone = file("alone.bvh");
+    ASSERT_EQ(mocapress({"decompress", words[i], "-o", alone}).exit_code, 0);
+    EXPECT_LT(largest_joint_move(read_motion(alone).motion, found.motion), 1e-3) << take;
+  }
+  EXPECT_EQ(onto(file("moves.bvh"), {}).exit_code, 2);
+  EXPECT_EQ(onto(output, {"--onto", output}).exit_code, 2);
+  EXPECT_EQ(onto(output, {"--fbx-version", "6.1"}).exit_code, 2);
+  ASSERT_EQ(mocapress({"compress", write("other.bvh", test_bvh()), "-o", packed_}).exit_code, 0);
+  words.push_back(packed_);
+  EXPECT_EQ(onto(output, {}).exit_code, 3);
+}
+
+}  // namespace
+}  // namespace mocapress::test
