@@ -103,9 +103,15 @@ TEST_F(Assimp, DISABLED_TakesTimeAndMemoryBesideUs) {
   const auto folder = corpus();
   if (!folder) GTEST_SKIP() << "the corpus of real motions is not here";
   const std::string large = file("large.fbx").string();
-  constexpr int kFrames = 60'000;
-  write_motion(large, repeated(read_motion(*folder / "bvh/iclone_006_05_60hz_100joints.bvh").motion,
-                               kFrames));
+  constexpr int kFrames = 32'000;
+  // By another process: what this one took would count as that of the programs it starts.
+  if (const pid_t child = fork(); child == 0) {
+    const Motion once = read_motion(*folder / "bvh/iclone_006_05_60hz_100joints.bvh").motion;
+    write_motion(large, repeated(once, kFrames));
+    _exit(0);
+  } else {
+    waitpid(child, nullptr, 0);
+  }
   for (const std::string& path :
        {large, (*folder / "fbx/85_12.fbx").string(),
         (fs::path(MOCAPRESS_SOURCE_DIR) / "resources/samples/character.fbx").string(),
@@ -117,7 +123,7 @@ TEST_F(Assimp, DISABLED_TakesTimeAndMemoryBesideUs) {
     };
     for (int turn = 0; turn < 3; ++turn) {
       keep_least(ours, cost_of({MOCAPRESS_EXECUTABLE, "info", path}));
-      keep_least(theirs, cost_of({"assimp", "info", "--raw", path}));
+      keep_least(theirs, cost_of({"assimp", "info", path, "--raw"}));
     }
     std::cout << "| " << fs::path(path).filename().string() << " | "
               << static_cast<double>(fs::file_size(path)) / 1e6 << " | " << ours.seconds << " | "
