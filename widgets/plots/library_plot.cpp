@@ -19,6 +19,7 @@ namespace mocapress {
 namespace {
 
 constexpr auto kRedrawInterval = std::chrono::milliseconds(100);
+constexpr QSize kLeastPlot(180, 160);
 constexpr double kPointReach = 10;  // px from a point at which it answers
 constexpr int kClickReach = 4;      // px a click may wander
 
@@ -41,7 +42,12 @@ LibraryPlot::LibraryPlot(const LibraryFilter* clips, QWidget* parent)
   plot_->xAxis->setTicker(QSharedPointer<LogTicker>::create(QStringLiteral(":1")));
   plot_->yAxis->setTicker(QSharedPointer<LogTicker>::create());
   plot_->setInteractions(QCP::iRangeZoom | QCP::iRangeDrag);
-  plot_->axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignTop | Qt::AlignLeft);
+  // Above the axes: within them it would cover clips.
+  plot_->plotLayout()->insertRow(0);
+  plot_->plotLayout()->addElement(0, 0, plot_->legend);
+  plot_->plotLayout()->setRowStretchFactor(0, 0.001);
+  plot_->setMinimumSize(kLeastPlot);  // else as wide as the legend
+  plot_->legend->setIconSize(10, fontMetrics().height());
   hint_->position->setType(QCPItemPosition::ptAxisRectRatio);
   hint_->position->setCoords(0.5, 0.5);
   hint_->setText(tr("Compress the library's clips to see them here"));
@@ -130,8 +136,9 @@ void LibraryPlot::redraw() {
     else
       any = true;
   }
+  plot_->legend->setFillOrder(QCPLegend::foColumnsFirst);  // anew: its items are others
   plot_->legend->setVisible(any);
-  plot_->legend->setBrush(fainter(palette().color(QPalette::Base), 0.85F));
+  plot_->legend->setBrush(Qt::NoBrush);
   plot_->legend->setBorderPen(Qt::NoPen);
   plot_->legend->setTextColor(text);
   plot_->legend->setFont(font());
