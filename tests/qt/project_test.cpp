@@ -16,7 +16,7 @@ TEST(ProjectFile, BringsClipsBackRelativeToItsFolder) {
   project.current = QStringLiteral("/motions/walk.bvh");
   project.clips = {{.path = QStringLiteral("/motions/walk.bvh"),
                     .settings = elaborateByName(),
-                    .outcome = Outcome{25, 0.5, 2, 1000, false},
+                    .outcome = Outcome{25, 0.5, 2, 1000, false, Sight::Visible, 1.5},
                     .review = {Verdict::Rejected, "knee pops — frame 12", "ann",
                                "2026-11-27T01:39:46Z", "0123456789abcdef", "fedcba9876543210"},
                     .pins = {{QStringLiteral("hero"), QColor(1, 2, 3), elaborateByName()}}},
