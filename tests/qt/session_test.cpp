@@ -30,7 +30,9 @@ class SessionTest : public testing::Test {
   SessionTest() { session_.setOptions(ratio(10)); }
 
   static EncodeSettings ratio(double value) {
-    return {.method = Method::Annealed, .target = {Target::Kind::Ratio, value}};
+    return {.method = Method::Annealed,
+            .weighting = Weighting::BoneEnds,
+            .target = {Target::Kind::Ratio, value}};
   }
 
   QString path(const char* name) const { return directory_.filePath(QString::fromLatin1(name)); }

@@ -70,7 +70,7 @@ TEST(SettingsField, NamesWhatChanged) {
   using enum SettingsField;
   EXPECT_EQ(firstDifference(plain, plain), None);
   EXPECT_EQ(fieldOf([](ClipSettings& s) { s.encode.target.value = 3; }), Target);
-  EXPECT_EQ(fieldOf([](ClipSettings& s) { s.encode.method = mocapress::Method::ClosedLoop; }),
+  EXPECT_EQ(fieldOf([](ClipSettings& s) { s.encode.method = mocapress::Method::Annealed; }),
             Method);
   EXPECT_EQ(fieldOf([](ClipSettings& s) { s.encode.correction = EncodeCorrection{}; }), Correction);
   EXPECT_EQ(fieldOf([](ClipSettings& s) { s.contacts.begin_height = 9; }), Contacts);

@@ -414,7 +414,7 @@ void fit_ends(const EncodeSettings& settings, Trial& trial, const Skeleton& code
   if (is_loop) error = first.error_with(to_first);
   // The same error in angles is another in centimetres where the poses differ: then the last pose
   // gets less of the first one's.
-  const double promise = tolerance(options.ends == Ends::Exact ? kExact : 1).cm;
+  const double promise = tolerance(settings.ends == Ends::Exact ? kExact : 1).cm;
   std::optional<End> last;
   std::pair<int, Eigen::VectorXi> lacks_at_last;
   Eigen::RowVectorXd to_last;
