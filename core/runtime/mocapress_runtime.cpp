@@ -203,7 +203,8 @@ mcpr_result mcpr_decode_moment(const mcpr_clip* clip, const mcpr_request* reques
   mcpr_result result = check_request(clip, request);
   if (failed(result)) return result;
   const Wrapping wrapping{clip->block.segments.frames, clip->block.loop, request->wrap};
-  if (!wrapping.is_possible()) return argument("no such wrap, or the clip is not a loop");
+  if (!wrapping.is_possible() || request->unit < MCPR_FRAMES || request->unit > MCPR_SECONDS)
+    return argument("no such unit or wrap, or the clip is not a loop");
   const double frame = request->unit == MCPR_SECONDS ? time * clip->block.sample_rate : time;
   if (!std::isfinite(frame) || out == nullptr) return argument("no finite instant, or no output");
   if (failed(result = check_scratch(clip, request, scratch, scratch_size))) return result;

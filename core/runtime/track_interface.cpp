@@ -136,16 +136,18 @@ mcpr_result mcpr_track_changes(const mcpr_tracks* tracks, const mcpr_track_reque
   if (!wrapping.is_possible()) return wrong_track("no such wrap, or the clip is not a loop");
   const double first = std::floor(frame_at(*request, std::min(from, to)));
   const double last = std::floor(frame_at(*request, std::max(from, to)));
-  if (!std::isfinite(from) || !std::isfinite(to) || last - first > double{kMostFrames})
+  // Beyond what a double holds, the difference is no number.
+  if (!std::isfinite(from) || !std::isfinite(to) || !(last - first <= double{kMostFrames}))
     return wrong_track("no finite instants, or too many frames between them");
   *count = 0;
   const auto frames = static_cast<std::uint32_t>(last - first);
+  const std::size_t asked = mcpr_track_values(tracks, request);
   for (std::uint32_t i = 0; i < frames; ++i) {
     // Frames where values may change, on the way.
     const double frame = from <= to ? first + 1 + i : last - i;
     const std::uint32_t before = frame_held_at(wrapping, frame - 0.5);
     const std::uint32_t after = frame_held_at(wrapping, frame + 0.5);
-    for (std::uint32_t t = 0; t < mcpr_track_values(tracks, request); ++t) {
+    for (std::uint32_t t = 0; t < asked; ++t) {
       const ResidentTrack& track =
           tracks->track(request->tracks != nullptr ? request->tracks[t] : t);
       if (track.steps == 0 || track.is_curve != 0) continue;

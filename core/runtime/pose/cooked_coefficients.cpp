@@ -81,7 +81,10 @@ void CookedCoefficients::choose_steps() {
     double move = 0;
     for (int k = 0; k < clip_.segments.count() && move <= ik_error_; ++k)
       move = std::max(move, largest_move(k));
-    (move <= ik_error_ ? last : first) = move <= ik_error_ ? octaves_ : octaves_ + 1;
+    if (move <= ik_error_)
+      last = octaves_;
+    else
+      first = octaves_ + 1;
   }
   octaves_ = first > kMostOctaves ? kExact : first;
   loaded_ = -1;

@@ -281,6 +281,8 @@ TEST(Decoder, RefusesRequestsTheClipCannotFulfil) {
   EXPECT_EQ(opened().moment({}, kFrames - 0.5), opened().moment({}, kFrames - 1));
   EXPECT_EQ(opened().moment({}, -0.1), opened().moment({}, 0));
   EXPECT_TRUE(opened().moment({.wrap = static_cast<mcpr_wrap>(6)}, 0).empty());
+  const double rate = mcpr_clip_describe(opened().clip).sample_rate;
+  EXPECT_EQ(opened().moment({.unit = MCPR_SECONDS}, 0.25), opened().moment({}, 0.25 * rate));
   EXPECT_TRUE(opened().moment({}, std::numeric_limits<double>::quiet_NaN()).empty());
 }
 

@@ -208,6 +208,10 @@ TEST_F(RuntimeTracks, RefuseChangesOfTooManyFrames) {
     EXPECT_EQ(
         mcpr_track_changes(mcpr_clip_tracks(clip.clip), &all, 0, to, nullptr, 0, &count).status,
         MCPR_ARGUMENT);
+  const mcpr_track_request fast{.sample_rate = 1e10};
+  EXPECT_EQ(mcpr_track_changes(mcpr_clip_tracks(clip.clip), &fast, 1e300, 1e305, nullptr, 0, &count)
+                .status,
+            MCPR_ARGUMENT);
   EXPECT_EQ(mcpr_track_changes(mcpr_clip_tracks(clip.clip), &all, 0, 1, nullptr, 0, nullptr).status,
             MCPR_ARGUMENT);
 }
