@@ -13,6 +13,17 @@ std::string without_namespace(const std::string& joint) {
   return colon == std::string::npos ? joint : joint.substr(colon + 1);
 }
 
+std::string shared_namespace(const Skeleton& skeleton) {
+  if (skeleton.joint_count() == 0) return {};
+  const std::string& first = skeleton.joint(0).name;
+  std::string shared = first.substr(0, first.rfind(':') + 1);  // none where there is no colon
+  const bool all =
+      std::all_of(skeleton.joints().begin(), skeleton.joints().end(), [&](const Joint& joint) {
+        return joint.name.starts_with(shared) && joint.name.size() > shared.size();
+      });
+  return all ? shared : std::string();
+}
+
 std::string rig_of(const Skeleton& skeleton) {
   std::vector<std::string> bones;
   for (const Joint& joint : skeleton.joints()) {

@@ -94,6 +94,17 @@ TEST_F(JointErrors, ShowsEveryLandmarkWithItsMeanAndMax) {
   EXPECT_EQ(at(2, JointErrorModel::Max).toString(), QStringLiteral("–"));
 }
 
+TEST_F(JointErrors, NamesJointsWithoutTheNamespaceTheyShare) {
+  for (Landmark& point : points_) point.name = "mixamorig:" + point.name;
+  model_.setLandmarks(points_, "mixamorig:");
+  EXPECT_EQ(at(0, JointErrorModel::Name).toString(), QStringLiteral("root"));
+  EXPECT_EQ(at(0, JointErrorModel::Name, Qt::ToolTipRole).toString(),
+            QStringLiteral("mixamorig:root"));
+  const QSignalSpy wishes(&model_, &JointErrorModel::checkRequested);
+  model_.setData(model_.index(0, JointErrorModel::Name), Qt::Checked, Qt::CheckStateRole);
+  EXPECT_EQ(wishes[0][0].toString(), QStringLiteral("mixamorig:root"));
+}
+
 TEST_F(JointErrors, ShowsTheAngleOfEveryJointAndItsEnds) {
   model_.setLandmarks(points_);
   const int joints = test::small_skeleton().joint_count();

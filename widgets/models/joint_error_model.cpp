@@ -9,9 +9,11 @@
 
 namespace mocapress {
 
-void JointErrorModel::setLandmarks(std::vector<Landmark> points) {
+void JointErrorModel::setLandmarks(std::vector<Landmark> points,
+                                   const std::string& shared_namespace) {
   beginResetModel();
   points_ = std::move(points);
+  unshown_ = QString::fromStdString(shared_namespace).size();
   distances_.resize(0, 2);
   joint_degrees_.resize(0);
   times_noticed_.resize(0);
@@ -66,7 +68,8 @@ QVariant JointErrorModel::nameData(int row, int role) const {
   const QString name = nameOf(row);
   switch (role) {
     case Qt::DisplayRole:
-    case Qt::ToolTipRole:  // the full name, which the column may be too narrow for
+      return name.mid(unshown_);
+    case Qt::ToolTipRole:  // the full name
       return name;
     case kSortRole:
       return row;  // orders by the skeleton

@@ -3,6 +3,7 @@
 
 #include <QAbstractTableModel>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -24,8 +25,8 @@ class JointErrorModel : public QAbstractTableModel {
 
   using QAbstractTableModel::QAbstractTableModel;
 
-  /// Makes a row for each of `points`, without errors.
-  void setLandmarks(std::vector<Landmark> points);
+  /// Makes a row for each of `points`, without errors. The start that all names share is not shown.
+  void setLandmarks(std::vector<Landmark> points, const std::string& shared_namespace = {});
 
   /// Sets the errors of those landmarks; null: unknown.
   void setErrors(const Distortion* errors, const SightTable* sight);
@@ -56,6 +57,7 @@ class JointErrorModel : public QAbstractTableModel {
   std::optional<double> errorAt(int row, int column) const;
 
   std::vector<Landmark> points_;
+  qsizetype unshown_ = 0;          // characters that each name begins with
   Eigen::MatrixX2f distances_;     // cm, columns mean and max; no rows: unknown
   Eigen::VectorXd joint_degrees_;  // RMS angle of each joint
   Eigen::VectorXf times_noticed_;  // worst of each joint, in noticeable thresholds; empty: unknown

@@ -11,6 +11,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "core/motion/rig.h"
 #include "widgets/models/display_names.h"
 #include "widgets/models/log_scale.h"
 #include "widgets/panels/number_fields.h"
@@ -107,8 +108,12 @@ CorrectionControl::CorrectionControl(QWidget* parent)
 
 void CorrectionControl::setSkeleton(const Skeleton& skeleton) {
   joint_menu_->clear();
+  joint_menu_->setToolTipsVisible(true);
+  const std::size_t shared = shared_namespace(skeleton).size();
   for (int j = 0; j < skeleton.joint_count(); ++j) {
-    QAction* action = joint_menu_->addAction(QString::fromStdString(skeleton.joint(j).name));
+    QAction* action =
+        joint_menu_->addAction(QString::fromStdString(skeleton.joint(j).name.substr(shared)));
+    action->setToolTip(QString::fromStdString(skeleton.joint(j).name));
     action->setCheckable(true);
     action->setData(j);
     connect(action, &QAction::toggled, this, &CorrectionControl::chooseJoints);

@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "core/motion/rig.h"
 #include "widgets/models/display_names.h"
 #include "widgets/panels/factor_control.h"
 
@@ -123,8 +124,10 @@ void ImportancePanel::setSkeleton(const Skeleton& skeleton) {
   importance_.joints.clear();
   const QScopedValueRollback showing(showing_, true);
   joints_->clear();
+  const std::size_t shared = shared_namespace(skeleton).size();
   for (const Joint& joint : skeleton.joints()) {
-    auto* item = new QTreeWidgetItem(joints_, {QString::fromStdString(joint.name)});
+    auto* item = new QTreeWidgetItem(joints_, {QString::fromStdString(joint.name.substr(shared))});
+    item->setToolTip(0, QString::fromStdString(joint.name));
     item->setFlags(item->flags() | Qt::ItemIsEditable);
   }
   for (const auto& [part, control] : parts_) {

@@ -58,10 +58,9 @@ std::optional<ResultFigures> figuresOf(const Document& document) {
   }
   if (decoded.visibility) {
     const WorstSight& worst = decoded.visibility->worst();
-    figures.seen =
-        SeenFigures{decoded.visibility->sight(), worst.cue,
-                    QString::fromStdString(decoded.compressed.skeleton.joint(worst.joint).name),
-                    worst.frame / decoded.clip.sample_rate_hz, worst.times_noticed()};
+    figures.seen = SeenFigures{decoded.visibility->sight(), worst.cue,
+                               document.landmarkNames()[static_cast<std::size_t>(worst.joint)],
+                               worst.frame / decoded.clip.sample_rate_hz, worst.times_noticed()};
   }
   return figures;
 }

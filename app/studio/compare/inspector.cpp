@@ -12,6 +12,7 @@
 #include "app/studio/compare/figures.h"
 #include "app/studio/document/session.h"
 #include "core/motion/landmarks.h"
+#include "core/motion/rig.h"
 #include "widgets/panels/figures_bar.h"
 #include "widgets/plots/channel_graph.h"
 #include "widgets/plots/heat_map.h"
@@ -183,9 +184,10 @@ void Inspector::showJoint() {
   const int joint = shownJoint(document);
   QStringList names;
   const Joint& shown = skeleton.joint(joint);
+  const std::size_t shared = shared_namespace(skeleton).size();
   for (std::size_t c = 0; c < shown.channels.size(); ++c)
     names << QString::fromStdString(
-        skeleton.channel_name(skeleton.first_channel(joint) + static_cast<int>(c)));
+        skeleton.channel_name(skeleton.first_channel(joint) + static_cast<int>(c)).substr(shared));
   channel_ = std::clamp(channel_, 0, std::max(0, static_cast<int>(names.size()) - 1));
   views_.channel->setChannels(names, names.isEmpty() ? -1 : channel_);
   views_.heat_map->setCurrentLandmark(document.currentJoint());

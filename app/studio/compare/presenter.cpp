@@ -5,6 +5,7 @@
 #include "app/studio/compare/figures.h"
 #include "app/studio/document/session.h"
 #include "core/motion/landmarks.h"
+#include "core/motion/rig.h"
 #include "widgets/panels/annealing_panel.h"
 #include "widgets/panels/compression_panel.h"
 #include "widgets/panels/correction_control.h"
@@ -26,10 +27,11 @@ std::vector<ErrorCurve> curvesOf(const Document& document) {
   std::vector<ErrorCurve> curves;
   if (!document.skeleton()) return curves;
   const std::vector<Landmark> points = landmarks(*document.skeleton());
+  const std::vector<QString> shown = document.landmarkNames();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const QString name = QString::fromStdString(points[i].name);
     if (document.curves().contains(name))
-      curves.push_back({name, document.curves().colour(name), static_cast<int>(i)});
+      curves.push_back({shown[i], document.curves().colour(name), static_cast<int>(i)});
   }
   return curves;
 }
@@ -126,7 +128,7 @@ void Presenter::showClip() {
   views_.importance->setEnabled(original != nullptr);
   views_.importance->setSkeleton(skeleton);
   showOptions();
-  models_.joints->setLandmarks(landmarks(skeleton));
+  models_.joints->setLandmarks(landmarks(skeleton), shared_namespace(skeleton));
   playback_->setClip(document.frames(), document.sampleRate());
   showTakes();
   showDecoded();
@@ -228,8 +230,8 @@ void Presenter::showSkin() {
 /// Moves the playhead to the finding's worst frame and draws the foot's curve.
 void Presenter::showFinding(int frame, int landmark) {
   playback_->seek(frame);
-  const std::vector<QString> names = session_->document().landmarkNames();
-  setChecked(names[static_cast<std::size_t>(landmark)], true);
+  const std::vector<Landmark> points = landmarks(*session_->document().skeleton());
+  setChecked(QString::fromStdString(points[static_cast<std::size_t>(landmark)].name), true);
   session_->document().setCurrentJoint(models_.joints->jointOf(landmark));
 }
 

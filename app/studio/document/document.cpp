@@ -8,6 +8,8 @@
 #include "app/studio/document/settings_field.h"
 #include "core/codec/encode/track_encoder.h"
 #include "core/motion/forward_kinematics.h"
+#include "core/motion/landmarks.h"
+#include "core/motion/rig.h"
 
 namespace mocapress {
 namespace {
@@ -307,8 +309,9 @@ void Document::setSaved(const DecodedPtr& decoded, const QString& path) {
 std::vector<QString> Document::landmarkNames() const {
   std::vector<QString> names;
   if (!skeleton()) return names;
+  const std::size_t shared = shared_namespace(*skeleton()).size();
   for (const Landmark& point : landmarks(*skeleton()))
-    names.push_back(QString::fromStdString(point.name));
+    names.push_back(QString::fromStdString(point.name.substr(shared)));
   return names;
 }
 

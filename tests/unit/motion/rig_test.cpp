@@ -36,5 +36,15 @@ TEST(Rig, IsAnotherWithAnotherJointOrParent) {
   EXPECT_NE(rig, rig_of(skeleton_of({{"Hips", -1}, {"Spine", 0}, {"Head", 1}, {"Eye", 2}})));
 }
 
+TEST(Rig, HasANamespaceWhereAllJointsShareIt) {
+  EXPECT_EQ(shared_namespace(skeleton_of({{"mixamorig:Hips", -1}, {"mixamorig:Spine", 0}})),
+            "mixamorig:");
+  EXPECT_EQ(shared_namespace(skeleton_of({{"a:b:Hips", -1}, {"a:b:Spine", 0}})), "a:b:");
+  EXPECT_EQ(shared_namespace(skeleton_of({{"a:Hips", -1}, {"Spine", 0}})), "");
+  EXPECT_EQ(shared_namespace(skeleton_of({{"a:Hips", -1}, {"a:", 0}})), "");
+  EXPECT_EQ(shared_namespace(skeleton_of({{"Hips", -1}})), "");
+  EXPECT_EQ(shared_namespace({}), "");
+}
+
 }  // namespace
 }  // namespace mocapress
