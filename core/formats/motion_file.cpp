@@ -222,8 +222,8 @@ Warnings fit_warnings(const path& file, const Character& character, const Skelet
         {file.string(), 0,
          "has other proportions than the clip, and legs of " +
              std::to_string(std::lround(100 * lengths.scale)) +
-             " % the length: it is shown with its own bones, and errors are measured "
-             "at the clip's"});
+             " % the length: it is shown and coloured with its own bones, and figures are "
+             "measured on the clip's"});
   return warnings;
 }
 

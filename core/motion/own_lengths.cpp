@@ -117,6 +117,12 @@ OwnLengths own_lengths(const std::vector<SkinBone>& bones, const Skeleton& from,
     }
     lengths.bones.push_back(bone);
   }
+  // Joints that carry nothing go where the joints above them go.
+  for (int j = 0; j < to.joint_count(); ++j)
+    if (to.joint(j).parent >= 0 &&
+        std::none_of(carriers.begin(), carriers.end(),
+                     [j](const Carrier& carrier) { return carrier.joint == j; }))
+      lengths.bones.push_back({j, to.joint(j).parent, Vector3d::Zero()});
   return differs ? lengths : OwnLengths();
 }
 

@@ -176,6 +176,48 @@ TEST_F(SkinScreen, IsColouredByTheErrorsOfItsJoints) {
   EXPECT_FALSE(isBlue(front(coloured, compressed_at_, 105)));
 }
 
+/// The box half as large, on the floor.
+std::shared_ptr<const Skin> smaller_box() {
+  Skin skin = *box();
+  skin.lengths.scale = 0.5;
+  skin.lengths.bones = {{0, -1, Eigen::Vector3d::Zero()}, {1, 0, Eigen::Vector3d::Zero()}};
+  return std::make_shared<const Skin>(std::move(skin));
+}
+
+TEST_F(SkinScreen, WithBonesOfItsOwnIsColouredAsFarOffAsItIsSeen) {
+  choose([](ViewOptions& options) { options.by_error = true; });
+  const auto coloured = [&](float error, double x) {
+    viewport_.setErrors(
+        std::make_shared<const Eigen::MatrixXf>(Eigen::MatrixXf::Constant(1, 2, error)), {});
+    return front(picture(), x, 40);
+  };
+  viewport_.setSkin(smaller_box());
+  EXPECT_EQ(coloured(0, compressed_at_ / 2), coloured(100, compressed_at_ / 2))
+      << "both are 25 cm off";
+  viewport_.setSkin(box());
+  EXPECT_NE(coloured(0, compressed_at_), coloured(100, compressed_at_));
+}
+
+TEST_F(SkinScreen, WithBonesOfItsOwnHasItsRingWhereItIsSeen) {
+  viewport_.setOriginal(nullptr);
+  viewport_.setSkin(smaller_box());
+  const QImage plain = picture();
+  viewport_.setSelectedJoint(1);
+  const QImage selected = picture();
+  const auto changed = [&](const QVector3D& place) {
+    const QPoint at = viewport_.camera().project(place)->toPoint();
+    int count = 0;
+    for (int y = -40; y <= 40; ++y)
+      for (int x = -40; x <= 40; ++x) {
+        const QPoint point = at + QPoint(x, y);
+        count += plain.valid(point) && plain.pixel(point) != selected.pixel(point);
+      }
+    return count;
+  };
+  EXPECT_GT(changed({static_cast<float>(compressed_at_) / 2, 55, 0}), 10);
+  EXPECT_EQ(changed({static_cast<float>(compressed_at_), 110, 0}), 0);
+}
+
 TEST_F(SkinScreen, HasARingAroundTheSelectedJointAndKeepsItsColours) {
   const QImage plain = picture();
   viewport_.setSelectedJoint(1);

@@ -11,6 +11,8 @@
 #include <chrono>
 #include <utility>
 
+#include "core/motion/landmarks.h"
+#include "core/motion/own_lengths.h"
 #include "widgets/viewport/orbit_camera.h"
 #include "widgets/viewport/ring.h"
 #include "widgets/viewport/scene.h"
@@ -88,6 +90,8 @@ void Viewport::setSkeleton(const Skeleton& skeleton) {
   shape_.emplace(skeleton);
   original_.reset();
   compressed_.reset();
+  original_of_clip_.reset();
+  compressed_of_clip_.reset();
   original_poses_ = nullptr;
   compressed_poses_ = nullptr;
   setSkin(nullptr);
@@ -111,26 +115,53 @@ void Viewport::setSkin(std::shared_ptr<const Skin> skin) {
   }
   // As long as nobody has looked elsewhere, the whole of it is in sight.
   camera_is_framed_ = camera_is_framed_ && !camera_is_as_framed_;
-  showFigures();
+  placeOriginal();
+  placeCompressed();
+  arrangeFigures();
 }
 
-/// The figure has the proportions that the clip shows it with.
+/// The figure has the proportions that it is shown with.
 void Viewport::measureFigure() {
   if (const Eigen::MatrixXd* tracks = leadingTracks()) shape_.emplace(skeleton_, *tracks);
 }
 
 void Viewport::setOriginal(Tracks tracks, Poses poses) {
-  original_ = isEmpty(tracks) ? nullptr : std::move(tracks);
+  original_of_clip_ = isEmpty(tracks) ? nullptr : std::move(tracks);
   original_poses_ = std::move(poses);
-  measureFigure();
+  placeOriginal();
   arrangeFigures();
 }
 
 void Viewport::setCompressed(Tracks tracks, Poses poses) {
-  compressed_ = isEmpty(tracks) ? nullptr : std::move(tracks);
+  compressed_of_clip_ = isEmpty(tracks) ? nullptr : std::move(tracks);
   compressed_poses_ = std::move(poses);
-  if (!original_) measureFigure();
+  placeCompressed();
   arrangeFigures();
+}
+
+void Viewport::placeOriginal() {
+  original_ = asSeen(original_of_clip_, original_poses_);
+  measureFigure();
+}
+
+void Viewport::placeCompressed() {
+  compressed_ = asSeen(compressed_of_clip_, compressed_poses_);
+  if (!original_) measureFigure();
+}
+
+/// A character with bone lengths of its own has its joints elsewhere than the clip.
+Viewport::Tracks Viewport::asSeen(const Tracks& of_clip, const Poses& poses) const {
+  if (!of_clip || !hasSkin(poses) || skin_->lengths.bones.empty()) return of_clip;
+  std::vector<Landmark> points = landmarks(skeleton_);
+  for (Landmark& point : points) point.in_joint *= skin_->lengths.scale;
+  auto seen = std::make_shared<Eigen::MatrixXd>(of_clip->rows(), of_clip->cols());
+  Pose pose;
+  for (int frame = 0; frame < static_cast<int>(seen->rows()); ++frame) {
+    poses(frame, pose);
+    pose.origin = own_origins(skin_->lengths, pose);
+    place_landmarks(points, pose, frame, *seen);
+  }
+  return seen;
 }
 
 void Viewport::setPinned(std::vector<PinnedFigure> pinned) {
@@ -159,7 +190,11 @@ void Viewport::setErrors(std::shared_ptr<const Eigen::MatrixXf> errors, const Er
 
 void Viewport::setOptions(const ViewOptions& options) {
   if (options == options_) return;
-  options_ = options;
+  const bool had_skin = std::exchange(options_, options).skin;
+  if (options_.skin != had_skin) {
+    placeOriginal();
+    placeCompressed();
+  }
   blink_turn_ = false;
   options_.blinking ? blink_.start() : blink_.stop();
   arrangeFigures();
@@ -268,7 +303,7 @@ void Viewport::showFigure(const Parts& parts, const Role& role, const FigureMark
   const std::vector<Capsule> capsules = shape_->posed(*role.tracks, frame, marks);
   if (has_shadow) {
     shadow.setPane(role.placement.pane);
-    shadow.setOffset(as_skin ? aroundSkin() : offset());
+    shadow.setOffset(offset());
     shadow.show(std::span(capsules).last(static_cast<std::size_t>(shape_->partCount())));
   }
   if (as_skin) {
@@ -276,7 +311,7 @@ void Viewport::showFigure(const Parts& parts, const Role& role, const FigureMark
     role.poses(frame, pose);
     skin.setColour(role.skin_colour);
     skin.setPane(role.placement.pane);
-    skin.setOffset(skinOffset());
+    skin.setOffset(offset());
     skin.show(pose, jointCovers(marks, shape_->jointCount(), colours_.alert));
     skin.setGhost(role.placement.ghost);
     skin.setBehind(behindOf(role.placement, 1));
@@ -315,7 +350,7 @@ void Viewport::showPinned() {
       skin.setGhost(placement.ghost);
       skin.setBehind(behind);
       skin.setPane(placement.pane);
-      skin.setOffset(skinOffset());
+      skin.setOffset(offset());
       skin.show(pose, {});
       continue;
     }
@@ -362,9 +397,13 @@ FigureMarks Viewport::compressedMarks() const {
     marks.alerts = slideAlerts(slides_, shape_->jointCount(), frame);
     return marks;
   }
-  for (Eigen::Index landmark = 0; landmark < errors_->cols(); ++landmark) {
-    const auto cm = static_cast<double>((*errors_)(frame, landmark));
-    marks.tints.push_back(tintOf(error_scale_.colour(cm)));
+  // As far off as it is seen to be.
+  const bool has_own_lengths = original_ != original_of_clip_ && compressed_ != compressed_of_clip_;
+  for (int landmark = 0; landmark < static_cast<int>(errors_->cols()); ++landmark) {
+    const float cm = has_own_lengths ? landmarkAt(*compressed_, frame, landmark)
+                                           .distanceToPoint(landmarkAt(*original_, frame, landmark))
+                                     : (*errors_)(frame, landmark);
+    marks.tints.push_back(tintOf(error_scale_.colour(static_cast<double>(cm))));
   }
   return marks;
 }
@@ -378,7 +417,6 @@ void Viewport::showMarks() {
     if (!shown) marks->hide();
   }
   if (!shown) return;
-  if (hasSkin(compressed_poses_)) scene_->discs().setOffset(aroundSkin());
   scene_->discs().show(footDiscs(contacts_, slides_, *compressed_, frameOf(*compressed_),
                                  kDiscPerSize * shape_->size()));
 }
@@ -420,20 +458,6 @@ QVector3D Viewport::offset() const {
   QVector3D away = landmarkAt(*tracks, 0, root) - landmarkAt(*tracks, frameOf(*tracks), root);
   away.setY(0);
   return away;
-}
-
-QVector3D Viewport::skinOffset() const {
-  return (skin_ ? static_cast<float>(skin_->lengths.scale) : 1.0F) * offset();
-}
-
-QVector3D Viewport::aroundSkin() const {
-  if (!skin_) return offset();
-  const Eigen::MatrixXd& tracks = *leadingTracks();
-  const Eigen::Vector3f centre = skin_->lengths.centre.cast<float>();
-  QVector3D walked = landmarkAt(tracks, frameOf(tracks), shape_->bodyRoot()) -
-                     QVector3D(centre.x(), centre.y(), centre.z());
-  walked.setY(0);
-  return skinOffset() + static_cast<float>(skin_->lengths.scale - 1) * walked;
 }
 
 const Eigen::MatrixXd* Viewport::leadingTracks() const {

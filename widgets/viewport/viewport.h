@@ -146,6 +146,9 @@ class Viewport : public QWidget {
   void showCamera();
   void showOverlay();
   void measureFigure();
+  void placeOriginal();
+  void placeCompressed();
+  Tracks asSeen(const Tracks& of_clip, const Poses& poses) const;
   void arrangeFigures();
   void sizeCamera();
   void press(const QMouseEvent& event);
@@ -165,15 +168,12 @@ class Viewport : public QWidget {
   /// The offset (cm) that keeps the root in its place.
   QVector3D offset() const;
 
-  /// The offset for a character whose steps are longer or shorter than the clip's, and for things
-  /// drawn around it in the clip's own scale (see OwnLengths).
-  QVector3D skinOffset() const;
-  QVector3D aroundSkin() const;
-
   Skeleton skeleton_;
   std::optional<FigureShape> shape_;
-  Tracks original_;
-  Tracks compressed_;
+  Tracks original_of_clip_;
+  Tracks compressed_of_clip_;
+  Tracks original_;    // as it is seen; all that is drawn follows from it
+  Tracks compressed_;  // likewise
   Poses original_poses_;
   Poses compressed_poses_;
   std::shared_ptr<const Skin> skin_;

@@ -142,6 +142,24 @@ TEST_F(OwnLengths, LeaveTheFeetOnTheFloorAndStepsInProportion) {
   }
 }
 
+TEST_F(OwnLengths, TakeJointsThatCarryNothingAlong) {
+  Joint finger;
+  finger.name = "finger";
+  const Skeleton hand = body({});
+  finger.parent = hand.find("lefthand");
+  finger.offset = {8, 0, 0};
+  Skeleton clip = hand;
+  clip.add(finger);
+  who_ = body({.legs = 1.3, .arms = 0.8});
+  const Skin skin = bound_to(mesh_of(who_), who_, clip);
+  const Pose pose = rest_pose(clip);
+  const std::vector<Vector3d> own = own_origins(skin.lengths, pose);
+  const auto in_own = [&](const char* joint) {
+    return own[static_cast<std::size_t>(clip.find(joint))];
+  };
+  EXPECT_NEAR((in_own("finger") - in_own("lefthand")).norm(), 8 * skin.lengths.scale, kPlace);
+}
+
 TEST_F(OwnLengths, GrowAroundAPlaceOnTheFloor) {
   put({.legs = 1.3}, {});
   skin_.lengths.centre = {30, 0, 0};
