@@ -10,7 +10,7 @@
 namespace mocapress {
 
 /// The error at which single numbers are compared: 0.5 cm, up to which the paper saw no artifact,
-/// or the nearest one at which most of the study has a size.
+/// or another at which the leading series has as many sizes as anywhere, and then the whole study.
 double headline_eps_cm(const Results& results);
 
 /// The mean ratio of each series at equal errors.

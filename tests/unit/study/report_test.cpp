@@ -225,6 +225,16 @@ TEST(Report, LeadsWithTheMethodThatShipsAndRecommendsWithPresets) {
   EXPECT_THAT(html, HasSubstr(">Gameplay<"));
 }
 
+TEST(Report, RecommendsNoMethodWhereTheLeadingOneWasNotMeasured) {
+  std::vector<StudyRow> rows;
+  for (const double ratio : {20.0, 100.0}) {
+    rows.push_back(point("a.bvh", "standard", {Target::Kind::Ratio, ratio}, ratio, ratio / 60));
+    rows.push_back(point("a.bvh", "closed-loop", {Target::Kind::Ratio, ratio}, ratio, ratio / 500));
+  }
+  const std::string html = report_html(Results(rows), {});
+  EXPECT_THAT(html, HasSubstr("Take <b>Closed-loop wavelets</b>"));
+}
+
 TEST(Report, FailuresAloneMakeAPage) {
   const std::string html = report_html(
       Results({{.clip = "c.bvh", .settings = {.method = "annealed"}, .error = "gone"}}), {});
