@@ -137,6 +137,35 @@ TEST_F(CharacterSession, IsTakenOffAndThatIsUndone) {
   EXPECT_TRUE(document_.skin());
 }
 
+TEST_F(CharacterSession, UndoKeepsWhatAnotherClipOfTheRigPutOnSince) {
+  const auto worn = [&] { return QFileInfo(document_.character().path).fileName(); };
+  open(sample("human_walk.amc"));
+  put("character.glb");
+  open(sample("human_run.amc"));
+  put("character.fbx");
+  open(sample("human_walk.amc"));
+  session_.history()->undo();
+  EXPECT_EQ(worn(), QStringLiteral("character.fbx"));
+  session_.history()->redo();
+  EXPECT_EQ(worn(), QStringLiteral("character.fbx"));
+  open(sample("human_run.amc"));
+  session_.history()->undo();
+  EXPECT_EQ(worn(), QStringLiteral("character.glb"));
+}
+
+TEST(OriginalClip, WearsACharacterThatWasReadAndPutOnIt) {
+  const auto skin = std::make_shared<const Skin>();
+  OriginalClip clip;
+  EXPECT_TRUE(clip.wears({}));
+  clip.character = QStringLiteral("a.glb");
+  EXPECT_TRUE(clip.wears({{}, QStringLiteral("a.glb")})) << "nobody could read it yet";
+  EXPECT_FALSE(clip.wears({{{}, skin}, QStringLiteral("a.glb")}));
+  EXPECT_FALSE(clip.wears({}));
+  clip.has_character = true;
+  EXPECT_TRUE(clip.wears({{{}, skin}, QStringLiteral("a.glb")}));
+  EXPECT_FALSE(clip.wears({{{}, skin}, QStringLiteral("b.glb")}));
+}
+
 TEST_F(CharacterSession, SaysWhatTheClipLacksAndKeepsItsOwnBones) {
   MotionFile walk = read_motion(sample("human_walk.amc").toStdU16String());
   Skeleton shorter;
@@ -226,6 +255,24 @@ TEST_F(CharacterSession, IsMeasuredOnWhereItWasPutOn) {
   });
   EXPECT_EQ(document_.options().weighting, Weighting::Skin);
   EXPECT_TRUE(document_.decoded()->distortion->skin);
+}
+
+TEST_F(CharacterSession, TakingOneOffIsUndoneWithTheWeightingByItsMesh) {
+  const auto settle = [&](const auto& act) {
+    QSignalSpy settled(&session_, &Session::settled);
+    act();
+    ASSERT_TRUE(settled.wait(kPatience));
+  };
+  settle([&] { session_.open(sample("human_walk.amc")); });
+  settle([&] { session_.putCharacter(sample("character.glb")); });
+  EncodeOptions by_skin = document_.options();
+  by_skin.weighting = Weighting::Skin;
+  settle([&] { session_.setOptions(by_skin); });
+  settle([&] { session_.takeCharacterOff(); });
+  EXPECT_EQ(document_.options().weighting, Weighting::Surface);
+  settle([&] { session_.history()->undo(); });
+  EXPECT_EQ(document_.options().weighting, Weighting::Skin);
+  ASSERT_TRUE(document_.decoded()->distortion->skin);
 }
 
 TEST_F(CharacterSession, ComesBackWithItsProject) {

@@ -248,6 +248,26 @@ TEST_F(Files, ExportsAReviewPageWithTheRemarksOnItsClip) {
   EXPECT_NE(read_text(page.toStdU16String()).find("<li>approved by ana</li>"), std::string::npos);
 }
 
+TEST_F(Files, APageOfAClipWithoutItsOriginalIsRefusedInWords) {
+  openAndSettle();
+  modify();
+  Session session;
+  ClipFiles files(&session, &window_);
+  QSignalSpy opened(&session, &Session::opened);
+  files.open(compressed_);
+  ASSERT_TRUE(opened.count() > 0 || opened.wait(kPatience));
+  ASSERT_FALSE(session.document().original());
+  QSignalSpy failed(&session, &Session::saveFailed);
+  files.exportMotion();
+  const QString page = directory_.filePath(QStringLiteral("page.html"));
+  emit window_.findChild<QFileDialog*>()->fileSelected(page);  // a name that was typed
+  ASSERT_TRUE(failed.count() > 0 || failed.wait(kPatience));
+  EXPECT_TRUE(failed[0][0].toString().contains(
+      QStringLiteral("page.html: cannot be written: its extension is none of")))
+      << qPrintable(failed[0][0].toString());
+  EXPECT_FALSE(QFileInfo::exists(page));
+}
+
 TEST_F(Files, AsksBeforeASkeletonIsReplaced) {
   openAndSettle();
   const QString skeleton = directory_.filePath(QStringLiteral("mine.asf"));

@@ -127,6 +127,19 @@ TEST_F(History, ADragOfTheSliderIsOneStep) {
   EXPECT_DOUBLE_EQ(target(), 30);
 }
 
+TEST_F(History, FiguresOfASlotAreNotThoseOfTheOther) {
+  settleAfter([&] { session_.setOptions(standard(20)); });
+  settleAfter([&] { session_.switchSlot(); });
+  session_.setOptions(standard(30));  // of B, and left before there is an answer
+  settleAfter([&] { session_.switchSlot(); });
+  ASSERT_TRUE(session_.slotFigures(0));
+  EXPECT_NEAR(session_.slotFigures(0)->ratio, 20, 1);
+  session_.switchSlot();
+  EXPECT_FALSE(session_.slotFigures(1)) << "what is shown is still what A made";
+  ASSERT_TRUE(session_.slotFigures(0));
+  EXPECT_NEAR(session_.slotFigures(0)->ratio, 20, 1);
+}
+
 TEST_F(History, EveryContactEditIsAStepOfItsOwn) {
   session_.setContacts({{4, 10, 20}});
   session_.setContacts({{4, 10, 25}});
