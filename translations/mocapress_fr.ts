@@ -3519,6 +3519,811 @@
     </message>
 </context>
 <context>
+    <name>mocapress::Sentence</name>
+    <message>
+        <source>%1 not finite or beyond 1e9, replaced by the frame before</source>
+        <translation>%1 : non finies ou au-delà de 1e9, remplacées par l&apos;image précédente</translation>
+    </message>
+    <message>
+        <source>%1 with the name of another joint, numbered: Name.2</source>
+        <translation>%1 portant le nom d&apos;une autre, numérotées : Nom.2</translation>
+    </message>
+    <message>
+        <source>%1 with the name of another joint</source>
+        <translation>%1 portant le nom d&apos;une autre</translation>
+    </message>
+    <message>
+        <source>the file ends within its last frame, which is dropped</source>
+        <translation>le fichier se termine au milieu de sa dernière image, qui est laissée de côté</translation>
+    </message>
+    <message>
+        <source>keys lie unevenly: %1 of %2 frames carry keys; frames between are interpolated</source>
+        <translation>les clés sont irrégulières : %1 images sur %2 en portent ; les autres sont interpolées</translation>
+    </message>
+    <message>
+        <source>take %1 is read; there are also %2</source>
+        <translation>la prise %1 est lue ; il y a aussi %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 et %2 de plus</translation>
+    </message>
+    <message>
+        <source>looks like an additive clip, near its rest pose with the root at the origin: errors are those that it makes on that pose, and where feet stand means nothing</source>
+        <translation>ressemble à un clip additif, près de sa pose de repos avec la racine à l&apos;origine : les erreurs sont celles sur cette pose, et les appuis des pieds n&apos;ont pas de sens</translation>
+    </message>
+    <message>
+        <source>no bone has a length: errors are measured on three points 3 cm from each joint</source>
+        <translation>aucun os n&apos;a de longueur : les erreurs sont mesurées sur trois points à 3 cm de chaque articulation</translation>
+    </message>
+    <message>
+        <source>the mesh reaches much further than the bones at %1, first %2 (%3 cm, not %4): the surface there is the mesh</source>
+        <translation>le maillage dépasse de loin les os à %1, d&apos;abord %2 (%3 cm au lieu de %4) : la surface y est le maillage</translation>
+    </message>
+    <message>
+        <source>the figure stands along Z, but Y is taken to point up: --up z, or the import options of the studio, read it upright</source>
+        <translation>la figure est debout selon Z, mais Y est pris pour le haut : --up z, ou les options d&apos;importation du studio, la redressent</translation>
+    </message>
+    <message>
+        <source>%1 beside other children left out</source>
+        <translation>%1 à côté d&apos;autres enfants laissés de côté</translation>
+    </message>
+    <message>
+        <source>the header says %1 frames, %2 follow: all of them are read</source>
+        <translation>l&apos;en-tête annonce %1 images, %2 suivent : toutes sont lues</translation>
+    </message>
+    <message>
+        <source>%1 of scale kept as tracks, which move no joint</source>
+        <translation>%1 d&apos;échelle gardés comme pistes, qui ne déplacent aucune articulation</translation>
+    </message>
+    <message>
+        <source>a Frame Time of %1 s cannot be right: taken as %2 frames per second</source>
+        <translation>un Frame Time de %1 s ne peut être juste : pris pour %2 images par seconde</translation>
+    </message>
+    <message>
+        <source>translation channels of the root are taken to replace OFFSET, as their values suggest</source>
+        <translation>les translations de la racine remplacent OFFSET, comme leurs valeurs le suggèrent</translation>
+    </message>
+    <message>
+        <source>translation channels of the joints below the root are taken to replace OFFSET, as their values suggest</source>
+        <translation>les translations sous la racine remplacent OFFSET, comme leurs valeurs le suggèrent</translation>
+    </message>
+    <message>
+        <source>translation channels of the root are taken to replace OFFSET, as Blender and MotionBuilder do: their values do not tell</source>
+        <translation>les translations de la racine remplacent OFFSET, comme le font Blender et MotionBuilder : leurs valeurs n&apos;en disent rien</translation>
+    </message>
+    <message>
+        <source>translation channels of the joints below the root are taken to replace OFFSET, as Blender and MotionBuilder do: their values do not tell</source>
+        <translation>les translations sous la racine remplacent OFFSET, comme le font Blender et MotionBuilder : leurs valeurs n&apos;en disent rien</translation>
+    </message>
+    <message>
+        <source>no unit of length is given: a rest pose %1 units tall is taken to have %2 cm to the unit</source>
+        <translation>aucune unité de longueur n&apos;est donnée : à une pose de repos haute de %1 unités sont attribués %2 cm par unité</translation>
+    </message>
+    <message>
+        <source>frame numbers do not run 1, 2, 3 from here: frames are taken as they come</source>
+        <translation>à partir d&apos;ici les numéros d&apos;image ne se suivent pas : les images sont prises comme elles viennent</translation>
+    </message>
+    <message>
+        <source>%1 missing from a frame, where the frame before is repeated</source>
+        <translation>%1 manquant dans une image, où la précédente est répétée</translation>
+    </message>
+    <message>
+        <source>%1 with three values where the skeleton names fewer, read as its dof and the axes missing from it</source>
+        <translation>%1 avec trois valeurs là où le squelette en nomme moins, lues selon ses dof puis les axes qui y manquent</translation>
+    </message>
+    <message>
+        <source>%1 with three values where the skeleton names fewer, read as rx ry rz</source>
+        <translation>%1 avec trois valeurs là où le squelette en nomme moins, lues comme rx ry rz</translation>
+    </message>
+    <message>
+        <source>%1 with dof but without values, left at rest</source>
+        <translation>%1 avec des dof mais sans valeurs, laissés au repos</translation>
+    </message>
+    <message>
+        <source>%1 with a length that changes (dof l), which is ignored</source>
+        <translation>%1 à longueur variable (dof l), ce qui est ignoré</translation>
+    </message>
+    <message>
+        <source>%1 whose scale changes over time: joints are in their places, those of joints are kept as tracks, but errors are measured on a skin with the scales of the first frame</source>
+        <translation>%1 à échelle variable : les articulations sont à leur place et leurs échelles gardées comme pistes, mais les erreurs sont mesurées sur une peau à l&apos;échelle de la première image</translation>
+    </message>
+    <message>
+        <source>%1 scaled unevenly, first %2: joints are in their places, but a skin has the scales of the first frame</source>
+        <translation>%1 à l&apos;échelle inégale, d&apos;abord %2 : les articulations sont à leur place, mais une peau a l&apos;échelle de la première image</translation>
+    </message>
+    <message>
+        <source>%1 of the animation left out, which moves no node</source>
+        <translation>%1 de l&apos;animation laissé de côté, qui ne déplace aucun nœud</translation>
+    </message>
+    <message>
+        <source>%1 of the animation left out, which move no node</source>
+        <translation>%1 de l&apos;animation laissés de côté, qui ne déplacent aucun nœud</translation>
+    </message>
+    <message>
+        <source>morph weights are not read: the file %1</source>
+        <translation>les poids de morphing ne sont pas lus : le fichier %1</translation>
+    </message>
+    <message>
+        <source>its character is not read: %1</source>
+        <translation>son personnage n&apos;est pas lu : %1</translation>
+    </message>
+    <message>
+        <source>the picture %1 is not shown: %2</source>
+        <translation>l&apos;image %1 n&apos;est pas montrée : %2</translation>
+    </message>
+    <message>
+        <source>it is not beside the file</source>
+        <translation>elle n&apos;est pas à côté du fichier</translation>
+    </message>
+    <message>
+        <source>it is neither PNG nor JPEG</source>
+        <translation>elle n&apos;est ni PNG ni JPEG</translation>
+    </message>
+    <message>
+        <source>it has more than 64 MiB</source>
+        <translation>elle dépasse 64 Mio</translation>
+    </message>
+    <message>
+        <source>it has more than %1 bones</source>
+        <translation>il a plus de %1 os</translation>
+    </message>
+    <message>
+        <source>it has too many vertices</source>
+        <translation>il a trop de sommets</translation>
+    </message>
+    <message>
+        <source>a vertex is not finite, or farther than 1e9 cm away</source>
+        <translation>un sommet n&apos;est pas fini, ou à plus de 1e9 cm</translation>
+    </message>
+    <message>
+        <source>the first take, %1, stands still</source>
+        <translation>la première prise, %1, est immobile</translation>
+    </message>
+    <message>
+        <source>%1 left out: not a finite number</source>
+        <translation>%1 de côté : pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>%1 with spheric XYZ angles, which are read as XYZ angles</source>
+        <translation>%1 avec des angles XYZ sphériques, lus comme des angles XYZ</translation>
+    </message>
+    <message>
+        <source>%1 of weights or properties left out: too many, too long a name, or beyond 1e9</source>
+        <translation>%1 de poids ou de propriétés de côté : trop nombreuses, au nom trop long ou au-delà de 1e9</translation>
+    </message>
+    <message>
+        <source>the clip has no joint %1, nor %2 more: what hangs there stays in its bind pose</source>
+        <translation>le clip n&apos;a pas d&apos;articulation %1, ni %2 autre(s) : ce qui y tient reste dans sa pose de liaison</translation>
+    </message>
+    <message>
+        <source>the clip has no joint %1: what hangs there stays in its bind pose</source>
+        <translation>le clip n&apos;a pas d&apos;articulation %1 : ce qui y tient reste dans sa pose de liaison</translation>
+    </message>
+    <message>
+        <source>the clip has no joint %1, nor %2 more: they carry most of the character</source>
+        <translation>le clip n&apos;a pas d&apos;articulation %1, ni %2 autre(s) : elles portent l&apos;essentiel du personnage</translation>
+    </message>
+    <message>
+        <source>the clip has no joint %1: they carry most of the character</source>
+        <translation>le clip n&apos;a pas d&apos;articulation %1 : elle porte l&apos;essentiel du personnage</translation>
+    </message>
+    <message>
+        <source>has other proportions than the clip, and legs of %1 % the length: it is shown and coloured with its own bones, and figures are measured on the clip&apos;s</source>
+        <translation>a d&apos;autres proportions que le clip, et des jambes de %1 % de leur longueur : il est montré et coloré avec ses propres os, et les chiffres sont mesurés sur ceux du clip</translation>
+    </message>
+    <message>
+        <source>is not put on: %1</source>
+        <translation>n&apos;est pas mis : %1</translation>
+    </message>
+    <message>
+        <source>cannot be put on: %1</source>
+        <translation>ne peut être mis : %1</translation>
+    </message>
+    <message>
+        <source>has no mesh that hangs on joints</source>
+        <translation>n&apos;a pas de maillage tenu par des articulations</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Aucun fichier ou dossier de ce nom</translation>
+    </message>
+    <message>
+        <source>is a folder, not a file</source>
+        <translation>est un dossier, pas un fichier</translation>
+    </message>
+    <message>
+        <source>is a pipe or a device, not a file</source>
+        <translation>est un tube ou un périphérique, pas un fichier</translation>
+    </message>
+    <message>
+        <source>cannot be read to its end</source>
+        <translation>ne peut être lu jusqu&apos;au bout</translation>
+    </message>
+    <message>
+        <source>is a pointer of Git LFS, not the file itself: &apos;git lfs pull&apos; fetches that</source>
+        <translation>est un pointeur Git LFS, pas le fichier lui-même : « git lfs pull » va le chercher</translation>
+    </message>
+    <message>
+        <source>is none of %1</source>
+        <translation>n&apos;est aucun de %1</translation>
+    </message>
+    <message>
+        <source>holds none of %1</source>
+        <translation>ne contient aucun de %1</translation>
+    </message>
+    <message>
+        <source>is a link that leads nowhere</source>
+        <translation>est un lien qui ne mène nulle part</translation>
+    </message>
+    <message>
+        <source>is a skeleton without motion: open one of its .amc files</source>
+        <translation>est un squelette sans mouvement : ouvrez un de ses fichiers .amc</translation>
+    </message>
+    <message>
+        <source>holds no animation, but may be a character: --character, or Put a Character on It in the studio, puts it on a clip</source>
+        <translation>ne contient pas d&apos;animation, mais est peut-être un personnage : --character, ou « Mettre un personnage » dans le studio, le met sur un clip</translation>
+    </message>
+    <message>
+        <source>has no take %1: there are %2</source>
+        <translation>n&apos;a pas de prise %1 : il y a %2</translation>
+    </message>
+    <message>
+        <source>has neither bones nor anything else that moves</source>
+        <translation>n&apos;a ni os ni rien d&apos;autre qui bouge</translation>
+    </message>
+    <message>
+        <source>no joint moves or is turned</source>
+        <translation>aucune articulation ne bouge ni ne tourne</translation>
+    </message>
+    <message>
+        <source>needs more than %1 frames</source>
+        <translation>demande plus de %1 images</translation>
+    </message>
+    <message>
+        <source>needs more than %1 samples</source>
+        <translation>demande plus de %1 échantillons</translation>
+    </message>
+    <message>
+        <source>joints are nested deeper than %1</source>
+        <translation>des articulations sont imbriquées à plus de %1 niveaux</translation>
+    </message>
+    <message>
+        <source>more than %1 joints</source>
+        <translation>plus de %1 articulations</translation>
+    </message>
+    <message>
+        <source>the name of a joint has more than %1 bytes</source>
+        <translation>le nom d&apos;une articulation dépasse %1 octets</translation>
+    </message>
+    <message>
+        <source>%1 has a transform that is not finite, or beyond 1e9</source>
+        <translation>%1 a une transformation non finie, ou au-delà de 1e9</translation>
+    </message>
+    <message>
+        <source>%1 is farther than 1e9 cm away</source>
+        <translation>%1 est à plus de 1e9 cm</translation>
+    </message>
+    <message>
+        <source>has a JSON value of another type than its place asks for</source>
+        <translation>a une valeur JSON d&apos;un autre type que celui attendu à sa place</translation>
+    </message>
+    <message>
+        <source>cannot be read: a library that reads its parts failed</source>
+        <translation>ne peut être lu : une bibliothèque qui en lit des parties a échoué</translation>
+    </message>
+    <message>
+        <source>expected one sample per second or more, found %1</source>
+        <translation>attendu au moins un échantillon par seconde, trouvé %1</translation>
+    </message>
+    <message>
+        <source>expected a new line after the %1 values of the frame that begins in line %2, found %3</source>
+        <translation>attendu une nouvelle ligne après les %1 valeurs de l&apos;image qui commence à la ligne %2, trouvé %3</translation>
+    </message>
+    <message>
+        <source>expected %1 values for %2, found %3</source>
+        <translation>attendu %1 valeurs pour %2, trouvé %3</translation>
+    </message>
+    <message>
+        <source>expected a bone of %1, found %2</source>
+        <translation>attendu un os de %1, trouvé %2</translation>
+    </message>
+    <message>
+        <source>expected a positive unit of length, found %1</source>
+        <translation>attendu une unité de longueur positive, trouvé %1</translation>
+    </message>
+    <message>
+        <source>expected a complete frame, found none</source>
+        <translation>attendu une image complète, rien trouvé</translation>
+    </message>
+    <message>
+        <source>expected a name after &apos;name&apos;</source>
+        <translation>attendu un nom après « name »</translation>
+    </message>
+    <message>
+        <source>expected %1, found %2</source>
+        <translation>attendu : %1, trouvé : %2</translation>
+    </message>
+    <message>
+        <source>%1 channels such as Xposition or Zrotation</source>
+        <translation>%1 canaux comme Xposition ou Zrotation</translation>
+    </message>
+    <message>
+        <source>a frame number</source>
+        <translation>un numéro d&apos;image</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>rien</translation>
+    </message>
+    <message>
+        <source>samples per second</source>
+        <translation>des échantillons par seconde</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>la fin du fichier</translation>
+    </message>
+    <message>
+        <source>the number of frames</source>
+        <translation>le nombre d&apos;images</translation>
+    </message>
+    <message>
+        <source>the number of channels</source>
+        <translation>le nombre de canaux</translation>
+    </message>
+    <message>
+        <source>the time of a frame in seconds</source>
+        <translation>la durée d&apos;une image en secondes</translation>
+    </message>
+    <message>
+        <source>the name of the joint</source>
+        <translation>le nom de l&apos;articulation</translation>
+    </message>
+    <message>
+        <source>the name of a bone</source>
+        <translation>le nom d&apos;un os</translation>
+    </message>
+    <message>
+        <source>a coordinate of OFFSET</source>
+        <translation>une coordonnée d&apos;OFFSET</translation>
+    </message>
+    <message>
+        <source>a coordinate of direction</source>
+        <translation>une coordonnée de direction</translation>
+    </message>
+    <message>
+        <source>a coordinate of position</source>
+        <translation>une coordonnée de position</translation>
+    </message>
+    <message>
+        <source>an angle of axis</source>
+        <translation>un angle de axis</translation>
+    </message>
+    <message>
+        <source>an angle of orientation</source>
+        <translation>un angle d&apos;orientation</translation>
+    </message>
+    <message>
+        <source>an order of axes such as XYZ</source>
+        <translation>un ordre d&apos;axes comme XYZ</translation>
+    </message>
+    <message>
+        <source>the length of the bone</source>
+        <translation>la longueur de l&apos;os</translation>
+    </message>
+    <message>
+        <source>the unit of length</source>
+        <translation>l&apos;unité de longueur</translation>
+    </message>
+    <message>
+        <source>the end of the bone</source>
+        <translation>la fin de l&apos;os</translation>
+    </message>
+    <message>
+        <source>the end of the hierarchy</source>
+        <translation>la fin de la hiérarchie</translation>
+    </message>
+    <message>
+        <source>a section such as :units or :bonedata</source>
+        <translation>une section comme :units ou :bonedata</translation>
+    </message>
+    <message>
+        <source>OFFSET, CHANNELS, JOINT, End Site or }</source>
+        <translation>OFFSET, CHANNELS, JOINT, End Site ou }</translation>
+    </message>
+    <message>
+        <source>OFFSET or the } of the End Site</source>
+        <translation>OFFSET ou le } du End Site</translation>
+    </message>
+    <message>
+        <source>deg or rad</source>
+        <translation>deg ou rad</translation>
+    </message>
+    <message>
+        <source>tx, ty, tz, rx, ry, rz or l</source>
+        <translation>tx, ty, tz, rx, ry, rz ou l</translation>
+    </message>
+    <message>
+        <source>numbers have a decimal comma, such as %1: a decimal point is read</source>
+        <translation>les nombres ont une virgule décimale, comme %1 : c&apos;est un point qui est lu</translation>
+    </message>
+    <message>
+        <source>is UTF-16: save it as UTF-8 to have it read</source>
+        <translation>est en UTF-16 : enregistrez-le en UTF-8 pour qu&apos;il soit lu</translation>
+    </message>
+    <message>
+        <source>no joint has a channel: nothing moves</source>
+        <translation>aucune articulation n&apos;a de canal : rien ne bouge</translation>
+    </message>
+    <message>
+        <source>no complete frame follows</source>
+        <translation>aucune image complète ne suit</translation>
+    </message>
+    <message>
+        <source>a second CHANNELS line for one joint</source>
+        <translation>une seconde ligne CHANNELS pour une articulation</translation>
+    </message>
+    <message>
+        <source>channel %1 twice in one joint</source>
+        <translation>canal %1 deux fois dans une articulation</translation>
+    </message>
+    <message>
+        <source>more than %1 channels of scale that change</source>
+        <translation>plus de %1 canaux d&apos;échelle qui changent</translation>
+    </message>
+    <message>
+        <source>the file ends within its first frame</source>
+        <translation>le fichier se termine au milieu de sa première image</translation>
+    </message>
+    <message>
+        <source>no bone has a value: nothing moves</source>
+        <translation>aucun os n&apos;a de valeur : rien ne bouge</translation>
+    </message>
+    <message>
+        <source>frame %1 has only %2 bones</source>
+        <translation>l&apos;image %1 n&apos;a que %2 os</translation>
+    </message>
+    <message>
+        <source>%1 is not in the first frame</source>
+        <translation>%1 n&apos;est pas dans la première image</translation>
+    </message>
+    <message>
+        <source>%1 twice in one frame</source>
+        <translation>%1 deux fois dans une image</translation>
+    </message>
+    <message>
+        <source>%1 twice in one bone</source>
+        <translation>%1 deux fois dans un os</translation>
+    </message>
+    <message>
+        <source>more than %1 bones</source>
+        <translation>plus de %1 os</translation>
+    </message>
+    <message>
+        <source>this bone has no name</source>
+        <translation>cet os n&apos;a pas de nom</translation>
+    </message>
+    <message>
+        <source>bone %1 lacks its direction or length</source>
+        <translation>il manque à l&apos;os %1 sa direction ou sa longueur</translation>
+    </message>
+    <message>
+        <source>bone %1 is nested deeper than %2</source>
+        <translation>l&apos;os %1 est imbriqué à plus de %2 niveaux</translation>
+    </message>
+    <message>
+        <source>bone %1 does not hang from the root in :hierarchy</source>
+        <translation>l&apos;os %1 ne tient pas à la racine dans :hierarchy</translation>
+    </message>
+    <message>
+        <source>the name of a bone has more than %1 bytes</source>
+        <translation>le nom d&apos;un os dépasse %1 octets</translation>
+    </message>
+    <message>
+        <source>a second bone named %1</source>
+        <translation>un second os nommé %1</translation>
+    </message>
+    <message>
+        <source>a second parent for %1</source>
+        <translation>un second parent pour %1</translation>
+    </message>
+    <message>
+        <source>has no line of names</source>
+        <translation>n&apos;a pas de ligne de noms</translation>
+    </message>
+    <message>
+        <source>a column needs a name of 1 to 255 bytes</source>
+        <translation>une colonne demande un nom de 1 à 255 octets</translation>
+    </message>
+    <message>
+        <source>a name of a column has no quotes</source>
+        <translation>un nom de colonne n&apos;a pas de guillemets</translation>
+    </message>
+    <message>
+        <source>two columns are called %1</source>
+        <translation>deux colonnes s&apos;appellent %1</translation>
+    </message>
+    <message>
+        <source>is one more than the clip&apos;s %1</source>
+        <translation>est une de plus que les %1 du clip</translation>
+    </message>
+    <message>
+        <source>ends after values of %1, the clip has %2</source>
+        <translation>se termine après les valeurs de %1, le clip en a %2</translation>
+    </message>
+    <message>
+        <source>is compressed by EXT_meshopt_compression, which this program cannot read: it was built without libmeshoptimizer</source>
+        <translation>est compressé par EXT_meshopt_compression, que ce programme ne peut lire : il a été compilé sans libmeshoptimizer</translation>
+    </message>
+    <message>
+        <source>is compressed by KHR_draco_mesh_compression, which this program cannot read: it was built without libdraco</source>
+        <translation>est compressé par KHR_draco_mesh_compression, que ce programme ne peut lire : il a été compilé sans libdraco</translation>
+    </message>
+    <message>
+        <source>is not what %1 makes</source>
+        <translation>n&apos;est pas ce que produit %1</translation>
+    </message>
+    <message>
+        <source>is too large to read</source>
+        <translation>est trop grand pour être lu</translation>
+    </message>
+    <message>
+        <source>bufferView %1 %2</source>
+        <translation>la bufferView %1 %2</translation>
+    </message>
+    <message>
+        <source>has a mesh that %1</source>
+        <translation>a un maillage qui %1</translation>
+    </message>
+    <message>
+        <source>has an animation without keys</source>
+        <translation>a une animation sans clés</translation>
+    </message>
+    <message>
+        <source>has an animation with %1 key times, but %2 values</source>
+        <translation>a une animation avec %1 temps de clé, mais %2 valeurs</translation>
+    </message>
+    <message>
+        <source>has an animation whose key times go back</source>
+        <translation>a une animation dont les temps de clé reculent</translation>
+    </message>
+    <message>
+        <source>has an animation channel without a sampler</source>
+        <translation>a un canal d&apos;animation sans échantillonneur</translation>
+    </message>
+    <message>
+        <source>has an animation channel without a target</source>
+        <translation>a un canal d&apos;animation sans cible</translation>
+    </message>
+    <message>
+        <source>has an animation of node %1, which it has not</source>
+        <translation>a une animation du nœud %1, qu&apos;il n&apos;a pas</translation>
+    </message>
+    <message>
+        <source>has an animation that moves the morph weights of a node twice</source>
+        <translation>a une animation qui déplace deux fois les poids de morphing d&apos;un nœud</translation>
+    </message>
+    <message>
+        <source>has an unknown interpolation, %1</source>
+        <translation>a une interpolation inconnue, %1</translation>
+    </message>
+    <message>
+        <source>has a rotation of length 0</source>
+        <translation>a une rotation de longueur 0</translation>
+    </message>
+    <message>
+        <source>has a node that is below itself</source>
+        <translation>a un nœud qui est sous lui-même</translation>
+    </message>
+    <message>
+        <source>has node %1 below two nodes, or twice below one</source>
+        <translation>a le nœud %1 sous deux nœuds, ou deux fois sous un</translation>
+    </message>
+    <message>
+        <source>has more than %1 nodes</source>
+        <translation>a plus de %1 nœuds</translation>
+    </message>
+    <message>
+        <source>has a name of more than %1 bytes</source>
+        <translation>a un nom de plus de %1 octets</translation>
+    </message>
+    <message>
+        <source>has morph weights of a node without a mesh</source>
+        <translation>a des poids de morphing d&apos;un nœud sans maillage</translation>
+    </message>
+    <message>
+        <source>has too many morph targets</source>
+        <translation>a trop de cibles de morphing</translation>
+    </message>
+    <message>
+        <source>has too many morph weights</source>
+        <translation>a trop de poids de morphing</translation>
+    </message>
+    <message>
+        <source>moves neither nodes nor morph weights that can be read</source>
+        <translation>ne déplace ni nœuds ni poids de morphing lisibles</translation>
+    </message>
+    <message>
+        <source>asks for %1 frames of %2 nodes, too many for a file of so few bytes</source>
+        <translation>demande %1 images de %2 nœuds, trop pour un fichier de si peu d&apos;octets</translation>
+    </message>
+    <message>
+        <source>holds no keys</source>
+        <translation>ne contient pas de clés</translation>
+    </message>
+    <message>
+        <source>its take %1 moves no node</source>
+        <translation>sa prise %1 ne déplace aucun nœud</translation>
+    </message>
+    <message>
+        <source>its nodes hang in a circle</source>
+        <translation>ses nœuds forment un cercle</translation>
+    </message>
+    <message>
+        <source>its nodes hang deeper than %1</source>
+        <translation>ses nœuds sont à plus de %1 niveaux</translation>
+    </message>
+    <message>
+        <source>has keys at impossible times</source>
+        <translation>a des clés à des temps impossibles</translation>
+    </message>
+    <message>
+        <source>has too many nodes for so many frames</source>
+        <translation>a trop de nœuds pour tant d&apos;images</translation>
+    </message>
+    <message>
+        <source>the target of %1 is out of reach with this method: the nearest is %2</source>
+        <translation>l&apos;objectif de %1 est hors de portée de cette méthode : le plus proche est %2</translation>
+    </message>
+    <message>
+        <source>a promise beside the target is out of reach: %1</source>
+        <translation>une promesse à côté de l&apos;objectif est hors de portée : %1</translation>
+    </message>
+    <message>
+        <source>no joint is of any importance</source>
+        <translation>aucune articulation n&apos;a d&apos;importance</translation>
+    </message>
+    <message>
+        <source>the importance of a joint must be a number, 0 or more</source>
+        <translation>l&apos;importance d&apos;une articulation doit être un nombre, 0 ou plus</translation>
+    </message>
+    <message>
+        <source>the importance of every joint is needed, or of none</source>
+        <translation>il faut l&apos;importance de toutes les articulations, ou d&apos;aucune</translation>
+    </message>
+    <message>
+        <source>the skeleton has no joint named %1</source>
+        <translation>le squelette n&apos;a pas d&apos;articulation nommée %1</translation>
+    </message>
+    <message>
+        <source>%1 is turned (degrees, RMS) by %2, not %3</source>
+        <translation>%1 est tournée (degrés, RMS) de %2 au lieu de %3</translation>
+    </message>
+    <message>
+        <source>the weighting skin needs a clip with a mesh on its joints, or a character that is put on it</source>
+        <translation>la pondération « peau » demande un clip avec un maillage sur ses articulations, ou un personnage mis dessus</translation>
+    </message>
+    <message>
+        <source>cannot be written: its extension is none of .bvh, .fbx, .glb, .gltf, .amc, .csv</source>
+        <translation>ne peut être écrit : son extension n&apos;est aucune de .bvh, .fbx, .glb, .gltf, .amc, .csv</translation>
+    </message>
+    <message>
+        <source>is not written: the motion has values that are not finite</source>
+        <translation>n&apos;est pas écrit : le mouvement a des valeurs non finies</translation>
+    </message>
+    <message>
+        <source>only an .fbx can be written onto an .fbx, and a .glb or .gltf onto a glTF</source>
+        <translation>seul un .fbx peut être écrit sur un .fbx, et un .glb ou .gltf sur un glTF</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>ne peut être écrit : %1</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>ne peut être lu : %1</translation>
+    </message>
+    <message>
+        <source>cannot be looked at: %1</source>
+        <translation>ne peut être examiné : %1</translation>
+    </message>
+    <message>
+        <source>has %1 for %2</source>
+        <translation>a %1 pour %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s)</source>
+        <translation>
+            <numerusform>%n valeur</numerusform>
+            <numerusform>%n valeurs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n joint(s)</source>
+        <translation>
+            <numerusform>%n articulation</numerusform>
+            <numerusform>%n articulations</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n node(s)</source>
+        <translation>
+            <numerusform>%n nœud</numerusform>
+            <numerusform>%n nœuds</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n bone(s)</source>
+        <translation>
+            <numerusform>%n os</numerusform>
+            <numerusform>%n os</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n channel(s)</source>
+        <translation>
+            <numerusform>%n canal</numerusform>
+            <numerusform>%n canaux</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n curve(s)</source>
+        <translation>
+            <numerusform>%n courbe</numerusform>
+            <numerusform>%n courbes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n key(s)</source>
+        <translation>
+            <numerusform>%n clé</numerusform>
+            <numerusform>%n clés</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s)</source>
+        <translation>
+            <numerusform>%n image</numerusform>
+            <numerusform>%n images</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n column(s)</source>
+        <translation>
+            <numerusform>%n colonne</numerusform>
+            <numerusform>%n colonnes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n End Site(s)</source>
+        <translation>
+            <numerusform>%n End Site</numerusform>
+            <numerusform>%n End Site</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>needs its skeleton, but neither %1.asf nor %2.asf is beside it</source>
+        <translation>a besoin de son squelette, mais ni %1.asf ni %2.asf n&apos;est à côté</translation>
+    </message>
+    <message>
+        <source>expected a number, found %1</source>
+        <translation>attendu un nombre, trouvé %1</translation>
+    </message>
+    <message>
+        <source>%1 with quaternions between keys, which are read as angles</source>
+        <translation>%1 avec des quaternions entre les clés, lus comme des angles</translation>
+    </message>
+    <message>
+        <source>the target of %1 is out of reach with this method: the nearest is %2, a smaller file</source>
+        <translation>l&apos;objectif de %1 est hors de portée de cette méthode : le plus proche est %2, un fichier plus petit</translation>
+    </message>
+    <message>
+        <source>the target of %1 is out of reach with this method: the nearest is %2, a larger file</source>
+        <translation>l&apos;objectif de %1 est hors de portée de cette méthode : le plus proche est %2, un fichier plus gros</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::Session</name>
     <message>
         <source>Import Options</source>

@@ -3492,6 +3492,801 @@
     </message>
 </context>
 <context>
+    <name>mocapress::Sentence</name>
+    <message>
+        <source>%1 not finite or beyond 1e9, replaced by the frame before</source>
+        <translation>%1が有限でないか 1e9 を超えていたため、前のフレームの値で置き換えました</translation>
+    </message>
+    <message>
+        <source>%1 with the name of another joint, numbered: Name.2</source>
+        <translation>%1がほかの関節と同じ名前だったため、番号を付けました（名前.2）</translation>
+    </message>
+    <message>
+        <source>%1 with the name of another joint</source>
+        <translation>%1がほかの関節と同じ名前です</translation>
+    </message>
+    <message>
+        <source>the file ends within its last frame, which is dropped</source>
+        <translation>ファイルが最後のフレームの途中で終わっているため、そのフレームを捨てました</translation>
+    </message>
+    <message>
+        <source>keys lie unevenly: %1 of %2 frames carry keys; frames between are interpolated</source>
+        <translation>キーの間隔が不揃いです：%2 フレーム中 %1 フレームにキーがあり、間は補間しました</translation>
+    </message>
+    <message>
+        <source>take %1 is read; there are also %2</source>
+        <translation>テイク %1 を読みました。ほかに %2 があります</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1、ほか %2 個</translation>
+    </message>
+    <message>
+        <source>looks like an additive clip, near its rest pose with the root at the origin: errors are those that it makes on that pose, and where feet stand means nothing</source>
+        <translation>加算クリップのようです（レストポーズに近く、ルートが原点）。誤差はそのポーズでの値で、足の接地には意味がありません</translation>
+    </message>
+    <message>
+        <source>no bone has a length: errors are measured on three points 3 cm from each joint</source>
+        <translation>どのボーンにも長さがないため、各関節から 3 cm の 3 点で誤差を測ります</translation>
+    </message>
+    <message>
+        <source>the mesh reaches much further than the bones at %1, first %2 (%3 cm, not %4): the surface there is the mesh</source>
+        <translation>%1でメッシュがボーンより大きく張り出しています（最初は %2：%4 cm でなく %3 cm）。そこではメッシュを表面とします</translation>
+    </message>
+    <message>
+        <source>the figure stands along Z, but Y is taken to point up: --up z, or the import options of the studio, read it upright</source>
+        <translation>人物は Z 方向に立っていますが、Y を上として読みました。--up z またはスタジオの読み込みオプションで直せます</translation>
+    </message>
+    <message>
+        <source>%1 beside other children left out</source>
+        <translation>ほかの子と並ぶ%1を省きました</translation>
+    </message>
+    <message>
+        <source>the header says %1 frames, %2 follow: all of them are read</source>
+        <translation>ヘッダーでは %1 フレームですが %2 フレームあり、すべて読みました</translation>
+    </message>
+    <message>
+        <source>%1 of scale kept as tracks, which move no joint</source>
+        <translation>スケールの%1をトラックとして残しました（関節は動かしません）</translation>
+    </message>
+    <message>
+        <source>a Frame Time of %1 s cannot be right: taken as %2 frames per second</source>
+        <translation>Frame Time %1 秒は正しくないため、毎秒 %2 フレームとしました</translation>
+    </message>
+    <message>
+        <source>translation channels of the root are taken to replace OFFSET, as their values suggest</source>
+        <translation>値から判断して、ルートの移動チャンネルは OFFSET を置き換えるものとしました</translation>
+    </message>
+    <message>
+        <source>translation channels of the joints below the root are taken to replace OFFSET, as their values suggest</source>
+        <translation>値から判断して、ルートより下の関節の移動チャンネルは OFFSET を置き換えるものとしました</translation>
+    </message>
+    <message>
+        <source>translation channels of the root are taken to replace OFFSET, as Blender and MotionBuilder do: their values do not tell</source>
+        <translation>値からは分からないため、Blender や MotionBuilder と同じく、ルートの移動チャンネルは OFFSET を置き換えるものとしました</translation>
+    </message>
+    <message>
+        <source>translation channels of the joints below the root are taken to replace OFFSET, as Blender and MotionBuilder do: their values do not tell</source>
+        <translation>値からは分からないため、Blender や MotionBuilder と同じく、ルートより下の関節の移動チャンネルは OFFSET を置き換えるものとしました</translation>
+    </message>
+    <message>
+        <source>no unit of length is given: a rest pose %1 units tall is taken to have %2 cm to the unit</source>
+        <translation>長さの単位が書かれていません。レストポーズの高さ %1 から、1 単位を %2 cm としました</translation>
+    </message>
+    <message>
+        <source>frame numbers do not run 1, 2, 3 from here: frames are taken as they come</source>
+        <translation>ここからフレーム番号が連続していません。並び順のまま読みました</translation>
+    </message>
+    <message>
+        <source>%1 missing from a frame, where the frame before is repeated</source>
+        <translation>あるフレームに%1がないため、前のフレームを繰り返しました</translation>
+    </message>
+    <message>
+        <source>%1 with three values where the skeleton names fewer, read as its dof and the axes missing from it</source>
+        <translation>%1に、骨格の指定より多い 3 つの値があります。dof とそこにない軸の順に読みました</translation>
+    </message>
+    <message>
+        <source>%1 with three values where the skeleton names fewer, read as rx ry rz</source>
+        <translation>%1に、骨格の指定より多い 3 つの値があります。rx ry rz として読みました</translation>
+    </message>
+    <message>
+        <source>%1 with dof but without values, left at rest</source>
+        <translation>%1に dof がありますが値がないため、レストのままです</translation>
+    </message>
+    <message>
+        <source>%1 with a length that changes (dof l), which is ignored</source>
+        <translation>%1の長さが変わりますが（dof l）、無視しました</translation>
+    </message>
+    <message>
+        <source>%1 whose scale changes over time: joints are in their places, those of joints are kept as tracks, but errors are measured on a skin with the scales of the first frame</source>
+        <translation>%1のスケールが時間とともに変わります。関節の位置は正しく、関節のスケールはトラックに残りますが、誤差は最初のフレームのスケールのスキンで測ります</translation>
+    </message>
+    <message>
+        <source>%1 scaled unevenly, first %2: joints are in their places, but a skin has the scales of the first frame</source>
+        <translation>%1が軸ごとに異なる大きさです（最初は %2）。関節の位置は正しいですが、スキンは最初のフレームのスケールです</translation>
+    </message>
+    <message>
+        <source>%1 of the animation left out, which moves no node</source>
+        <translation>アニメーションの%1を省きました（ノードを動かしません）</translation>
+    </message>
+    <message>
+        <source>%1 of the animation left out, which move no node</source>
+        <translation>アニメーションの%1を省きました（どれもノードを動かしません）</translation>
+    </message>
+    <message>
+        <source>morph weights are not read: the file %1</source>
+        <translation>モーフのウェイトを読めません：%1</translation>
+    </message>
+    <message>
+        <source>its character is not read: %1</source>
+        <translation>キャラクターを読めません：%1</translation>
+    </message>
+    <message>
+        <source>the picture %1 is not shown: %2</source>
+        <translation>画像 %1 を表示できません：%2</translation>
+    </message>
+    <message>
+        <source>it is not beside the file</source>
+        <translation>ファイルの隣にありません</translation>
+    </message>
+    <message>
+        <source>it is neither PNG nor JPEG</source>
+        <translation>PNG でも JPEG でもありません</translation>
+    </message>
+    <message>
+        <source>it has more than 64 MiB</source>
+        <translation>64 MiB を超えています</translation>
+    </message>
+    <message>
+        <source>it has more than %1 bones</source>
+        <translation>ボーンが %1 本を超えています</translation>
+    </message>
+    <message>
+        <source>it has too many vertices</source>
+        <translation>頂点が多すぎます</translation>
+    </message>
+    <message>
+        <source>a vertex is not finite, or farther than 1e9 cm away</source>
+        <translation>有限でないか 1e9 cm より遠い頂点があります</translation>
+    </message>
+    <message>
+        <source>the first take, %1, stands still</source>
+        <translation>最初のテイク %1 は動きません</translation>
+    </message>
+    <message>
+        <source>%1 left out: not a finite number</source>
+        <translation>有限の数でない%1を省きました</translation>
+    </message>
+    <message>
+        <source>%1 with spheric XYZ angles, which are read as XYZ angles</source>
+        <translation>%1の球面 XYZ 角を XYZ 角として読みました</translation>
+    </message>
+    <message>
+        <source>%1 of weights or properties left out: too many, too long a name, or beyond 1e9</source>
+        <translation>ウェイトやプロパティの%1を省きました（多すぎる、名前が長すぎる、または 1e9 を超える）</translation>
+    </message>
+    <message>
+        <source>the clip has no joint %1, nor %2 more: what hangs there stays in its bind pose</source>
+        <translation>クリップに関節 %1 ほか %2 個がありません。そこに付くものはバインドポーズのままです</translation>
+    </message>
+    <message>
+        <source>the clip has no joint %1: what hangs there stays in its bind pose</source>
+        <translation>クリップに関節 %1 がありません。そこに付くものはバインドポーズのままです</translation>
+    </message>
+    <message>
+        <source>the clip has no joint %1, nor %2 more: they carry most of the character</source>
+        <translation>クリップに関節 %1 ほか %2 個がありません。キャラクターの大部分がそこに付いています</translation>
+    </message>
+    <message>
+        <source>the clip has no joint %1: they carry most of the character</source>
+        <translation>クリップに関節 %1 がありません。キャラクターの大部分がそこに付いています</translation>
+    </message>
+    <message>
+        <source>has other proportions than the clip, and legs of %1 % the length: it is shown and coloured with its own bones, and figures are measured on the clip&apos;s</source>
+        <translation>クリップと体格が異なり、脚の長さは %1 % です。表示と色は自分のボーンで、数値はクリップのボーンで測ります</translation>
+    </message>
+    <message>
+        <source>is not put on: %1</source>
+        <translation>付けられません：%1</translation>
+    </message>
+    <message>
+        <source>cannot be put on: %1</source>
+        <translation>付けられません：%1</translation>
+    </message>
+    <message>
+        <source>has no mesh that hangs on joints</source>
+        <translation>関節に付いたメッシュがありません</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>ファイルもフォルダーもありません</translation>
+    </message>
+    <message>
+        <source>is a folder, not a file</source>
+        <translation>ファイルではなくフォルダーです</translation>
+    </message>
+    <message>
+        <source>is a pipe or a device, not a file</source>
+        <translation>ファイルではなくパイプまたはデバイスです</translation>
+    </message>
+    <message>
+        <source>cannot be read to its end</source>
+        <translation>最後まで読めません</translation>
+    </message>
+    <message>
+        <source>is a pointer of Git LFS, not the file itself: &apos;git lfs pull&apos; fetches that</source>
+        <translation>ファイル本体ではなく Git LFS のポインターです。git lfs pull で取得できます</translation>
+    </message>
+    <message>
+        <source>is none of %1</source>
+        <translation>%1 のいずれでもありません</translation>
+    </message>
+    <message>
+        <source>holds none of %1</source>
+        <translation>%1 のファイルがありません</translation>
+    </message>
+    <message>
+        <source>is a link that leads nowhere</source>
+        <translation>リンク先がありません</translation>
+    </message>
+    <message>
+        <source>is a skeleton without motion: open one of its .amc files</source>
+        <translation>動きのない骨格です。その .amc ファイルを開いてください</translation>
+    </message>
+    <message>
+        <source>holds no animation, but may be a character: --character, or Put a Character on It in the studio, puts it on a clip</source>
+        <translation>アニメーションがありませんが、キャラクターかもしれません。--character、またはスタジオの「キャラクターを付ける」でクリップに付けられます</translation>
+    </message>
+    <message>
+        <source>has no take %1: there are %2</source>
+        <translation>テイク %1 はありません。あるのは %2 です</translation>
+    </message>
+    <message>
+        <source>has neither bones nor anything else that moves</source>
+        <translation>ボーンも、ほかに動くものもありません</translation>
+    </message>
+    <message>
+        <source>no joint moves or is turned</source>
+        <translation>動く関節も回る関節もありません</translation>
+    </message>
+    <message>
+        <source>needs more than %1 frames</source>
+        <translation>%1 フレームより多く必要です</translation>
+    </message>
+    <message>
+        <source>needs more than %1 samples</source>
+        <translation>%1 個より多いサンプルが必要です</translation>
+    </message>
+    <message>
+        <source>joints are nested deeper than %1</source>
+        <translation>関節の入れ子が %1 段を超えています</translation>
+    </message>
+    <message>
+        <source>more than %1 joints</source>
+        <translation>関節が %1 個を超えています</translation>
+    </message>
+    <message>
+        <source>the name of a joint has more than %1 bytes</source>
+        <translation>関節の名前が %1 バイトを超えています</translation>
+    </message>
+    <message>
+        <source>%1 has a transform that is not finite, or beyond 1e9</source>
+        <translation>%1 の変換が有限でないか、1e9 を超えています</translation>
+    </message>
+    <message>
+        <source>%1 is farther than 1e9 cm away</source>
+        <translation>%1 が 1e9 cm より遠くにあります</translation>
+    </message>
+    <message>
+        <source>has a JSON value of another type than its place asks for</source>
+        <translation>JSON の値の型が合いません</translation>
+    </message>
+    <message>
+        <source>cannot be read: a library that reads its parts failed</source>
+        <translation>読めません：一部を読むライブラリが失敗しました</translation>
+    </message>
+    <message>
+        <source>expected one sample per second or more, found %1</source>
+        <translation>毎秒 1 サンプル以上のはずが %1 です</translation>
+    </message>
+    <message>
+        <source>expected a new line after the %1 values of the frame that begins in line %2, found %3</source>
+        <translation>%2 行目に始まるフレームの %1 個の値の後に改行があるはずが %3 です</translation>
+    </message>
+    <message>
+        <source>expected %1 values for %2, found %3</source>
+        <translation>%2 の値は %1 個のはずが %3 個です</translation>
+    </message>
+    <message>
+        <source>expected a bone of %1, found %2</source>
+        <translation>%1 のボーンのはずが %2 です</translation>
+    </message>
+    <message>
+        <source>expected a positive unit of length, found %1</source>
+        <translation>正の長さの単位のはずが %1 です</translation>
+    </message>
+    <message>
+        <source>expected a complete frame, found none</source>
+        <translation>完全なフレームがありません</translation>
+    </message>
+    <message>
+        <source>expected a name after &apos;name&apos;</source>
+        <translation>&apos;name&apos; の後に名前がありません</translation>
+    </message>
+    <message>
+        <source>expected %1, found %2</source>
+        <translation>%1のはずが %2 です</translation>
+    </message>
+    <message>
+        <source>%1 channels such as Xposition or Zrotation</source>
+        <translation>Xposition や Zrotation などのチャンネル %1 個</translation>
+    </message>
+    <message>
+        <source>a frame number</source>
+        <translation>フレーム番号</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>空</translation>
+    </message>
+    <message>
+        <source>samples per second</source>
+        <translation>毎秒のサンプル数</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>ファイルの終わり</translation>
+    </message>
+    <message>
+        <source>the number of frames</source>
+        <translation>フレーム数</translation>
+    </message>
+    <message>
+        <source>the number of channels</source>
+        <translation>チャンネル数</translation>
+    </message>
+    <message>
+        <source>the time of a frame in seconds</source>
+        <translation>1 フレームの秒数</translation>
+    </message>
+    <message>
+        <source>the name of the joint</source>
+        <translation>関節の名前</translation>
+    </message>
+    <message>
+        <source>the name of a bone</source>
+        <translation>ボーンの名前</translation>
+    </message>
+    <message>
+        <source>a coordinate of OFFSET</source>
+        <translation>OFFSET の座標</translation>
+    </message>
+    <message>
+        <source>a coordinate of direction</source>
+        <translation>direction の座標</translation>
+    </message>
+    <message>
+        <source>a coordinate of position</source>
+        <translation>position の座標</translation>
+    </message>
+    <message>
+        <source>an angle of axis</source>
+        <translation>axis の角度</translation>
+    </message>
+    <message>
+        <source>an angle of orientation</source>
+        <translation>orientation の角度</translation>
+    </message>
+    <message>
+        <source>an order of axes such as XYZ</source>
+        <translation>XYZ などの軸の順序</translation>
+    </message>
+    <message>
+        <source>the length of the bone</source>
+        <translation>ボーンの長さ</translation>
+    </message>
+    <message>
+        <source>the unit of length</source>
+        <translation>長さの単位</translation>
+    </message>
+    <message>
+        <source>the end of the bone</source>
+        <translation>ボーンの終わり</translation>
+    </message>
+    <message>
+        <source>the end of the hierarchy</source>
+        <translation>階層の終わり</translation>
+    </message>
+    <message>
+        <source>a section such as :units or :bonedata</source>
+        <translation>:units や :bonedata などのセクション</translation>
+    </message>
+    <message>
+        <source>OFFSET, CHANNELS, JOINT, End Site or }</source>
+        <translation>OFFSET、CHANNELS、JOINT、End Site または }</translation>
+    </message>
+    <message>
+        <source>OFFSET or the } of the End Site</source>
+        <translation>OFFSET または End Site の }</translation>
+    </message>
+    <message>
+        <source>deg or rad</source>
+        <translation>deg または rad</translation>
+    </message>
+    <message>
+        <source>tx, ty, tz, rx, ry, rz or l</source>
+        <translation>tx、ty、tz、rx、ry、rz または l</translation>
+    </message>
+    <message>
+        <source>numbers have a decimal comma, such as %1: a decimal point is read</source>
+        <translation>%1 のように小数点がコンマの数があります。読めるのはピリオドです</translation>
+    </message>
+    <message>
+        <source>is UTF-16: save it as UTF-8 to have it read</source>
+        <translation>UTF-16 です。UTF-8 で保存すれば読めます</translation>
+    </message>
+    <message>
+        <source>no joint has a channel: nothing moves</source>
+        <translation>チャンネルを持つ関節がなく、何も動きません</translation>
+    </message>
+    <message>
+        <source>no complete frame follows</source>
+        <translation>完全なフレームが続きません</translation>
+    </message>
+    <message>
+        <source>a second CHANNELS line for one joint</source>
+        <translation>1 つの関節に CHANNELS 行が 2 つあります</translation>
+    </message>
+    <message>
+        <source>channel %1 twice in one joint</source>
+        <translation>1 つの関節にチャンネル %1 が 2 つあります</translation>
+    </message>
+    <message>
+        <source>more than %1 channels of scale that change</source>
+        <translation>変化するスケールのチャンネルが %1 個を超えています</translation>
+    </message>
+    <message>
+        <source>the file ends within its first frame</source>
+        <translation>最初のフレームの途中でファイルが終わっています</translation>
+    </message>
+    <message>
+        <source>no bone has a value: nothing moves</source>
+        <translation>値を持つボーンがなく、何も動きません</translation>
+    </message>
+    <message>
+        <source>frame %1 has only %2 bones</source>
+        <translation>フレーム %1 にはボーンが %2 本しかありません</translation>
+    </message>
+    <message>
+        <source>%1 is not in the first frame</source>
+        <translation>%1 が最初のフレームにありません</translation>
+    </message>
+    <message>
+        <source>%1 twice in one frame</source>
+        <translation>1 つのフレームに %1 が 2 つあります</translation>
+    </message>
+    <message>
+        <source>%1 twice in one bone</source>
+        <translation>1 本のボーンに %1 が 2 つあります</translation>
+    </message>
+    <message>
+        <source>more than %1 bones</source>
+        <translation>ボーンが %1 本を超えています</translation>
+    </message>
+    <message>
+        <source>this bone has no name</source>
+        <translation>このボーンには名前がありません</translation>
+    </message>
+    <message>
+        <source>bone %1 lacks its direction or length</source>
+        <translation>ボーン %1 に direction または length がありません</translation>
+    </message>
+    <message>
+        <source>bone %1 is nested deeper than %2</source>
+        <translation>ボーン %1 の入れ子が %2 段を超えています</translation>
+    </message>
+    <message>
+        <source>bone %1 does not hang from the root in :hierarchy</source>
+        <translation>:hierarchy でボーン %1 がルートにつながっていません</translation>
+    </message>
+    <message>
+        <source>the name of a bone has more than %1 bytes</source>
+        <translation>ボーンの名前が %1 バイトを超えています</translation>
+    </message>
+    <message>
+        <source>a second bone named %1</source>
+        <translation>%1 という名前のボーンが 2 本あります</translation>
+    </message>
+    <message>
+        <source>a second parent for %1</source>
+        <translation>%1 の親が 2 つあります</translation>
+    </message>
+    <message>
+        <source>has no line of names</source>
+        <translation>名前の行がありません</translation>
+    </message>
+    <message>
+        <source>a column needs a name of 1 to 255 bytes</source>
+        <translation>列には 1～255 バイトの名前が必要です</translation>
+    </message>
+    <message>
+        <source>a name of a column has no quotes</source>
+        <translation>列の名前に引用符は使えません</translation>
+    </message>
+    <message>
+        <source>two columns are called %1</source>
+        <translation>%1 という列が 2 つあります</translation>
+    </message>
+    <message>
+        <source>is one more than the clip&apos;s %1</source>
+        <translation>クリップの%1より 1 つ多いです</translation>
+    </message>
+    <message>
+        <source>ends after values of %1, the clip has %2</source>
+        <translation>%1分の値で終わっています（クリップは %2）</translation>
+    </message>
+    <message>
+        <source>is compressed by EXT_meshopt_compression, which this program cannot read: it was built without libmeshoptimizer</source>
+        <translation>EXT_meshopt_compression で圧縮されていますが、このプログラムは libmeshoptimizer なしで作られたため読めません</translation>
+    </message>
+    <message>
+        <source>is compressed by KHR_draco_mesh_compression, which this program cannot read: it was built without libdraco</source>
+        <translation>KHR_draco_mesh_compression で圧縮されていますが、このプログラムは libdraco なしで作られたため読めません</translation>
+    </message>
+    <message>
+        <source>is not what %1 makes</source>
+        <translation>%1 が作るものではありません</translation>
+    </message>
+    <message>
+        <source>is too large to read</source>
+        <translation>大きすぎて読めません</translation>
+    </message>
+    <message>
+        <source>bufferView %1 %2</source>
+        <translation>bufferView %1：%2</translation>
+    </message>
+    <message>
+        <source>has a mesh that %1</source>
+        <translation>メッシュがあり、%1</translation>
+    </message>
+    <message>
+        <source>has an animation without keys</source>
+        <translation>キーのないアニメーションがあります</translation>
+    </message>
+    <message>
+        <source>has an animation with %1 key times, but %2 values</source>
+        <translation>アニメーションのキー時刻が %1 個なのに値が %2 個です</translation>
+    </message>
+    <message>
+        <source>has an animation whose key times go back</source>
+        <translation>キーの時刻が逆戻りするアニメーションがあります</translation>
+    </message>
+    <message>
+        <source>has an animation channel without a sampler</source>
+        <translation>サンプラーのないアニメーションチャンネルがあります</translation>
+    </message>
+    <message>
+        <source>has an animation channel without a target</source>
+        <translation>対象のないアニメーションチャンネルがあります</translation>
+    </message>
+    <message>
+        <source>has an animation of node %1, which it has not</source>
+        <translation>存在しないノード %1 のアニメーションがあります</translation>
+    </message>
+    <message>
+        <source>has an animation that moves the morph weights of a node twice</source>
+        <translation>1 つのノードのモーフのウェイトを 2 度動かすアニメーションがあります</translation>
+    </message>
+    <message>
+        <source>has an unknown interpolation, %1</source>
+        <translation>未知の補間 %1 があります</translation>
+    </message>
+    <message>
+        <source>has a rotation of length 0</source>
+        <translation>長さ 0 の回転があります</translation>
+    </message>
+    <message>
+        <source>has a node that is below itself</source>
+        <translation>自分自身の下にあるノードがあります</translation>
+    </message>
+    <message>
+        <source>has node %1 below two nodes, or twice below one</source>
+        <translation>ノード %1 が 2 つのノードの下、または 1 つの下に 2 度あります</translation>
+    </message>
+    <message>
+        <source>has more than %1 nodes</source>
+        <translation>ノードが %1 個を超えています</translation>
+    </message>
+    <message>
+        <source>has a name of more than %1 bytes</source>
+        <translation>%1 バイトを超える名前があります</translation>
+    </message>
+    <message>
+        <source>has morph weights of a node without a mesh</source>
+        <translation>メッシュのないノードにモーフのウェイトがあります</translation>
+    </message>
+    <message>
+        <source>has too many morph targets</source>
+        <translation>モーフターゲットが多すぎます</translation>
+    </message>
+    <message>
+        <source>has too many morph weights</source>
+        <translation>モーフのウェイトが多すぎます</translation>
+    </message>
+    <message>
+        <source>moves neither nodes nor morph weights that can be read</source>
+        <translation>読めるノードもモーフのウェイトも動かしません</translation>
+    </message>
+    <message>
+        <source>asks for %1 frames of %2 nodes, too many for a file of so few bytes</source>
+        <translation>%2 ノード × %1 フレームは、この大きさのファイルには多すぎます</translation>
+    </message>
+    <message>
+        <source>holds no keys</source>
+        <translation>キーがありません</translation>
+    </message>
+    <message>
+        <source>its take %1 moves no node</source>
+        <translation>テイク %1 はノードを動かしません</translation>
+    </message>
+    <message>
+        <source>its nodes hang in a circle</source>
+        <translation>ノードが輪になっています</translation>
+    </message>
+    <message>
+        <source>its nodes hang deeper than %1</source>
+        <translation>ノードの入れ子が %1 段を超えています</translation>
+    </message>
+    <message>
+        <source>has keys at impossible times</source>
+        <translation>ありえない時刻のキーがあります</translation>
+    </message>
+    <message>
+        <source>has too many nodes for so many frames</source>
+        <translation>フレーム数に対してノードが多すぎます</translation>
+    </message>
+    <message>
+        <source>the target of %1 is out of reach with this method: the nearest is %2</source>
+        <translation>この方法では目標 %1 に届きません。最も近い値は %2 です</translation>
+    </message>
+    <message>
+        <source>a promise beside the target is out of reach: %1</source>
+        <translation>目標に添えた約束に届きません：%1</translation>
+    </message>
+    <message>
+        <source>no joint is of any importance</source>
+        <translation>重要な関節がありません</translation>
+    </message>
+    <message>
+        <source>the importance of a joint must be a number, 0 or more</source>
+        <translation>関節の重要度は 0 以上の数でなければなりません</translation>
+    </message>
+    <message>
+        <source>the importance of every joint is needed, or of none</source>
+        <translation>すべての関節の重要度を指定するか、まったく指定しないでください</translation>
+    </message>
+    <message>
+        <source>the skeleton has no joint named %1</source>
+        <translation>骨格に %1 という関節がありません</translation>
+    </message>
+    <message>
+        <source>%1 is turned (degrees, RMS) by %2, not %3</source>
+        <translation>%1 の回転（度、RMS）が %3 でなく %2 です</translation>
+    </message>
+    <message>
+        <source>the weighting skin needs a clip with a mesh on its joints, or a character that is put on it</source>
+        <translation>重み付け「スキン」には、関節にメッシュの付いたクリップか、付けたキャラクターが必要です</translation>
+    </message>
+    <message>
+        <source>cannot be written: its extension is none of .bvh, .fbx, .glb, .gltf, .amc, .csv</source>
+        <translation>書き込めません：拡張子が .bvh、.fbx、.glb、.gltf、.amc、.csv のいずれでもありません</translation>
+    </message>
+    <message>
+        <source>is not written: the motion has values that are not finite</source>
+        <translation>書き込みませんでした：動きに有限でない値があります</translation>
+    </message>
+    <message>
+        <source>only an .fbx can be written onto an .fbx, and a .glb or .gltf onto a glTF</source>
+        <translation>FBX の上には .fbx だけ、glTF の上には .glb か .gltf だけを書けます</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>書き込めません：%1</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>読めません：%1</translation>
+    </message>
+    <message>
+        <source>cannot be looked at: %1</source>
+        <translation>調べられません：%1</translation>
+    </message>
+    <message>
+        <source>has %1 for %2</source>
+        <translation>%2に%1があります</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n value(s)</source>
+        <translation>
+            <numerusform>%n 個の値</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n joint(s)</source>
+        <translation>
+            <numerusform>%n 個の関節</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n node(s)</source>
+        <translation>
+            <numerusform>%n 個のノード</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n bone(s)</source>
+        <translation>
+            <numerusform>%n 本のボーン</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n channel(s)</source>
+        <translation>
+            <numerusform>%n 個のチャンネル</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n curve(s)</source>
+        <translation>
+            <numerusform>%n 本のカーブ</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n key(s)</source>
+        <translation>
+            <numerusform>%n 個のキー</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s)</source>
+        <translation>
+            <numerusform>%n フレーム</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n column(s)</source>
+        <translation>
+            <numerusform>%n 列</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n End Site(s)</source>
+        <translation>
+            <numerusform>%n 個の End Site</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>needs its skeleton, but neither %1.asf nor %2.asf is beside it</source>
+        <translation>骨格が必要ですが、%1.asf も %2.asf も隣にありません</translation>
+    </message>
+    <message>
+        <source>expected a number, found %1</source>
+        <translation>数のはずが %1 です</translation>
+    </message>
+    <message>
+        <source>%1 with quaternions between keys, which are read as angles</source>
+        <translation>%1のキー間の四元数を角度として読みました</translation>
+    </message>
+    <message>
+        <source>the target of %1 is out of reach with this method: the nearest is %2, a smaller file</source>
+        <translation>この方法では目標 %1 に届きません。最も近い値は %2 で、より小さいファイルです</translation>
+    </message>
+    <message>
+        <source>the target of %1 is out of reach with this method: the nearest is %2, a larger file</source>
+        <translation>この方法では目標 %1 に届きません。最も近い値は %2 で、より大きいファイルです</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::Session</name>
     <message>
         <source>Import Options</source>

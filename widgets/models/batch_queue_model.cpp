@@ -13,6 +13,7 @@
 #include "widgets/icons/themed_icon.h"
 #include "widgets/models/display_names.h"
 #include "widgets/models/number_text.h"
+#include "widgets/models/sentence.h"
 
 namespace mocapress {
 namespace {
@@ -234,7 +235,7 @@ QString BatchQueueModel::stateText(const QueuedClip& clip) const {
         return tr("✓ Verified, %Ln warning(s)", nullptr, static_cast<int>(clip.warnings.size()));
       return tr("✓ Verified");
     case QueuedClip::State::Failed:
-      return tr("✗ %1").arg(shortError(clip));
+      return tr("✗ %1").arg(translatedSentence(shortError(clip)));
   }
   return {};
 }
@@ -284,10 +285,11 @@ QString BatchQueueModel::toolTip(int row, int column) const {
   if (column == State && clip.left_out)
     return tr("It is not exported. Tick the clip to export it too.");
   if (column == State && clip.state == QueuedClip::State::Failed)
-    return QString::fromStdString(clip.error);
+    return translatedSentence(QString::fromStdString(clip.error));
   if (column == State && !clip.warnings.empty()) {
     QStringList lines;
-    for (const std::string& warning : clip.warnings) lines << QString::fromStdString(warning);
+    for (const std::string& warning : clip.warnings)
+      lines << translatedSentence(QString::fromStdString(warning));
     return lines.join(QLatin1Char('\n'));
   }
   if (column == Review && clip.review != ClipReview()) {

@@ -9,6 +9,7 @@
 #include "widgets/models/display_names.h"
 #include "widgets/models/library_columns.h"
 #include "widgets/models/number_text.h"
+#include "widgets/models/sentence.h"
 
 namespace mocapress {
 
@@ -231,12 +232,12 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
     }
     case Qt::ToolTipRole: {
       QStringList lines = {shown.path,
-                           shown.trouble,
+                           translatedSentence(shown.trouble),
                            stateText(shown),
-                           shown.failure,
+                           translatedSentence(shown.failure),
                            reviewerText(shown.review),
                            QString::fromStdString(shown.review.note)};
-      lines << notesOf(shown);
+      for (const QString& note : notesOf(shown)) lines << translatedSentence(note);
       lines.removeAll(QString());
       return lines.join(QLatin1Char('\n'));
     }

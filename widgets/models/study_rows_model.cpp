@@ -10,6 +10,7 @@
 #include "widgets/models/colours.h"
 #include "widgets/models/display_names.h"
 #include "widgets/models/number_text.h"
+#include "widgets/models/sentence.h"
 
 namespace mocapress {
 namespace {
@@ -100,7 +101,7 @@ QString StudyRowsModel::description(int index) const {
   const StudyRow& row = this->row(index);
   QStringList lines{tr("%1, %2").arg(clipTitle(row), seriesTitle(row))};
   if (!row.measured) {
-    lines << QString::fromStdString(row.error);
+    lines << translatedSentence(QString::fromStdString(row.error));
     return lines.join(QLatin1Char('\n'));
   }
   const Measurement& measured = *row.measured;

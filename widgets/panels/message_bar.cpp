@@ -10,6 +10,8 @@
 #include <QToolButton>
 #include <chrono>
 
+#include "widgets/models/sentence.h"
+
 namespace mocapress {
 namespace {
 
@@ -78,8 +80,9 @@ QString MessageBar::text() const {
 void MessageBar::showText(const QString& text, bool error, QAction* remedy) {
   leave_.stop();
   error_ = error;
-  text_->setText(text);
-  text_->setToolTip(text);
+  const QString shown = translatedSentence(text);
+  text_->setText(shown);
+  text_->setToolTip(shown);
   work_->hide();
   remedy_->setDefaultAction(remedy);
   remedy_->setVisible(remedy != nullptr);

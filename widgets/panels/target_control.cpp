@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "widgets/models/log_scale.h"
+#include "widgets/models/sentence.h"
 #include "widgets/panels/number_fields.h"
 
 namespace mocapress {
@@ -117,7 +118,7 @@ void TargetControl::setAchieved(const std::map<Target::Kind, double>& achieved) 
 
 void TargetControl::setTrouble(const QString& trouble, const QString& details) {
   trouble_->setText(trouble.isEmpty() ? QString() : QStringLiteral("⚠ %1").arg(trouble));
-  trouble_->setToolTip(details);
+  trouble_->setToolTip(translatedSentence(details));
   trouble_->setVisible(!trouble.isEmpty());
 }
 

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "widgets/models/sentence.h"
 #include "widgets/panels/elided_label.h"
 
 namespace mocapress {
@@ -17,8 +18,9 @@ constexpr int kListHeight = 110;
 
 /// The warning without the path of the clip, which the user sees already.
 QString noteText(const QString& clip, const Warning& warning) {
-  if (QString::fromStdString(warning.file) != clip) return QString::fromStdString(warning.text());
-  const QString message = QString::fromStdString(warning.message);
+  if (QString::fromStdString(warning.file) != clip)
+    return translatedSentence(QString::fromStdString(warning.text()));
+  const QString message = translatedSentence(QString::fromStdString(warning.message));
   return warning.line > 0 ? WarningsPanel::tr("line %L1: %2").arg(warning.line).arg(message)
                           : message;
 }

@@ -15,6 +15,7 @@
 #include "core/batch/queue_json.h"
 #include "core/batch/slurm_script.h"
 #include "core/formats/motion_file.h"
+#include "widgets/models/sentence.h"
 
 namespace mocapress {
 namespace {
@@ -425,7 +426,7 @@ void BatchSession::end(const BatchOutcome& outcome) {
   counts_ = outcome.counts;
   queue_.stopWorking();
   for (const Warning& warning : outcome.warnings)
-    emit noted(QString::fromStdString(warning.text()));
+    emit noted(translatedSentence(QString::fromStdString(warning.text())));
   setState(outcome.complete ? State::Complete : State::Stopped);
   queue_.setReviews(reviews_);  // reviews that changed during the run
 }

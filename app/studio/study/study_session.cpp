@@ -10,6 +10,7 @@
 #include "core/formats/clip_files.h"
 #include "core/study/row.h"
 #include "core/study/study_folder.h"
+#include "widgets/models/sentence.h"
 
 namespace mocapress {
 namespace {
@@ -46,7 +47,7 @@ StudySession::StudySession(const QString& cache, QObject* parent)
   connect(&runner_, &StudyRunner::ended, this, [this](const StudyOutcome& outcome) {
     rows_ = outcome.rows;
     for (const Warning& warning : outcome.warnings)
-      emit noted(QString::fromStdString(warning.text()));
+      emit noted(translatedSentence(QString::fromStdString(warning.text())));
     setState(outcome.complete ? State::Complete : State::Cancelled);
   });
   connect(&exporting_, &JobRunner::busyChanged, this, &StudySession::exportingChanged);
