@@ -204,7 +204,7 @@ void ClipFiles::choosePlace(const QString& title, const QString& extension, QStr
   // Last, the character that the clip wears, as it moves now.
   const qsizetype offered = filters.size();
   for (const QString& each : {QStringLiteral("fbx"), QStringLiteral("glb")})
-    if (!worn.isEmpty() && can_be_onto("." + each.toStdString(), worn.toStdU16String())) {
+    if (!worn.isEmpty() && can_be_onto("motion." + each.toStdString(), worn.toStdU16String())) {
       extensions << each;
       filters << tr("%1 with this motion (*.%2)").arg(fileName(worn), each);
     }
