@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <malloc.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -14,6 +12,7 @@
 #include "core/bank/bank.h"
 #include "core/base/file.h"
 #include "core/base/file_identity.h"
+#include "core/base/kept_memory.h"
 #include "core/base/make_folders.h"
 #include "core/base/memory_limit.h"
 #include "core/base/number_text.h"
@@ -155,7 +154,8 @@ struct BatchCommand {
     /// Throws EndedWith if any clip was refused.
     void end() const {
       if (refused == 0) return;
-      std::fprintf(stderr, "--fail-on refuses %s\n", counted(refused, "clip").c_str());
+      std::fprintf(stderr, "--fail-on refuses %s\n",
+                   counted(static_cast<long>(refused), "clip").c_str());
       throw EndedWith{kTargetMissed};
     }
   };
@@ -185,7 +185,7 @@ struct BatchCommand {
                                   .take_over = take_over};
     refuse_inputs_as_reports();
     GateKeeper keeper = gate_keeper();
-    malloc_trim(0);  // gives freed memory back: the search for clips has fragmented the heap
+    give_back_freed_memory();  // the search for clips has fragmented the heap
     const StopOnSignals signals;
     BatchReporter reporter(batch, json_progress);
     reporter.begin(folder, options.shard);

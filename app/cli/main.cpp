@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "app/cli/arguments.h"
 #include "app/cli/commands.h"
 #include "app/cli/standard_streams.h"
 #include "app/cli/terminal.h"
@@ -112,5 +113,6 @@ ExitCode answer(int argc, char** argv) {
 int main(int argc, char** argv) {
   mocapress::keep_freed_memory();
   mocapress::add_rivals();
-  return written_out(answer(argc, argv));
+  const Arguments arguments(argc, argv);
+  return written_out(answer(arguments.count(), arguments.values()));
 }

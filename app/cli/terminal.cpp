@@ -18,6 +18,21 @@ std::string clock_text(double seconds) {
 
 ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
 
+StopOnSignals::StopOnSignals() {
+  const auto ask_to_stop = [](int signal) { stop_signal = signal; };
+#ifdef _WIN32
+  // A handler is called once there. SIGBREAK stands for Ctrl+Break, a closed window and the end of
+  // the session.
+  for (const int signal : {SIGINT, SIGTERM, SIGBREAK}) std::signal(signal, ask_to_stop);
+#else
+  struct sigaction action = {};
+  action.sa_handler = ask_to_stop;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+#endif
+}
+
 double ProgressLine::elapsed_seconds() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }

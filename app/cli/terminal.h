@@ -38,13 +38,7 @@ inline volatile std::sig_atomic_t stop_signal = 0;
 /// Asks long work to stop on a signal; a second signal ends the program.
 class StopOnSignals {
  public:
-  StopOnSignals() {
-    struct sigaction action = {};
-    action.sa_handler = [](int signal) { stop_signal = signal; };
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
-  }
+  StopOnSignals();
 };
 
 }  // namespace mocapress::cli

@@ -1,28 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/appended_file.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
 #include <utility>
 
+#include "core/base/open_file.h"
+
 namespace mocapress {
-namespace {
 
 namespace fs = std::filesystem;
 
-bool synchronise_folder_of(const fs::path& file) {
-  const FileDescriptor folder = open_folder_of(file);
-  return folder && synchronise_folder(folder.number());
-}
-
-}  // namespace
-
-AppendedFile::AppendedFile(fs::path path) : AppendedFile(std::move(path), &::flock) {}
+AppendedFile::AppendedFile(fs::path path) : AppendedFile(std::move(path), &lock_now) {}
 
 AppendedFile::AppendedFile(fs::path path, Lock lock)
     : path_(std::move(path)), target_(end_of_links(path_)), lock_(lock) {
@@ -30,10 +19,10 @@ AppendedFile::AppendedFile(fs::path path, Lock lock)
 }
 
 AppendedFile::~AppendedFile() {
-  struct stat found;
-  const bool empty = ::fstat(file_.number(), &found) == 0 && found.st_size == 0;
+  if (!made_) return;
+  const std::optional<FileStatus> now = status_of(file_.number());
   try {
-    if (made_ && empty && is_at(file_.number(), target_)) ::unlink(target_.c_str());
+    if (now && now->size == 0 && is_at(file_.number(), target_)) remove_file(target_);
   } catch (const InputError&) {
     // An empty file may stay; it does no harm.
   }
@@ -46,31 +35,29 @@ void AppendedFile::open() {
     opened = open_at_its_place();
     take_lock(opened.file.number());
   } while (!is_at(opened.file.number(), target_));
-  struct stat found;
-  if (::fstat(opened.file.number(), &found) != 0) fail(errno);
+  const std::optional<FileStatus> found = status_of(opened.file.number());
+  if (!found) fail(errno);
   file_ = std::move(opened.file);
   made_ = made_ || opened.made;
-  size_ = static_cast<std::uint64_t>(found.st_size);
+  size_ = found->size;
 }
 
 AppendedFile::Opened AppendedFile::open_at_its_place() const {
-  constexpr int kHow = O_RDWR | O_APPEND | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
-  struct stat found;
-  const bool is_found = ::stat(target_.c_str(), &found) == 0;
-  if (!is_found && errno != ENOENT) fail(errno);
-  if (is_found && !S_ISREG(found.st_mode))
+  const std::optional<FileStatus> found = status_of(target_);
+  if (!found && errno != ENOENT) fail(errno);
+  if (found && found->kind != PathKind::File)
     throw WriteError(path_.string() + ": is not a regular file");
-  FileDescriptor there(::open(target_.c_str(), kHow));
+  FileDescriptor there = open_appended(target_, Appending::ToExisting);
   if (there) return {std::move(there), false};
   if (errno != ENOENT) fail(errno);
-  FileDescriptor made(::open(target_.c_str(), kHow | O_CREAT | O_EXCL, 0666));
+  FileDescriptor made = open_appended(target_, Appending::ToNew);
   if (!made && errno == EEXIST) return open_at_its_place();
   if (!made) fail(errno);
   return {std::move(made), true};
 }
 
 void AppendedFile::take_lock(int file) {
-  while (lock_(file, LOCK_EX | LOCK_NB) != 0) {
+  while (lock_(file) != 0) {
     if (errno == EINTR) continue;
     if (errno == EWOULDBLOCK) throw InUse(path_.string() + ": another run is using it");
     warning_ = cannot_be_locked(path_, errno);
@@ -96,7 +83,7 @@ void AppendedFile::append(std::string_view line) {
   }
   const int why = errno;
   // Half a line would spoil the next. Without a lock the end of the file may be somebody else's.
-  if (!warning_ && ::ftruncate(file_.number(), static_cast<off_t>(size_)) != 0) fail(errno);
+  if (!warning_ && !cut_to(file_.number(), size_)) fail(errno);
   fail(why);
 }
 

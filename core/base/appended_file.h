@@ -23,8 +23,8 @@ class InUse : public WriteError {
 /// a line that could not be written whole is taken out again.
 class AppendedFile {
  public:
-  /// A lock function like flock(2).
-  using Lock = int (*)(int file, int operation);
+  /// A function like lock_now() of open_file.h.
+  using Lock = int (*)(int file);
 
   /// Opens the file or creates it; follows links as StagedFile does. Throws WriteError; InUse while
   /// another process has it open; InputError if the system cannot tell what is at the place.

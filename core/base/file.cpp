@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -15,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/base/memory_limit.h"
+#include "core/base/open_file.h"
 #include "core/base/staged_file.h"
 
 namespace mocapress {
@@ -28,19 +25,14 @@ bool is_lfs_pointer(std::string_view text) {
 template <typename Buffer>
 Buffer read_whole(const std::filesystem::path& path) {
   const FileDescriptor file = open_to_read(path);
-  struct stat status;
-  if (::fstat(file.number(), &status) != 0)
-    throw InputError(path.string(), 0, 0, std::strerror(errno));
-  const auto size = static_cast<std::size_t>(status.st_size);
-  require_memory(path.string(), size);
-  Buffer buffer = naming_what_takes_memory(path.string(), [&] { return Buffer(size, {}); });
-  for (std::size_t at = 0; at < size;) {
-    const ssize_t got = ::read(file.number(), buffer.data() + at, size - at);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) throw InputError(path.string(), 0, 0, std::strerror(errno));
-    if (got == 0) throw InputError(path.string(), 0, 0, "cannot be read to its end");
-    at += static_cast<std::size_t>(got);
-  }
+  const std::optional<FileStatus> status = status_of(file.number());
+  if (!status) throw InputError(path.string(), 0, 0, std::strerror(errno));
+  require_memory(path.string(), status->size);
+  Buffer buffer = naming_what_takes_memory(path.string(), [&] { return Buffer(status->size, {}); });
+  const auto got =
+      read_all(file.number(), 0, reinterpret_cast<char*>(buffer.data()), buffer.size());
+  if (!got) throw InputError(path.string(), 0, 0, std::strerror(errno));
+  if (*got < buffer.size()) throw InputError(path.string(), 0, 0, "cannot be read to its end");
   if (is_lfs_pointer({reinterpret_cast<const char*>(buffer.data()), buffer.size()}))
     throw InputError(path.string(), 0, 0,
                      "is a pointer of Git LFS, not the file itself: 'git lfs pull' fetches that");
@@ -74,13 +66,12 @@ class StagedBuffer : public std::streambuf {
 }  // namespace
 
 FileDescriptor open_to_read(const std::filesystem::path& path) {
-  // Without O_NONBLOCK a pipe would keep us waiting for its writer.
-  FileDescriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
-  struct stat status;
-  if (!file || ::fstat(file.number(), &status) != 0)
-    throw InputError(path.string(), 0, 0, std::strerror(errno));
-  if (S_ISDIR(status.st_mode)) throw InputError(path.string(), 0, 0, "is a folder, not a file");
-  if (!S_ISREG(status.st_mode))
+  FileDescriptor file = open_existing(path);
+  const auto status = file ? status_of(file.number()) : std::nullopt;
+  if (!status) throw InputError(path.string(), 0, 0, std::strerror(errno));
+  if (status->kind == PathKind::Folder)
+    throw InputError(path.string(), 0, 0, "is a folder, not a file");
+  if (status->kind != PathKind::File)
     throw InputError(path.string(), 0, 0, "is a pipe or a device, not a file");
   return file;
 }

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/file_identity.h"
 
-#include <sys/stat.h>
-
 #include <cerrno>
 #include <cstring>
 
 #include "core/base/error.h"
+#include "core/base/open_file.h"
 
 namespace mocapress {
 
 std::optional<FileIdentity> identity_of(const std::filesystem::path& path) {
-  struct stat found;
-  if (::stat(path.c_str(), &found) == 0) return FileIdentity{found.st_dev, found.st_ino};
-  if (errno == ENOENT || errno == ENOTDIR) return std::nullopt;
+  if (const auto found = status_of(path)) return found->identity;
+  if (is_absence(errno)) return std::nullopt;
   throw InputError(path.string(), 0, 0, std::strerror(errno));
 }
 

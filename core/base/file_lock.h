@@ -15,8 +15,8 @@ namespace mocapress {
 /// An exclusive lock held while a file is read and then replaced; released at the end.
 class FileLock {
  public:
-  /// A lock function like flock(2).
-  using Lock = int (*)(int file, int operation);
+  /// A function like lock_now() of open_file.h.
+  using Lock = int (*)(int file);
 
   /// Locks the file at the end of a path's links, waiting while others hold the lock. If there is
   /// no file, there is nothing to lock. Unset: `may_wait`, asked every few milliseconds, returned

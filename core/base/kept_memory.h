@@ -19,4 +19,11 @@ inline void keep_freed_memory() {
 #endif
 }
 
+/// Gives freed memory back to the system where glibc keeps it, in pieces that fit nothing larger.
+inline void give_back_freed_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
 }  // namespace mocapress

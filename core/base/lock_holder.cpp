@@ -1,36 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/lock_holder.h"
 
-#include <pwd.h>
-#include <unistd.h>
-
 #include <ctime>
 #include <nlohmann/json.hpp>
 
+#include "core/base/machine.h"
 #include "core/base/utc_time.h"
 
 namespace mocapress {
-namespace {
-
-std::string host_name() {
-  char name[256] = {};
-  return ::gethostname(name, sizeof name - 1) == 0 ? name : "";
-}
-
-/// The user's name, or number if there is no name.
-std::string user_name() {
-  char buffer[4096];
-  passwd entry{};
-  passwd* found = nullptr;
-  if (::getpwuid_r(::geteuid(), &entry, buffer, sizeof buffer, &found) == 0 && found)
-    return found->pw_name;
-  return std::to_string(::geteuid());
-}
-
-}  // namespace
 
 LockHolder this_process() {
-  return {host_name(), user_name(), ::getpid(), utc_text(std::time(nullptr))};
+  return {host_name(), user_name(), process_number(), utc_text(std::time(nullptr))};
 }
 
 std::string text(const LockHolder& holder) {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/make_folders.h"
 
-#include <sys/stat.h>
-
 #include <cerrno>
 #include <cstring>
 
 #include "core/base/error.h"
-#include "core/base/staged_file.h"
+#include "core/base/open_file.h"
 
 namespace mocapress {
 namespace {
@@ -16,10 +14,9 @@ namespace fs = std::filesystem;
 
 /// If false, errno tells why.
 bool is_folder(const fs::path& path) {
-  struct stat status;
-  if (::stat(path.c_str(), &status) != 0) return false;
-  errno = EEXIST;
-  return S_ISDIR(status.st_mode);
+  const auto status = status_of(path);
+  if (status) errno = EEXIST;
+  return status && status->kind == PathKind::Folder;
 }
 
 [[noreturn]] void fail(const fs::path& folder, int error) {
@@ -29,18 +26,15 @@ bool is_folder(const fs::path& path) {
 }  // namespace
 
 void make_folders(const fs::path& folder) {
-  constexpr mode_t kNewFolder = 0777;
   if (folder.empty()) return;
   const fs::path named = folder.has_filename() ? folder : folder.parent_path();
-  int failed = ::mkdir(named.c_str(), kNewFolder);
-  if (failed && errno == ENOENT && named.has_parent_path()) {
+  bool made = make_folder(named);
+  if (!made && errno == ENOENT && named.has_parent_path() && named.has_relative_path()) {
     make_folders(named.parent_path());
-    failed = ::mkdir(named.c_str(), kNewFolder);
+    made = make_folder(named);
   }
-  if (failed && errno == EEXIST && is_folder(named)) return;
-  if (failed) fail(folder, errno);
-  const FileDescriptor parent = open_folder_of(named);
-  if (!parent || !synchronise_folder(parent.number())) fail(folder, errno);
+  if (!made && errno == EEXIST && is_folder(named)) return;
+  if (!made || !synchronise_folder_of(named)) fail(folder, errno);
 }
 
 }  // namespace mocapress

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/base/staged_file.h"
+#include "core/base/file.h"
 
 namespace mocapress {
 

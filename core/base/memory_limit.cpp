@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/memory_limit.h"
 
-#include <unistd.h>
-
 #include <atomic>
 
 #include "core/base/error.h"
+#include "core/base/machine.h"
 
 namespace mocapress {
 namespace {
@@ -29,10 +28,8 @@ void set_memory_limit(std::uint64_t bytes) {
 }
 
 std::uint64_t half_of_the_memory() {
-  const long pages = ::sysconf(_SC_PHYS_PAGES);
-  const long page_bytes = ::sysconf(_SC_PAGESIZE);
-  if (pages <= 0 || page_bytes <= 0) return kUsualMemoryLimit;
-  return static_cast<std::uint64_t>(pages) / 2 * static_cast<std::uint64_t>(page_bytes);
+  const std::uint64_t all = physical_memory();
+  return all == 0 ? kUsualMemoryLimit : all / 2;
 }
 
 std::optional<std::string> beyond_memory_limit(std::uint64_t bytes) {

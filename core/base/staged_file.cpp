@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/open_file.h"
 
 namespace mocapress {
 
@@ -30,18 +31,18 @@ bool write_all(int file, std::string_view bytes) {
   return true;
 }
 
-bool read_all(int file, std::uint64_t offset, std::string& bytes) {
+std::optional<std::size_t> read_all(int file, std::uint64_t offset, char* bytes,
+                                    std::size_t count) {
   std::size_t done = 0;
-  while (done < bytes.size()) {
+  while (done < count) {
     const ssize_t got =
-        ::pread(file, bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
+        ::pread(file, bytes + done, count - done, static_cast<off_t>(offset + done));
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return false;
+    if (got < 0) return std::nullopt;
     if (got == 0) break;
     done += static_cast<std::size_t>(got);
   }
-  bytes.resize(done);
-  return true;
+  return done;
 }
 
 bool synchronise(int file) {
@@ -57,11 +58,6 @@ FileDescriptor open_folder_of(const std::filesystem::path& file) {
   return FileDescriptor(::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
 }
 
-/// True if an error means that nothing is at a path. Any other error leaves that open.
-static bool is_absence(int error) {
-  return error == ENOENT || error == ENOTDIR;
-}
-
 bool is_at(int file, const std::filesystem::path& place) {
   struct stat opened;
   struct stat there;
@@ -70,12 +66,6 @@ bool is_at(int file, const std::filesystem::path& place) {
   if (is_absence(errno)) return false;
   throw InputError(place.string(), 0, 0,
                    std::string("cannot be looked at: ") + std::strerror(errno));
-}
-
-Warning cannot_be_locked(const std::filesystem::path& path, int error) {
-  return {path.string(), 0,
-          std::string("cannot be locked (") + std::strerror(error) +
-              "): make sure that no other run is at work on it"};
 }
 
 bool synchronise_folder(int folder) {
@@ -211,14 +201,6 @@ void StagedFile::open_named(std::uint32_t mode) {
   name_ = std::move(name);
 }
 
-void StagedFile::write(std::span<const std::byte> bytes) {
-  write(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
-}
-
-void StagedFile::write(std::string_view text) {
-  if (!write_all(file_.number(), text)) fail(errno);
-}
-
 void StagedFile::write_at(std::uint64_t offset, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     const ssize_t put =
@@ -228,27 +210,6 @@ void StagedFile::write_at(std::uint64_t offset, std::span<const std::byte> bytes
     offset += static_cast<std::uint64_t>(put);
     bytes = bytes.subspan(static_cast<std::size_t>(put));
   }
-}
-
-std::vector<std::byte> StagedFile::read_back() const {
-  struct stat now;
-  if (::fstat(file_.number(), &now) != 0) fail(errno);
-  std::vector<std::byte> bytes(static_cast<std::size_t>(now.st_size));
-  std::size_t done = 0;
-  while (done < bytes.size()) {
-    const ssize_t got =
-        ::pread(file_.number(), bytes.data() + done, bytes.size() - done, static_cast<off_t>(done));
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) fail(got < 0 ? errno : EIO);
-    done += static_cast<std::size_t>(got);
-  }
-  return bytes;
-}
-
-MappedFile StagedFile::map_back() const {
-  std::optional<MappedFile> mapped = MappedFile::of_descriptor(file_.number());
-  if (!mapped) fail(errno);
-  return std::move(*mapped);
 }
 
 void StagedFile::commit(Existing existing) {
@@ -316,17 +277,6 @@ void StagedFile::leave_place() const {
       ::fstatat(folder_.number(), place_.c_str(), &there, AT_SYMLINK_NOFOLLOW) == 0 &&
       own.st_dev == there.st_dev && own.st_ino == there.st_ino;
   if (is_own && !replaces_) ::unlinkat(folder_.number(), place_.c_str(), 0);
-}
-
-void StagedFile::fail(int error) const {
-  refuse(path_, std::strerror(error));
-}
-
-void StagedFile::fail_in_place(int error) const {
-  throw WriteError(
-      path_.string() +
-      ": is written, but a power cut may undo it: its folder cannot be synchronised: " +
-      std::strerror(error));
 }
 
 }  // namespace mocapress

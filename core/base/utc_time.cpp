@@ -10,7 +10,12 @@ namespace mocapress {
 std::string utc_text(std::time_t time) {
   std::tm parts{};
   char text[32] = {};
-  if (!::gmtime_r(&time, &parts)) return text;  // a year that an int cannot count
+#ifdef _WIN32
+  const bool is_known = ::gmtime_s(&parts, &time) == 0;
+#else
+  const bool is_known = ::gmtime_r(&time, &parts) != nullptr;
+#endif
+  if (!is_known) return text;  // a year that an int cannot count
   std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
   return text;
 }

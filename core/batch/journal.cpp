@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/batch/journal.h"
 
-#include <sys/file.h>
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <unordered_map>
@@ -11,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/fnv1a.h"
 #include "core/base/lock_holder.h"
+#include "core/base/open_file.h"
 #include "core/mocapress/settings_json.h"
 
 namespace mocapress {
@@ -45,8 +44,8 @@ std::optional<LockHolder> holder_of(const fs::path& path) {
 }
 
 /// Tries to take the lock and reports success either way.
-int lock_if_free(int file, int operation) {
-  ::flock(file, operation);
+int lock_if_free(int file) {
+  lock_now(file);
   return 0;
 }
 

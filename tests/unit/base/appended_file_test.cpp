@@ -3,7 +3,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -11,6 +10,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "core/base/open_file.h"
 #include "tests/support/own_process.h"
 
 namespace mocapress {
@@ -22,19 +22,19 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 /// A lock as on a network folder without locks.
-int no_locks(int, int) {
+int no_locks(int) {
   errno = ENOLCK;
   return -1;
 }
 
 /// A file that is replaced by another process just before it is locked.
 fs::path replaced_once;
-int replaced_before(int file, int operation) {
+int replaced_before(int file) {
   if (const fs::path place = std::exchange(replaced_once, {}); !place.empty()) {
     std::ofstream(place.string() + "2") << "theirs\n";
     fs::rename(place.string() + "2", place);
   }
-  return ::flock(file, operation);
+  return lock_now(file);
 }
 
 class AppendedFileTest : public testing::Test {

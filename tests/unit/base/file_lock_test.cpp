@@ -56,7 +56,7 @@ TEST_F(FileLockTest, WhereThereIsNoFileThereIsNothingToWaitFor) {
 }
 
 TEST_F(FileLockTest, SaysThatTheFileSystemHasNoLocks) {
-  const auto no_locks = [](int, int) {
+  const auto no_locks = [](int) {
     errno = ENOLCK;
     return -1;
   };

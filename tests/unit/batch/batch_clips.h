@@ -46,7 +46,7 @@ class BatchTest : public testing::Test {
     std::map<std::string, std::string> files;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
       if (entry.is_regular_file() && entry.path().extension() != ".jsonl")
-        files[entry.path().lexically_relative(folder)] = read_text(entry.path());
+        files[entry.path().lexically_relative(folder).generic_string()] = read_text(entry.path());
     return files;
   }
 

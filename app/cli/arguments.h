@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace mocapress::cli {
+
+/// The program's arguments in UTF-8. Windows hands main() others, in a code page that lacks most
+/// letters. There the standard streams are set too: to pass bytes on as they are, and UTF-8 to the
+/// console.
+class Arguments {
+ public:
+  Arguments(int argc, char** argv);
+  Arguments(const Arguments&) = delete;
+  Arguments& operator=(const Arguments&) = delete;
+
+  int count() const { return static_cast<int>(values_.size()) - 1; }
+  char** values() const { return const_cast<char**>(values_.data()); }
+
+ private:
+  std::vector<std::string> texts_;
+  std::vector<char*> values_;  // with a null at the end
+};
+
+}  // namespace mocapress::cli
