@@ -265,7 +265,7 @@ TEST_F(CharacterSession, TakingOneOffIsUndoneWithTheWeightingByItsMesh) {
   };
   settle([&] { session_.open(sample("human_walk.amc")); });
   settle([&] { session_.putCharacter(sample("character.glb")); });
-  EncodeOptions by_skin = document_.options();
+  EncodeSettings by_skin = document_.options();
   by_skin.weighting = Weighting::Skin;
   settle([&] { session_.setOptions(by_skin); });
   settle([&] { session_.takeCharacterOff(); });

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Toolchain: Windows on x86-64 by Debian's mingw-w64. Libraries are those that `package` beside this file has built.
+# Toolchain: Windows on x86-64 by Debian's mingw-w64. Libraries are those that `libraries` beside this file has built.
 set(CMAKE_SYSTEM_NAME Windows)
 set(CMAKE_SYSTEM_PROCESSOR x86_64)
 set(CMAKE_C_COMPILER x86_64-w64-mingw32-gcc-posix)
