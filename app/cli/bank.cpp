@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -42,8 +43,9 @@ std::string wrong_pair(const std::string& text) {
 
 std::string wrong_distance(const std::string& text) {
   const std::optional<double> cm = parse_number(text);
-  return cm && *cm >= 0 && std::isfinite(*cm) ? std::string()
-                                               : "'" + text + "' is not a distance in cm, 0 or more";
+  return cm && *cm >= 0 && *cm <= std::numeric_limits<float>::max()
+             ? std::string()
+             : "'" + text + "' is not a distance in cm, 0 or more";
 }
 
 /// Counts finished clips on one line until the user or the system asks to stop.
@@ -140,6 +142,9 @@ struct BankFilling {
   }
 
   void run(bool make) const {
+    if (make && !cooked && (no_ik || ik_error))
+      throw CLI::ValidationError(no_ik ? "--no-ik" : "--ik-error",
+                                 "is for a cooked bank: give --cooked");
     BankOptions options;
     options.form = cooked ? runtime::BankForm::Cooked : runtime::BankForm::Packed;
     options.tags = tags;

@@ -31,6 +31,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool lists_the_same_joints(const Skeleton& a, const Skeleton& b) {
+  if (a.joint_count() != b.joint_count()) return false;
+  for (int j = 0; j < a.joint_count(); ++j)
+    if (a.joint(j).parent != b.joint(j).parent ||
+        without_namespace(a.joint(j).name) != without_namespace(b.joint(j).name))
+      return false;
+  return true;
+}
+
 struct Decompress {
   std::vector<std::string> inputs;
   std::string output;
@@ -123,7 +132,8 @@ struct Decompress {
                                   existing()));
   }
 
-  /// A take for each clip, with its file's name.
+  /// A take for each clip, with its file's name. Takes share the nodes of the first clip, joint by
+  /// joint in its order.
   void write_together() const {
     std::vector<Motion> motions;
     std::vector<ScalarTracks> tracks;
@@ -131,10 +141,10 @@ struct Decompress {
       const OpenedMcpr opened = open_mcpr(input);
       motions.push_back({opened.compressed.skeleton, opened.decoded});
       tracks.push_back(tracks_of(read_bytes(input)));
-      if (rig_of(motions.back().skeleton) != rig_of(motions.front().skeleton))
-        throw InputError(
-            input, 0, 0,
-            "has other joints than " + inputs.front() + ": only clips of one rig go into one file");
+      if (!lists_the_same_joints(motions.back().skeleton, motions.front().skeleton))
+        throw InputError(input, 0, 0,
+                         "has other joints than " + inputs.front() +
+                             ", or another order of them: only clips of one rig go into one file");
     }
     std::vector<FbxClip> clips;
     std::unordered_set<std::string> names;

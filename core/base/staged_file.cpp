@@ -229,7 +229,7 @@ void StagedFile::commit_all(std::span<StagedFile> files, Existing existing) {
       file.take_place(existing);
     }
   } catch (const WriteError&) {
-    for (const StagedFile& file : files.first(placed)) file.leave_place();
+    for (const StagedFile& file : files.first(placed)) file.leave_place(existing);
     throw;
   }
   synchronise_all(files, true);
@@ -268,15 +268,16 @@ void StagedFile::take_place(Existing existing) {
   name_.clear();
 }
 
-/// Removes the file from its place, if that was free before and holds this file still.
-void StagedFile::leave_place() const {
+/// Removes the file from its place, if it replaced none there and the place holds it still.
+void StagedFile::leave_place(Existing existing) const {
   struct stat own;
   struct stat there;
   const bool is_own =
       ::fstat(file_.number(), &own) == 0 &&
       ::fstatat(folder_.number(), place_.c_str(), &there, AT_SYMLINK_NOFOLLOW) == 0 &&
       own.st_dev == there.st_dev && own.st_ino == there.st_ino;
-  if (is_own && !replaces_) ::unlinkat(folder_.number(), place_.c_str(), 0);
+  if (is_own && (existing == Existing::Refuse || !replaces_))
+    ::unlinkat(folder_.number(), place_.c_str(), 0);
 }
 
 }  // namespace mocapress

@@ -112,7 +112,7 @@ class StagedFile {
   void open_named(std::uint32_t mode);
   void give_name();
   void take_place(Existing existing);
-  void leave_place() const;
+  void leave_place(Existing existing) const;
   [[noreturn]] void fail(int error) const;
   [[noreturn]] void fail_in_place(int error) const;
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <filesystem>
 
 #include "core/codec/methods/compression_method.h"
 #include "core/feet/feet.h"
@@ -76,8 +75,7 @@ Eigen::Vector3d facing(const Skeleton& skeleton, const std::vector<Eigen::Vector
 }
 
 std::string review_name(const Picture& picture, const std::string& method) {
-  return std::filesystem::path(picture.clip).stem().string() + ", " +
-         std::string(method_title(method));
+  return picture.clip + ", " + std::string(method_title(method));
 }
 
 }  // namespace mocapress

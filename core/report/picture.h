@@ -74,7 +74,8 @@ struct Picture {
   std::optional<PicturedFoot> foot;     // unset: no foot slides
 };
 
-/// The name under which a page shows a pictured clip, compressed by one method.
+/// The name under which a page shows a pictured clip, compressed by one method: it has the clip's
+/// whole path, for clips of two folders may be called alike.
 std::string review_name(const Picture& picture, const std::string& method);
 
 }  // namespace mocapress

@@ -116,7 +116,8 @@ mcpr_result sample_checked(const mcpr_cooked* clip, const mcpr_sample_request* r
                            float* out, mcpr_cursor* cursor) {
   const mcpr_result result = check_sample_request(clip, request);
   if (failed(result)) return result;
-  if (!std::isfinite(time) || out == nullptr) return refused("no finite instant, or no output");
+  if (!std::isfinite(frame_of(*clip, request->unit, time)) || out == nullptr)
+    return refused("no finite instant, or no output");
   sample(*clip, *poses_of(request->path), place_in_clip(*clip, *request, time), *request, out,
          cursor);
   return kOk;
@@ -131,7 +132,8 @@ mcpr_result check_crowd(const mcpr_crowd_request* request, const mcpr_character*
     const mcpr_character& character = characters[i];
     const mcpr_sample_request one = request_of(*request, character);
     mcpr_result result = check_sample_request(character.clip, &one);
-    if (!failed(result) && (!std::isfinite(character.time) || character.out == nullptr))
+    if (!failed(result) && (!std::isfinite(frame_of(*character.clip, one.unit, character.time)) ||
+                            character.out == nullptr))
       result = refused("no finite instant, or no output");
     if (!failed(result)) continue;
     result.offset = i;
@@ -198,7 +200,9 @@ class JointMotion {
     const bool goes_on = clip_.loop == LoopKind::Follows &&
                          (request_.wrap == MCPR_LOOP || request_.wrap == MCPR_LOOP_BLEND);
     const PlaceInClip place{clip_.frames - 1.0, goes_on ? 1.0F : 0.0F};
-    sample(clip_, *poses_of(request_.path), place, request_, out.rotation);
+    mcpr_sample_request moving = request_;
+    moving.stepped_count = 0;  // a root that steps goes on to the next cycle, too
+    sample(clip_, *poses_of(request_.path), place, moving, out.rotation);
     const float* const q = out.rotation;
     return {rotation_of(static_cast<double>(q[0]), static_cast<double>(q[1]),
                         static_cast<double>(q[2]), static_cast<double>(q[3])),
@@ -414,12 +418,13 @@ mcpr_result mcpr_sample_motion(const mcpr_cooked* cooked, const mcpr_sample_requ
   const mcpr_result result = runtime::check_sample_request(cooked, request);
   if (runtime::failed(result)) return result;
   if (joint >= cooked->joints) return runtime::refused("no such joint");
-  if (!std::isfinite(from) || !std::isfinite(to) || out == nullptr)
+  const double first = runtime::frame_of(*cooked, request->unit, from);
+  const double last = runtime::frame_of(*cooked, request->unit, to);
+  if (!std::isfinite(first) || !std::isfinite(last) || out == nullptr)
     return runtime::refused("no finite instants, or no output");
-  const double rate = request->unit == MCPR_SECONDS ? cooked->sample_rate : 1;
   const runtime::Rigid motion =
       runtime::JointMotion(*cooked, *request, static_cast<std::uint16_t>(joint))
-          .between(from * rate, to * rate);
+          .between(first, last);
   double wxyz[4];
   runtime::quaternion_of(motion.rotation, wxyz);
   *out = {};

@@ -585,10 +585,10 @@ typedef struct mcpr_change {
 } mcpr_change;
 
 /* Lists what changed of the tracks that step on the way from one instant to another, for events:
- * (from, to] in the order of time, or backwards [to, from) if `to` is earlier. So calls that start
- * where the one before ended tell each change once. Sets *count to their number, and writes as many
- * as `capacity` allows; `changes` may be null if that is 0. Takes time in proportion to the frames
- * between. Fails with MCPR_ARGUMENT if these are more than 2^22. */
+ * at the frames in (from, to], or at those in (to, from], latest first, if `to` is earlier. So calls
+ * that start where the one before ended tell each change once. Sets *count to their number, and
+ * writes as many as `capacity` allows; `changes` may be null if that is 0. Takes time in proportion
+ * to the frames between. Fails with MCPR_ARGUMENT if these are more than 2^22. */
 MCPR_API mcpr_result mcpr_track_changes(const mcpr_tracks* tracks,
                                         const mcpr_track_request* request, double from, double to,
                                         mcpr_change* changes, uint32_t capacity, uint32_t* count);

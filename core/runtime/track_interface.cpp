@@ -33,8 +33,12 @@ mcpr_result check_track_call(const mcpr_tracks* tracks, const mcpr_track_request
   return needed == 0 ? kOk : check_memory(scratch, size, needed, "too little scratch memory");
 }
 
+/// An instant of a request in frames: this close to a whole one, it is that, as for poses.
 double frame_at(const mcpr_track_request& request, double time) {
-  return request.sample_rate > 0 ? time * request.sample_rate : time;
+  if (!(request.sample_rate > 0)) return time;
+  const double frame = time * request.sample_rate;
+  const double whole = std::round(frame);
+  return std::abs(frame - whole) < double{kAtFrame} ? whole : frame;
 }
 
 Wrapping wrapping_of(const mcpr_tracks& tracks, const mcpr_track_request& request) {

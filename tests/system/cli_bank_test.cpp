@@ -164,12 +164,15 @@ TEST_F(CliBank, SaysWhatIsWrong) {
   ASSERT_EQ(mocapress({"bank", "make", file("b.mcpk"), file("clips")}).exit_code, 0);
   EXPECT_EQ(mocapress({"bank", "extract", file("b.mcpk"), "run"}).exit_code, 3);
   EXPECT_EQ(mocapress({"bank", "make", file("b.mcpk"), file("clips"), "--meta", "x"}).exit_code, 2);
-  for (const char* const wrong : {"-1", "nan", "inf", "far"}) {
+  for (const char* const wrong : {"-1", "nan", "inf", "1e39", "far"}) {
     const Outcome refused =
         mocapress({"bank", "make", file("b.mcpk"), file("clips"), "--cooked", "--ik-error", wrong});
     EXPECT_EQ(refused.exit_code, 2) << wrong;
     EXPECT_THAT(refused.err, HasSubstr("is not a distance in cm, 0 or more")) << wrong;
   }
+  const Outcome packed = mocapress({"bank", "make", file("p.mcpk"), file("clips"), "--no-ik"});
+  EXPECT_EQ(packed.exit_code, 2);
+  EXPECT_THAT(packed.err, HasSubstr("is for a cooked bank"));
   const Outcome twice = mocapress(
       {"bank", "make", file("b.mcpk"), file("clips/walk.mcpr"), file("clips/slow/walk.mcpr")});
   EXPECT_EQ(twice.exit_code, 3);

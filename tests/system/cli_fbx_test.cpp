@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // FBX files that the command line writes.
+#include <gmock/gmock.h>
+
 #include "core/formats/motion_file.h"
 #include "tests/support/same_motion.h"
 #include "tests/system/command.h"
@@ -60,6 +62,29 @@ TEST_F(CliFbx, PutsSeveralClipsOfARigIntoOneFbxATakeEach) {
   ASSERT_EQ(mocapress({"compress", write("other.bvh", test_bvh()), "-o", packed_}).exit_code, 0);
   words.push_back(packed_);
   EXPECT_EQ(onto(output, {}).exit_code, 3);
+}
+
+/// Takes share nodes by their place in the list of joints.
+TEST_F(CliFbx, TakesOfJointsInAnotherOrderAreRefused) {
+  const auto bvh = [](const std::string& first, const std::string& second) {
+    const auto arm = [](const std::string& name, const std::string& x) {
+      return "  JOINT " + name + "\n  {\n    OFFSET " + x +
+             " 0 0\n    CHANNELS 3 Zrotation Xrotation Yrotation\n    End Site\n    {\n"
+             "      OFFSET 0 -40 0\n    }\n  }\n";
+    };
+    return "HIERARCHY\nROOT Hips\n{\n  OFFSET 0 90 0\n  CHANNELS 6 Xposition Yposition Zposition "
+           "Zrotation Xrotation Yrotation\n" +
+           arm(first, first == "L" ? "20" : "-20") + arm(second, second == "L" ? "20" : "-20") +
+           "}\nMOTION\nFrames: 2\nFrame Time: 0.033\n0 90 0 0 0 0 1 2 3 4 5 6\n"
+           "1 90 0 0 0 0 7 8 9 1 2 3\n";
+  };
+  const std::string left = file("left.mcpr");
+  const std::string right = file("right.mcpr");
+  ASSERT_EQ(mocapress({"compress", write("l.bvh", bvh("L", "R")), "-o", left}).exit_code, 0);
+  ASSERT_EQ(mocapress({"compress", write("r.bvh", bvh("R", "L")), "-o", right}).exit_code, 0);
+  const Outcome refused = mocapress({"decompress", left, right, "-o", file("both.fbx")});
+  EXPECT_EQ(refused.exit_code, 3);
+  EXPECT_THAT(refused.err, testing::HasSubstr("another order"));
 }
 
 }  // namespace

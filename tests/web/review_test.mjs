@@ -106,7 +106,7 @@ test('the report of a study shows pictured clips by each method', async () => {
   assert.equal(await buttons.count(), 2);
   await buttons.last().click();
   await statusOf(page);
-  assert.match(await page.textContent('#review h2'), /^human_walk, /);
+  assert.match(await page.textContent('#review h2'), /human_walk\.amc, /);
   await page.screenshot({ path: join(WEB_PICTURES, 'study.png') });
   assert.deepEqual(page.wrong, []);
   console.log(`the report of a study: ${statSync(path).size} bytes`);

@@ -171,7 +171,7 @@ void StagedFile::commit_all(std::span<StagedFile> files, Existing existing) {
   try {
     for (; placed < files.size(); ++placed) files[placed].take_place(existing);
   } catch (const WriteError&) {
-    for (const StagedFile& file : files.first(placed)) file.leave_place();
+    for (const StagedFile& file : files.first(placed)) file.leave_place(existing);
     throw;
   }
   synchronise_all(files, true);
@@ -182,8 +182,8 @@ void StagedFile::synchronise_all(std::span<StagedFile> files, bool names) {
     if (!synchronise(file.file_.number())) names ? file.fail_in_place(errno) : file.fail(errno);
 }
 
-void StagedFile::leave_place() const {
-  if (!replaces_) set_vanishing(file_.number(), true);
+void StagedFile::leave_place(Existing existing) const {
+  if (existing == Existing::Refuse || !replaces_) set_vanishing(file_.number(), true);
 }
 
 void StagedFile::take_place(Existing existing) {

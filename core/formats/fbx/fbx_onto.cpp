@@ -17,6 +17,7 @@
 #include "core/formats/fbx/fbx_scene.h"
 #include "core/formats/fbx/fbx_writer.h"
 #include "core/formats/node_tracks.h"
+#include "core/formats/take_choice.h"
 
 namespace mocapress {
 namespace {
@@ -38,8 +39,8 @@ std::int64_t id_of(const FbxRecords& records, const FbxObject& object) {
   return id ? id->whole() : 0;
 }
 
-/// What a motion is put onto: a take, or where none has a key the nodes at rest, from the time on
-/// at which the first take begins.
+/// The target of a motion: a take, or if none has a key the nodes at rest, from the begin of the
+/// take that the options name, else of the first.
 FbxTake read_target(FbxFile& file, const ReadOptions& options) {
   const double second = file.ticks_per_second();
   FbxAnimation animation(file.records, file.objects, second);
@@ -48,8 +49,13 @@ FbxTake read_target(FbxFile& file, const ReadOptions& options) {
       for (const auto& curve : movement.curves)
         if (curve) return read_fbx_take(file, options);
   FbxTake rest = read_fbx_rest(file);
-  if (!animation.takes().empty() && animation.takes().front().span)
-    rest.first_s = static_cast<double>(animation.takes().front().span->first) / second;
+  std::vector<TakeName> takes;
+  for (const FbxTakeInfo& take : animation.takes()) takes.push_back({take.name});
+  if (options.take)
+    rest.index = choose_take(file.records.file(), takes, options.take, rest.warnings);
+  if (takes.empty() || !animation.takes()[rest.index].span) return rest;
+  const double begin = static_cast<double>(animation.takes()[rest.index].span->first) / second;
+  if (std::abs(begin) <= kMostFbxSeconds) rest.first_s = begin;
   return rest;
 }
 

@@ -26,7 +26,6 @@ constexpr std::size_t kMostFbxNodes = 1 << 16;
 constexpr int kDeepestFbxNode = 1000;
 constexpr double kMostFbxPlacements = 1e8;  // node placements over all frames
 constexpr double kNearFrame = 0.1;          // frames; a key this near was meant to be on one
-constexpr double kMostFbxSeconds = 1e7;
 
 bool is_joint_kind(std::string_view kind) {
   return kind == "LimbNode" || kind == "Limb" || kind == "Root";

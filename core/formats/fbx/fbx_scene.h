@@ -50,6 +50,9 @@ struct FbxFile {
   FbxObjects objects;
 };
 
+/// Takes and keys beyond these times, in seconds, are not believed.
+inline constexpr double kMostFbxSeconds = 1e7;
+
 struct FbxTake {
   NodeTake take;
   std::vector<std::size_t> object_of_node;  // object of each of take.nodes; the first is the scene

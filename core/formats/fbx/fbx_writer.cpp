@@ -388,6 +388,9 @@ std::vector<std::string> fbx_names(const Skeleton& skeleton) {
 
 std::string fbx_bytes(const std::vector<FbxClip>& clips, const SourceFormat& source,
                       const WriteOptions& options) {
+  const int version = options.fbx_version.value_or(kUsualFbxVersion);
+  if (version != 7400 && version != 7700)
+    throw Error("an FBX is written as version 7.4 or 7.7 only");
   const SourceFormat format = fbx_format(source, options);
   const Motion first = exported_motion(clips.front().motion, format, options);
   // The first root rests at the origin: Blender turns a bone without length by what is left of its
@@ -405,7 +408,7 @@ std::string fbx_bytes(const std::vector<FbxClip>& clips, const SourceFormat& sou
     const Motion motion = exported_motion(clips[c].motion, format, options);
     document.add_take(clips[c].take, motion.clip, tracks(motion, clips[c].tracks), clips[c].tracks);
   }
-  return document.bytes(options.fbx_version.value_or(kUsualFbxVersion));
+  return document.bytes(version);
 }
 
 std::string fbx_bytes(const Motion& motion, const SourceFormat& source, const WriteOptions& options,

@@ -10,6 +10,10 @@
 
 namespace mocapress::runtime {
 
+/// An instant this close to a frame counts as the frame. Converting seconds to frames rounds, and a
+/// frame costs less than an instant between two, most of all when playing at half the rate.
+inline constexpr float kAtFrame = 0x1p-16F;
+
 /// A position in the clip, or on the way from its last frame to its first.
 struct PlaceInClip {
   double frame = 0;

@@ -19,8 +19,13 @@ constexpr int kMostOctaves = 24;
 /// small coefficients together are worth less than what a finer step does with the same space.
 constexpr double kLeastKept = 0.62;
 
+/// The nearest whole number, bounded: values of a hostile file may be beyond any integer.
+std::int32_t whole(double steps) {
+  return static_cast<std::int32_t>(std::lround(std::clamp(steps, -0x1p30, 0x1p30)));
+}
+
 std::int32_t rounded(double steps) {
-  return std::abs(steps) < kLeastKept ? 0 : static_cast<std::int32_t>(std::lround(steps));
+  return std::abs(steps) < kLeastKept ? 0 : whole(steps);
 }
 
 }  // namespace
@@ -139,8 +144,7 @@ void CookedCoefficients::load(int segment) {
       for (int s = 0; s < channel_count(); ++s)
         for (int i = first; i < end; ++i)
           values_[std::ptrdiff_t{s} * motion.length() + bands_[b].first + i] =
-              static_cast<std::int32_t>(
-                  std::lround(rows_[(i - first) * stride + s] / (steps_[s] * gain)));
+              whole(rows_[(i - first) * stride + s] / (steps_[s] * gain));
     }
   }
   for (int s = 0; s < channel_count(); ++s)
@@ -164,14 +168,12 @@ void CookedCoefficients::fit_corrected(int channel, int segment) {
     split_line(clip_.motion(segment).wavelet(), rest, fine, coarse, samples_);
     const double gain = power_of_root_two(-bands_.depth(b));
     for (int i = 0; i < bands_[b].size; ++i)
-      values[bands_[b].first + i] =
-          octaves_ == kExact ? static_cast<std::int32_t>(std::lround(samples_[i] / (step * gain)))
-                             : rounded(samples_[i] / (step * gain));
+      values[bands_[b].first + i] = octaves_ == kExact ? whole(samples_[i] / (step * gain))
+                                                       : rounded(samples_[i] / (step * gain));
     std::swap(fine, coarse);
   }
   const double gain = power_of_root_two(-bands_.depth(0));
-  for (int i = 0; i < bands_[0].size; ++i)
-    values[i] = static_cast<std::int32_t>(std::lround(fine[i] / (step * gain)));
+  for (int i = 0; i < bands_[0].size; ++i) values[i] = whole(fine[i] / (step * gain));
 }
 
 std::span<double> CookedCoefficients::samples_of(int channel, int left_out) {

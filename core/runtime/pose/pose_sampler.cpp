@@ -30,13 +30,13 @@ class ColumnKinds {
     for (int g = 0; g < clip.rotor_groups; ++g)
       for (int a = 0; a < rotors[g].angles; ++a)
         for (int i = 0; i < kGroup; ++i)
-          angles_.set(static_cast<std::size_t>(kGroup * rotors[g].vector[a] + i));
+          angles_[static_cast<std::size_t>(kGroup * rotors[g].vector[a] + i)] = true;
     const auto* const turns = clip.at<OtherTurn>(clip.turns);
     for (int i = 0; i < clip.other_turns; ++i)
-      if (turns[i].axis != OtherTurn::kConstant) angles_.set(turns[i].column);
+      if (turns[i].axis != OtherTurn::kConstant) angles_[turns[i].column] = true;
     const auto* const added = clip.at<AddedColumn>(clip.added);
     for (int i = 0; i < clip.added_columns; ++i)
-      if (angles_[added[i].to]) angles_.set(added[i].from);
+      if (angles_[added[i].to]) angles_[added[i].from] = true;
   }
 
   ColumnKind of(int column) const {
@@ -384,8 +384,7 @@ class Sampler {
 
 PlaceInClip place_in_clip(const mcpr_cooked& clip, const mcpr_sample_request& request,
                           double time) {
-  return clip.wrapping(request.wrap)
-      .place(request.unit == MCPR_SECONDS ? time * clip.sample_rate : time);
+  return clip.wrapping(request.wrap).place(frame_of(clip, request.unit, time));
 }
 
 std::size_t values_of_joint(mcpr_layout layout) {

@@ -9,6 +9,11 @@
 
 namespace mocapress::runtime {
 
+/// An instant of a request in frames; not finite if no double holds it.
+inline double frame_of(const mcpr_cooked& clip, mcpr_time unit, double time) {
+  return unit == MCPR_SECONDS ? time * clip.sample_rate : time;
+}
+
 PlaceInClip place_in_clip(const mcpr_cooked& clip, const mcpr_sample_request& request, double time);
 
 /// A frame, or an instant between it and the next.
@@ -16,10 +21,6 @@ struct BetweenFrames {
   int before = 0;
   float share = 0;
 };
-
-/// An instant this close to a frame counts as the frame. Converting seconds to frames rounds, and a
-/// frame costs less than an instant between two, most of all when playing at half the rate.
-inline constexpr float kAtFrame = 0x1p-16F;
 
 /// Splits an instant of a clip with this many frames.
 inline BetweenFrames between_frames(int frames, double frame) {

@@ -132,7 +132,7 @@ TEST_P(StagedFileTest, ManyTakeTheirPlacesTogether) {
   fs::remove(elsewhere);
 }
 
-TEST_P(StagedFileTest, OfManyNoneStaysWhereOneFindsItsPlaceTaken) {
+TEST_P(StagedFileTest, NoneOfManyStaysWhereOneFindsItsPlaceTaken) {
   std::vector<StagedFile> files;
   for (const char* name : {"a", "b", "c"}) files.push_back(staged(folder_ / name, "new"));
   put(folder_ / "b", "another's");
@@ -142,7 +142,7 @@ TEST_P(StagedFileTest, OfManyNoneStaysWhereOneFindsItsPlaceTaken) {
   EXPECT_EQ(text_of(folder_ / "b"), "another's");
 }
 
-TEST_P(StagedFileTest, OfManyTheOnesThatReplacedAFileStayWhereAnotherFails) {
+TEST_P(StagedFileTest, FilesThatReplacedOthersStayWhereAnotherOfManyFails) {
   put(folder_ / "a", "old");
   std::vector<StagedFile> files;
   for (const char* name : {"a", "b", "c"}) files.push_back(staged(folder_ / name, "new"));

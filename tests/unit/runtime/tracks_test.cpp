@@ -191,6 +191,12 @@ TEST_F(RuntimeTracks, TellWhichSwitchesChangedBetweenTwoInstants) {
   const auto seconds = changes_of(clip, {.sample_rate = 120}, 0, kTrackFrames / 120.0);
   ASSERT_EQ(seconds.size(), expected.size());
   EXPECT_EQ(seconds[0].first, expected[0].first / 120);
+  // A moment at the time of a change has its value, as times in seconds round.
+  const mcpr_track_request at_60{.sample_rate = 60};
+  for (const auto& [time, value] : changes_of(clip, at_60, 0, kTrackFrames / 60.0))
+    EXPECT_EQ(moment(clip, at_60, time)[0], value) << time;
+  EXPECT_EQ(changes_of(clip, {}, expected[0].first, expected[0].first - 0.5).size(), 1U);
+  EXPECT_EQ(changes_of(clip, {}, expected[0].first + 0.5, expected[0].first).size(), 0U);
   const auto cycles =
       changes_of(clip, {.wrap = MCPR_LOOP_HOLD}, kTrackFrames + 1, 2 * kTrackFrames - 1);
   ASSERT_EQ(cycles.size(), expected.size());

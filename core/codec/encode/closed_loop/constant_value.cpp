@@ -33,6 +33,7 @@ bool predicts_itself(float value) {
 }  // namespace
 
 int steps_of_constant(double value, double step) {
+  if (value < 0) return -steps_of_constant(-value, step);
   constexpr int kTries = 64;
   constexpr double kMost = runtime::kMostSteps - kTries;
   const auto nearest = static_cast<int>(std::lround(std::clamp(value / step, -kMost, kMost)));

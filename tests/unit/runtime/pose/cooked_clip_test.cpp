@@ -402,6 +402,17 @@ TEST_F(CookedPaths, RefuseImpossibleRequests) {
   float out[512];
   const mcpr_sample_request request{};
   EXPECT_EQ(mcpr_sample(cooked_.clip, &request, std::nan(""), out).status, MCPR_ARGUMENT);
+  for (const mcpr_wrap wrap :
+       {MCPR_CLAMP, MCPR_PING_PONG, MCPR_LOOP_JUMP, MCPR_LOOP_BLEND, MCPR_LOOP_HOLD}) {
+    const mcpr_sample_request seconds{.unit = MCPR_SECONDS, .wrap = wrap};
+    mcpr_transform motion;
+    for (const double far : {1e307, -1e307, std::numeric_limits<double>::max()}) {
+      EXPECT_EQ(mcpr_sample(cooked_.clip, &seconds, far, out).status, MCPR_ARGUMENT) << wrap;
+      EXPECT_EQ(mcpr_sample_motion(cooked_.clip, &seconds, 0, 0, far, &motion).status,
+                MCPR_ARGUMENT)
+          << wrap;
+    }
+  }
   EXPECT_EQ(mcpr_sample(nullptr, &request, 0, out).status, MCPR_ARGUMENT);
 }
 
