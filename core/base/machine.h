@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the system tells about itself, with one body for POSIX and one for Windows.
+// Facts that the system tells about itself, with one body for POSIX and one for Windows.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is asked of the system about files, with one body for POSIX and one for Windows: the only
-// places, beside staged_file.cpp and mapped_file.cpp, that call it. Failures are errno values.
+// Files as the system has them, with one body for POSIX and one for Windows: the only places, beside
+// staged_file.cpp and mapped_file.cpp, that call the system. Failures are errno values.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ struct FileStatus {
   FileIdentity identity;
 };
 
-/// What is at the end of a path's links, or open under a number. Unset: errno tells why.
+/// The file at the end of a path's links, or open under a number. Unset: errno tells why.
 std::optional<FileStatus> status_of(const std::filesystem::path& path);
 std::optional<FileStatus> status_of(int file);
 

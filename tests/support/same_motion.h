@@ -39,7 +39,7 @@ inline double largest_move(const Motion& original, const Motion& reread,
   return largest;
 }
 
-/// How far (cm) any joint of `original` is from its namesake in `reread`, at the worst frame.
+/// The largest distance (cm), at any frame, of a joint of `original` from its namesake in `reread`.
 inline double largest_joint_move(const Motion& original, const Motion& reread) {
   EXPECT_EQ(reread.clip.frames(), original.clip.frames());
   EXPECT_NEAR(reread.clip.sample_rate_hz, original.clip.sample_rate_hz, 1e-6);

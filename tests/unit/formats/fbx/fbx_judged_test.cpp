@@ -179,7 +179,7 @@ TEST_F(FbxJudged, SkinsAsTheProgramDidThatWroteTheFile) {
   EXPECT_GE(judged, 24);
 }
 
-/// How far the shapes of a channel are in at `percent`: from each to the next as a straight line,
+/// Weights of the shapes of a channel at `percent`: from each to the next as a straight line,
 /// which goes on beyond the last. The mesh itself is the shape of 0.
 std::vector<double> shares_of(const std::vector<double>& full_weights, double percent) {
   std::vector<std::pair<double, int>> stops = {{0, -1}};
@@ -199,7 +199,7 @@ std::vector<double> shares_of(const std::vector<double>& full_weights, double pe
   return shares;
 }
 
-/// What we read of weights of blend shapes, held against the points of the program. No character of
+/// Weights of blend shapes as we read them, held against the points of the program. No character of
 /// ours has shapes, so the test bends the mesh.
 TEST_F(FbxJudged, WeighsShapesAndTheirInBetweensAsMayaDid) {
   const std::string base = "maya_blend_inbetween";
