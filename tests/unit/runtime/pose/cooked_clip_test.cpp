@@ -493,7 +493,8 @@ TEST(CookedLoop, MotionFollowsTheWrap) {
     mcpr_transform out;
     const mcpr_sample_request request{.wrap = wrap};
     EXPECT_EQ(mcpr_sample_motion(cooked.clip, &request, 0, from, to, &out).status, MCPR_OK);
-    return std::vector<float>(out.rotation, out.rotation + 7);
+    const auto* const values = reinterpret_cast<const float*>(&out);
+    return std::vector<float>(values, values + 7);
   };
   const auto expect_near = [](const std::vector<float>& made, const std::vector<float>& expected) {
     for (std::size_t i = 0; i < made.size(); ++i) EXPECT_NEAR(made[i], expected[i], 1e-4) << i;
