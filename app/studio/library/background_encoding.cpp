@@ -46,6 +46,11 @@ BackgroundEncoding::BackgroundEncoding(Session* session, Library* library, QObje
 
 void BackgroundEncoding::setActive(bool active) {
   if (active == active_) return;
+  if (active && !folder_.isValid()) {
+    emit failed(folder_.errorString());
+    emit activeChanged(false);
+    return;
+  }
   active_ = active;
   if (active) {
     watch_.start();

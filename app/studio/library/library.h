@@ -14,6 +14,7 @@
 #include "app/jobs/clip_sources.h"
 #include "app/jobs/job_runner.h"
 #include "app/studio/document/named_settings.h"
+#include "app/studio/library/folder_search.h"
 #include "app/studio/library/kept_project.h"
 #include "widgets/models/library_model.h"
 
@@ -23,30 +24,6 @@ class LibraryModel;
 class Session;
 struct BatchStep;
 struct OpenRequest;
-
-/// Finds the clips below folders in the background, one folder after the other.
-class FolderSearch : public QObject {
-  Q_OBJECT
-
- public:
-  using QObject::QObject;
-
-  void search(const QString& folder);
-
-  /// Stops the search; nothing more is found.
-  void abandon();
-
- signals:
-  /// Motion files found below a folder.
-  void found(const QStringList& clips);
-  void failed(const QString& message);
-
- private:
-  void searchNext();
-
-  QStringList folders_;  // still to be searched
-  JobRunner finding_{Workers::LongRunning};
-};
 
 /// The open project: its clips with settings, results and verdicts. Entering a project opens its
 /// current clip.

@@ -278,8 +278,8 @@ double FbxCurve::slope(std::size_t from, std::size_t to) const {
   return (keys_[to].value - keys_[from].value) / seconds(from, to);
 }
 
-/// A slope between the slopes to both neighbours. `bias` (percent) pulls it towards one of them;
-/// beyond 500 it is steeper than both.
+/// A slope between the slopes to both neighbours. `bias` (percent) pulls it towards one of them:
+/// beyond 100 past that one, and beyond 500 further still.
 double FbxCurve::auto_slope(std::size_t k, double bias, const Tangents& tangents,
                             double weight_before, double weight_after) const {
   const bool has_before = k > 0;

@@ -26,7 +26,7 @@ using Eigen::Vector3d;
 using Curves = std::array<std::vector<float>, 3>;
 
 // A curve that differs by less stays as it is: files hold floats.
-constexpr double kSameNumber = 1e-5;  // share of max(1, number)
+constexpr double kSameNumber = 1e-5;  // share of 1 + |number|
 constexpr double kSameAngle = 1e-4;   // degrees
 
 constexpr const char* kPlace = "Lcl Translation";

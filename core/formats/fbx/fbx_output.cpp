@@ -132,7 +132,7 @@ class EditedCopy {
            record.values.size();
   }
 
-  /// The end that a record states; 0: none, since it ends with its parent's list.
+  /// The end that a record states; 0: none, a record of zeros ends it.
   std::size_t end_of(const FbxRecord& record) const {
     std::uint64_t end = 0;
     std::memcpy(&end, source_.bytes().data() + record.at, (out_.head_bytes() - 1) / 3);

@@ -23,7 +23,7 @@ struct FbxValue {
   std::string_view text;  // for an array: its bytes in the file, from the element type on
 
   double number() const;       // NaN for a text
-  std::int64_t whole() const;  // rounds a real number; 0 for anything else
+  std::int64_t whole() const;  // a real number is rounded; 0 for what is no number
   char letter() const;         // a single letter of version 6; 0: none
 };
 

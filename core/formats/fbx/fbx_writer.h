@@ -40,7 +40,8 @@ std::string fbx_bytes(const Motion& motion, const SourceFormat& source = {},
 /// axis; options override both.
 SourceFormat fbx_format(const SourceFormat& source, const WriteOptions& options = {});
 
-/// The names of the joints in fbx_bytes(): their own, changed only where two are alike.
+/// The names of the joints in fbx_bytes(): their own, or "joint" for none, and
+/// changed where two are alike.
 std::vector<std::string> fbx_names(const Skeleton& skeleton);
 
 }  // namespace mocapress
