@@ -13,6 +13,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/standard_streams.h"
 #include "app/cli/terminal.h"
+#include "core/base/end_without_memory.h"
 #include "core/base/error.h"
 #include "core/base/kept_memory.h"
 #include "core/base/memory_limit.h"
@@ -112,6 +113,7 @@ ExitCode answer(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   mocapress::keep_freed_memory();
+  mocapress::end_without_memory_by(kBadInput);
   mocapress::add_rivals();
   const Arguments arguments(argc, argv);
   return written_out(answer(arguments.count(), arguments.values()));

@@ -11,7 +11,7 @@ files with the n-th call failing (see failing_calls.c). Nothing may be lost in s
   said that the undisturbed run did not say.
 - Another exit code: one message. Every file is the old one or the new one, whole. Journals hold all whole rows that
   they held, and the same command, resumed without a fault, writes what the undisturbed run wrote.
-- No signal ends the program, but for an abort where memory is short, and it comes to an end. No temporary file is left.
+- No signal ends the program, and it comes to an end. No temporary file is left.
 
 `--short` tries of each kind the first calls, the last ones and some between; the test suite runs that.
 """
@@ -25,7 +25,6 @@ import os
 import pathlib
 import re
 import shutil
-import signal
 import subprocess
 import sys
 import tempfile
@@ -270,9 +269,7 @@ class Judge:
     def judged(self, folder, fault, code, said):
         if code is None:
             return "hangs", "does not end"
-        # Libraries end the program where a destructor (nlohmann's JSON) lacks a few bytes: a kill, and judged as one.
-        is_out_of_memory = code == -signal.SIGABRT and fault[0] == "memory" and "bad_alloc" in said
-        if code < 0 and not is_out_of_memory:
+        if code < 0:
             return "crashes", f"ended by signal {-code}: {last_line(said)}"
         try:
             files = files_in(folder)
@@ -291,11 +288,11 @@ class Judge:
             return "exit 0, other files", "" if warned else f"differs silently: {different}"
         if fault[1] in HARMLESS and len(fault) == 3:
             return "gave up", f"exit {code} though a call was only {fault[1]}: {last_line(said)}"
-        return "aborts" if code < 0 else f"exit {code}", self.wrong_after_failure(folder, fault, files, code, said)
+        return f"exit {code}", self.wrong_after_failure(folder, fault, files, code, said)
 
     def wrong_after_failure(self, folder, fault, files, code, said):
         messages = [line for line in said.splitlines() if line.startswith("mocapress: ")]
-        if code >= 0 and code != 7 and len(messages) != 1:
+        if code != 7 and len(messages) != 1:
             return f"exit {code} with {len(messages)} messages: {last_line(said)}"
         if code == 5 and not self.command.again and files == self.after and "is written, but" not in said:
             return f"a file that is in place is called unwritten: {last_line(said)}"
