@@ -22,7 +22,6 @@
 #include "core/base/error.h"
 #include "core/base/file_identity.h"
 #include "core/base/make_folders.h"
-#include "core/base/mapped_file.h"
 #include "core/base/number_text.h"
 #include "core/base/parallel_in_order.h"
 #include "core/base/staged_file.h"
@@ -90,11 +89,9 @@ void tell_of(const std::string& path, bool is_whole, const ClipCount& count) {
     std::fprintf(stderr, "Stopped after %s. Nothing was written.\n", count.text().c_str());
     throw EndedWith{128 + stop_signal};
   }
-  const MappedFile file(path);
-  const mcpk_bank* bank = nullptr;
-  require(mcpk_open(file.bytes().data(), file.bytes().size(), 0, &bank));
-  std::fprintf(stderr, "%s: %u clips, %llu bytes, %s\n", printable(path).c_str(), bank->clips,
-               static_cast<unsigned long long>(bank->bytes), name(bank->form).data());
+  const mcpk_bank bank = read_bank_head(path).value_or(mcpk_bank{});
+  std::fprintf(stderr, "%s: %u clips, %llu bytes, %s\n", printable(path).c_str(), bank.clips,
+               static_cast<unsigned long long>(bank.bytes), name(bank.form).data());
   if (count.ik_bytes() > 0)
     std::fprintf(stderr,
                  "IK corrections take %llu of the bytes that were cooked now. A larger --ik-error "

@@ -13,7 +13,6 @@
 #include "core/base/error.h"
 #include "core/base/file_identity.h"
 #include "core/base/file_lock.h"
-#include "core/base/mapped_file.h"
 #include "core/base/parallel_in_order.h"
 #include "core/base/path_kind.h"
 #include "core/codec/format/packed_clip_writer.h"
@@ -150,11 +149,8 @@ std::vector<std::byte> learned_in(const mcpk_bank& bank) {
 void require_place_for_bank(const fs::path& path, const std::vector<BankSource>& sources) {
   if (path_kind(path) != PathKind::File) return;
   for (const BankSource& source : sources) refuse_source(path, {source.file});
-  const MappedFile there(path);
-  constexpr std::span magic(mcpk_bank::kMagic);
-  if (!there.bytes().empty() &&
-      (there.bytes().size() < magic.size() ||
-       std::memcmp(there.bytes().data(), magic.data(), magic.size()) != 0))
+  const std::optional<mcpk_bank> there = read_bank_head(path);
+  if (there && std::memcmp(there->magic, mcpk_bank::kMagic, sizeof there->magic) != 0)
     throw WriteError(path.string() + ": is there and is no bank: not overwritten");
 }
 

@@ -2,9 +2,12 @@
 #include "core/bank/bank_file.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/open_file.h"
 #include "core/codec/format/packed_clip_writer.h"
 #include "core/runtime/bank/bank_check.h"
 #include "core/runtime/format/file_sections.h"
@@ -21,6 +24,15 @@ AlignedBytes read_aligned(const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+std::optional<mcpk_bank> read_bank_head(const std::filesystem::path& path) {
+  mcpk_bank head{};
+  const FileDescriptor file = open_to_read(path);
+  const auto got = read_all(file.number(), 0, reinterpret_cast<char*>(&head), sizeof head);
+  if (!got) throw InputError(path.string(), 0, 0, std::strerror(errno));
+  if (*got == 0) return std::nullopt;
+  return head;
+}
 
 BankFile::BankFile(const std::filesystem::path& path)
     : path_(path.string()), bytes_(read_aligned(path)) {

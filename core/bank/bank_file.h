@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +24,10 @@ struct BankClip {
   int joints = 0;
   std::uint64_t motion_bytes = 0;  // packed: the size that ratios count; cooked: 0
 };
+
+/// The head of a bank, unchecked, with zeros for what the file lacks of it. Unset for an empty
+/// file. Throws InputError.
+std::optional<mcpk_bank> read_bank_head(const std::filesystem::path& path);
 
 /// A bank on disk whose bytes were all checked. All of it is in memory, since the pages of a mapped
 /// file would be lost if somebody cut it short.
