@@ -16,13 +16,23 @@ std::span<double> span_of(Eigen::Ref<Eigen::VectorXd> column) {
   return {column.data(), static_cast<std::size_t>(column.size())};
 }
 
+/// The coefficients of a signal that stands still, without the rounding of a transform.
+void set_constant(double value, const Lifting& lifting, Eigen::Ref<Eigen::VectorXd> coefficients) {
+  coefficients.setZero();
+  coefficients.head(lifting.bands().front().size).setConstant(value);
+}
+
 }  // namespace
 
 Coefficients transform(const Clip& clip, Basis basis) {
   Coefficients coefficients{Lifting(basis, clip.frames()), clip.channels};
+  const std::vector<bool> still = still_channels(clip);
   parallel_for(0, coefficients.channels(), [&](int c) {
-    const auto column = span_of(coefficients.values.col(c));
-    coefficients.lifting.forward(column, column);
+    auto column = coefficients.values.col(c);
+    if (column.size() > 0 && still[static_cast<std::size_t>(c)])
+      set_constant(clip.channels(0, c), coefficients.lifting, column);
+    else
+      coefficients.lifting.forward(span_of(column), span_of(column));
   });
   return coefficients;
 }

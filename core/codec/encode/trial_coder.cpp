@@ -9,6 +9,24 @@
 #include "core/codec/encode/search/split_search.h"
 
 namespace mocapress {
+namespace {
+
+/// Lets a channel that stands still keep all of its coarse samples or none: with a part of them it
+/// would move.
+Kept with_still_channels_whole(const RankedCoefficients& ranked, Kept kept) {
+  const int coarse = ranked.lifting.bands().front().size;
+  for (int c = 0; c < ranked.channels(); ++c) {
+    int& count = kept[static_cast<std::size_t>(c)];
+    if (count == 0) continue;
+    const auto values = ranked.values.col(c);
+    const bool is_still = (values.head(coarse).array() == values(0)).all() &&
+                          values.tail(values.size() - coarse).isZero(0);
+    if (is_still) count = std::max(count, coarse);
+  }
+  return kept;
+}
+
+}  // namespace
 
 TrialCoder::TrialCoder(const ClipAnalysis& analysis, const EncodeSettings& settings)
     : analysis_(analysis),
@@ -63,7 +81,8 @@ CompressedClip TrialCoder::empty_clip() const {
           .coding = settings_.coding};
 }
 
-Trial TrialCoder::code(const Kept& kept) {
+Trial TrialCoder::code(const Kept& chosen) {
+  const Kept kept = with_still_channels_whole(basis().ranked, chosen);
   Trial trial{.compressed = empty_clip()};
   CompressedClip& compressed = trial.compressed;
   if (uses_rle(compressed.coding)) {
