@@ -187,6 +187,14 @@ TEST_F(StudioWithoutAScreen, UndoActsOnWhatIsWorkedIn) {
   EXPECT_EQ(clips(), 2u);
 }
 
+TEST_F(StudioWindowTest, NoticesThatAFileChangesThoughNobodyComesBackToTheWindow) {
+  settleAfter([&] { window_.files().open(clip(QStringLiteral("walk.bvh"))); });
+  const auto hash = [&] { return window_.library().project().clips.front().stamp.hash; };
+  const std::string before = hash();
+  clip(QStringLiteral("walk.bvh"), 90);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return hash() != before; }, kPatience));
+}
+
 TEST_F(StudioWithoutAScreen, UndoOfAClipThatOneComesBackToStopsBeforeTheLibrary) {
   settleAfter([&] { window_.open({clip("one.bvh", 70), clip("two.bvh")}); });
   window_.activateWindow();

@@ -4,6 +4,7 @@
 #include <QFileDialog>
 #include <QGuiApplication>
 #include <QSettings>
+#include <QTimer>
 #include <algorithm>
 #include <iterator>
 
@@ -56,6 +57,11 @@ LibraryViews::LibraryViews(Session* session, Library* library, LibraryPanel* pan
           [library](Qt::ApplicationState state) {
             if (state == Qt::ApplicationActive) library->checkFiles();
           });
+  // Some change beside the user: written by another program on a second screen, or over a network.
+  constexpr int kLookAgainMs = 3000;
+  auto* const look_again = new QTimer(this);
+  connect(look_again, &QTimer::timeout, library, &Library::checkFiles);
+  look_again->start(kLookAgainMs);
   connect(panel->encoding(), &EncodingBar::activeChosen, encoding_, &BackgroundEncoding::setActive);
   connect(encoding_, &BackgroundEncoding::activeChanged, panel->encoding(),
           &EncodingBar::setActive);
