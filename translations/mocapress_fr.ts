@@ -3289,6 +3289,18 @@
         <translation>%1 est ouvert dans une autre fenêtre de Mocapress. En ouvrir une copie ?</translation>
     </message>
     <message>
+        <source>%1 is open on the computer %2, by %3, since %4. Open a copy of it?</source>
+        <translation>%1 est ouvert sur l&apos;ordinateur %2, par %3, depuis %4. En ouvrir une copie ?</translation>
+    </message>
+    <message>
+        <source>If Mocapress has ended there, the project can be taken over. If not, each would overwrite the other&apos;s work.</source>
+        <translation>Si Mocapress y est terminé, le projet peut être repris. Sinon, chacun écraserait le travail de l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>Take Over</source>
+        <translation>Reprendre</translation>
+    </message>
+    <message>
         <source>Unnamed, %1</source>
         <translation>Sans nom, %1</translation>
     </message>

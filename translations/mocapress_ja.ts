@@ -3263,6 +3263,18 @@
         <translation>%1は別のMocapressのウィンドウで開かれています。コピーを開きますか?</translation>
     </message>
     <message>
+        <source>%1 is open on the computer %2, by %3, since %4. Open a copy of it?</source>
+        <translation>%1はコンピューター%2で%3が%4から開いています。コピーを開きますか?</translation>
+    </message>
+    <message>
+        <source>If Mocapress has ended there, the project can be taken over. If not, each would overwrite the other&apos;s work.</source>
+        <translation>そこでMocapressが終了していれば、プロジェクトを引き継げます。終了していなければ、互いの作業を上書きしてしまいます。</translation>
+    </message>
+    <message>
+        <source>Take Over</source>
+        <translation>引き継ぐ</translation>
+    </message>
+    <message>
         <source>Unnamed, %1</source>
         <translation>名前なし、%1</translation>
     </message>

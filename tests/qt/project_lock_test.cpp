@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/studio/library/kept_project.h"
-
 #include <gtest/gtest.h>
 
 #include <QFile>
+#include <QFileInfo>
 #include <QSysInfo>
 #include <QTemporaryDir>
+#include <optional>
+
+#include "app/studio/library/foreign_lock.h"
+#include "app/studio/library/kept_project.h"
 
 namespace mocapress {
 namespace {
@@ -44,6 +47,24 @@ TEST_F(AProjectLock, ALockOfADeadProcessWasLeftBehind) {
 
 TEST_F(AProjectLock, ALockOfAnotherMachineIsInUse) {
   writeLock("1\nmocapress-studio\nelsewhere\n");
+  EXPECT_TRUE(ProjectLock(project_).inUse());
+}
+
+TEST_F(AProjectLock, ALockOfAnotherMachineNamesItAndIsTakenOver) {
+  writeLock("1\nmocapress-studio\nelsewhere\n");
+  const std::optional<ForeignLock> lock = foreignLock(project_);
+  ASSERT_TRUE(lock);
+  EXPECT_EQ(lock->host, QStringLiteral("elsewhere"));
+  EXPECT_EQ(lock->user, QFileInfo(directory_.path()).owner());
+  EXPECT_TRUE(lock->since.isValid());
+  EXPECT_TRUE(removeForeignLock(project_));
+  EXPECT_TRUE(ProjectLock(project_).held());
+}
+
+TEST_F(AProjectLock, ALockOfThisMachineIsNotTakenOver) {
+  const ProjectLock lock(project_);
+  EXPECT_FALSE(foreignLock(project_));
+  EXPECT_FALSE(removeForeignLock(project_));
   EXPECT_TRUE(ProjectLock(project_).inUse());
 }
 

@@ -9,8 +9,10 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <optional>
 #include <utility>
 
+#include "app/studio/library/foreign_lock.h"
 #include "app/studio/library/library.h"
 
 namespace mocapress {
@@ -91,14 +93,28 @@ void ProjectFiles::askToQuit(std::function<void()> then) {
 }
 
 void ProjectFiles::offerCopy(const QString& path) {
-  auto* question =
-      new QMessageBox(QMessageBox::Question, tr("Project in Use"),
-                      tr("%1 is open in another window of Mocapress. Open a copy of it?")
-                          .arg(QDir::toNativeSeparators(path)),
-                      QMessageBox::Open | QMessageBox::Cancel, window_);
+  const std::optional<ForeignLock> lock = foreignLock(path);
+  const QString file = QDir::toNativeSeparators(path);
+  const QString text =
+      lock ? tr("%1 is open on the computer %2, by %3, since %4. Open a copy of it?")
+                 .arg(file, lock->host, lock->user,
+                      QLocale().toString(lock->since, QLocale::ShortFormat))
+           : tr("%1 is open in another window of Mocapress. Open a copy of it?").arg(file);
+  auto* question = new QMessageBox(QMessageBox::Question, tr("Project in Use"), text,
+                                   QMessageBox::Open | QMessageBox::Cancel, window_);
+  QPushButton* take_over = nullptr;
+  if (lock) {
+    question->setInformativeText(
+        tr("If Mocapress has ended there, the project can be taken over. If not, each would "
+           "overwrite the other's work."));
+    take_over = question->addButton(tr("Take Over"), QMessageBox::DestructiveRole);
+  }
   question->setAttribute(Qt::WA_DeleteOnClose);
-  connect(question, &QMessageBox::finished, this, [this, path](int button) {
-    if (button == QMessageBox::Open && library_->openCopy(path)) noteOpened();
+  connect(question, &QMessageBox::finished, this, [this, path, question, take_over](int button) {
+    const bool takes_over = take_over && question->clickedButton() == take_over;
+    if (takes_over) removeForeignLock(path);
+    if (takes_over ? library_->open(path) : button == QMessageBox::Open && library_->openCopy(path))
+      noteOpened();
   });
   question->open();
 }
