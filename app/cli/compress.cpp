@@ -13,15 +13,17 @@
 #include "core/base/file.h"
 #include "core/base/file_identity.h"
 #include "core/base/staged_file.h"
-#include "core/report/review_clip.h"
 #include "core/batch/verification.h"
+#include "core/codec/decode/decoder.h"
 #include "core/codec/encode/track_encoder.h"
 #include "core/codec/format/source_section.h"
+#include "core/codec/format/tiers.h"
 #include "core/codec/methods/comparison_method.h"
 #include "core/codec/methods/compression_method.h"
 #include "core/formats/text_cursor.h"
 #include "core/metrics/rate.h"
 #include "core/mocapress/encode_settings.h"
+#include "core/report/review_clip.h"
 #include "core/report/review_page.h"
 
 namespace mocapress::cli {
@@ -36,6 +38,14 @@ void or_usage_error(const std::function<void()>& check) {
   }
 }
 
+/// The error of a clip that lacks its finest bands.
+TierError tier_error(const Encoder& original, const CompressedClip& coarse, Weighting weighting) {
+  const Skeleton& skeleton = original.motion().skeleton;
+  const Distortion distortion =
+      measure(skeleton, original.original_body(), body_tracks(skeleton, decode(coarse)));
+  return {static_cast<float>(distortion.eps(weighting)), static_cast<float>(distortion.max.cm)};
+}
+
 struct Compress {
   std::string input;
   std::string input_format;  // format of standard input
@@ -47,6 +57,7 @@ struct Compress {
   CorrectionArguments correction;
   ContactInput contacts;
   ImportanceArguments importance;
+  int tiers = 1;
   bool json = false;
 
   /// The requested settings, as far as they do not depend on the clip.
@@ -107,6 +118,9 @@ struct Compress {
     options.figures_only = true;
     Encoding made = encoder.compress(*find_compression_method(asked.method), options);
     made.file = with_tracks(with_source(made.file, file.source), file.tracks, asked.track_error);
+    made.file = with_tiers(made.file, tiers, [&](const CompressedClip& coarse) {
+      return tier_error(encoder.wavelets(), coarse, options.weighting);
+    });
     Verification found = write(made.file, encoder.wavelets(), *options.contacts);
     made.decoded = std::move(found.decoded);
     const Report report{
@@ -216,6 +230,11 @@ void add_compress(CLI::App& app) {
       ->add_option("--review", call->review,
                    "Write a page that shows original and compressed motion in a browser")
       ->type_name("PAGE.html");
+  command
+      ->add_option("--tiers", call->tiers,
+                   "Parts of the file, coarse to fine: its first parts alone can be played")
+      ->check(CLI::Range(1, runtime::kMostTiers))
+      ->capture_default_str();
   command->add_flag("--json", call->json, "Print one JSON object");
   command->callback([call] { call->run(); });
 }

@@ -16,9 +16,12 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/file_identity.h"
+#include "core/base/memory_limit.h"
 #include "core/base/staged_file.h"
 #include "core/codec/decode/track_decoding.h"
+#include "core/codec/format/format_error.h"
 #include "core/codec/format/source_section.h"
+#include "core/codec/format/tiers.h"
 #include "core/codec/methods/compared_file.h"
 #include "core/formats/fbx/fbx_writer.h"
 #include "core/formats/motion_file.h"
@@ -48,6 +51,7 @@ struct Decompress {
   std::optional<std::string> onto;
   MotionOutput target;
   bool no_clobber = false;
+  int tiers = 0;  // to read of a file with tiers; 0: all
 
   void run() const {
     check_output();
@@ -115,13 +119,31 @@ struct Decompress {
     return no_clobber ? StagedFile::Existing::Refuse : StagedFile::Existing::Replace;
   }
 
+  struct Read {
+    Motion motion;
+    SourceFormat source;
+    ScalarTracks tracks;
+  };
+
+  /// Reads a whole file, or its first tiers. Throws InputError.
+  Read read(const std::string& input) const {
+    try {
+      return naming_what_takes_memory(input, [&] {
+        std::vector<std::byte> file = read_bytes(input);
+        if (tiers > 0) file = file_of_tiers(file, tiers);
+        OpenedMcpr opened = read_mcpr(file);
+        return Read{{std::move(opened.compressed.skeleton), std::move(opened.decoded)},
+                    source_of(file),
+                    tracks_of(file)};
+      });
+    } catch (const FormatError& error) {
+      throw InputError(input, 0, 0, error.what());
+    }
+  }
+
   void write() const {
     if (inputs.size() > 1) return write_together();
-    const std::string& input = inputs.front();
-    const OpenedMcpr opened = open_mcpr(input);
-    const Motion motion{opened.compressed.skeleton, opened.decoded};
-    const SourceFormat source = load_source(input);
-    const ScalarTracks tracks = tracks_of(read_bytes(input));
+    const auto [motion, source, tracks] = read(inputs.front());
     if (writes_stream())
       write_standard_output(
           motion_bytes("standard output." + output_format, motion, source, target.options, tracks));
@@ -135,13 +157,10 @@ struct Decompress {
   /// A take for each clip, with its file's name. Takes share the nodes of the first clip, joint by
   /// joint in its order.
   void write_together() const {
-    std::vector<Motion> motions;
-    std::vector<ScalarTracks> tracks;
+    std::vector<Read> read;
     for (const std::string& input : inputs) {
-      const OpenedMcpr opened = open_mcpr(input);
-      motions.push_back({opened.compressed.skeleton, opened.decoded});
-      tracks.push_back(tracks_of(read_bytes(input)));
-      if (!lists_the_same_joints(motions.back().skeleton, motions.front().skeleton))
+      read.push_back(this->read(input));
+      if (!lists_the_same_joints(read.back().motion.skeleton, read.front().motion.skeleton))
         throw InputError(input, 0, 0,
                          "has other joints than " + inputs.front() +
                              ", or another order of them: only clips of one rig go into one file");
@@ -149,9 +168,9 @@ struct Decompress {
     std::vector<FbxClip> clips;
     std::unordered_set<std::string> names;
     for (std::size_t i = 0; i < inputs.size(); ++i)
-      clips.push_back(
-          {unique_word(fs::path(inputs[i]).stem().string(), names), motions[i], tracks[i]});
-    write_takes(output, clips, load_source(inputs.front()), target.options, existing());
+      clips.push_back({unique_word(fs::path(inputs[i]).stem().string(), names), read[i].motion,
+                       read[i].tracks});
+    write_takes(output, clips, read.front().source, target.options, existing());
   }
 };
 
@@ -185,6 +204,10 @@ void add_decompress(CLI::App& app) {
       ->add_option("--take", call->target.options.take,
                    "Its animation to replace, by name or number [the first that moves]")
       ->type_name("TAKE");
+  command
+      ->add_option("--tiers", call->tiers,
+                   "Decode only the first tiers of a file that was written with some [all]")
+      ->check(CLI::Range(1, runtime::kMostTiers));
   call->target.add_options(*command);
   command->callback([call] { call->run(); });
 }

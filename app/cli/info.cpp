@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "app/cli/terminal.h"
 #include "core/base/file.h"
 #include "core/codec/decode/track_decoding.h"
+#include "core/codec/format/container.h"
 #include "core/codec/format/source_section.h"
 #include "core/codec/methods/compared_file.h"
 #include "core/formats/bvh.h"
@@ -92,6 +94,19 @@ Json describe_motion(const std::string& path, const MotionFile& file) {
           {"warnings", warnings}};
 }
 
+/// The tiers of a file: how many of its bytes are enough for which error.
+Json describe_tiers(std::span<const std::byte> file) {
+  const runtime::TierTable table = sections_of(file).tiers;
+  Json described = Json::array();
+  for (const runtime::Tier& tier :
+       std::span(table.tier).first(static_cast<std::size_t>(table.count)))
+    described.push_back({{"file_bytes", tier.file_bytes},
+                         {"bands_left_out", tier.bands_left_out},
+                         {"eps_x_cm", tier.eps_cm},
+                         {"max_error_cm", tier.max_error_cm}});
+  return described;
+}
+
 Json describe_compressed(const std::string& path) {
   const OpenedMcpr opened = open_mcpr(path);
   const std::vector<std::byte> bytes = read_bytes(path);
@@ -114,6 +129,7 @@ Json describe_compressed(const std::string& path) {
           {"basis", of_wavelets(name(clip.basis))},
           {"coding", of_wavelets(name(clip.coding))},
           {"segments", of_wavelets(clip.segment_layout().count())},
+          {"tiers", describe_tiers(bytes)},
           {"weighting", name(clip.provenance.weighting)},
           {"seed", of_wavelets(clip.provenance.seed)},
           {"eps_x_cm", clip.provenance.eps_cm},
@@ -128,6 +144,12 @@ void print_lines(const Json& description) {
   std::printf("%s\n", printable(description["input"].get<std::string>()).c_str());
   for (const auto& [key, value] : description.items()) {
     if (key == "input" || key == "warnings" || key == "bvh_names") continue;
+    if (key == "tiers") {
+      for (const Json& tier : value)
+        std::printf("  %-16s %s bytes, eps_x %s cm\n", "tier", dumped(tier["file_bytes"]).c_str(),
+                    dumped(tier["eps_x_cm"]).c_str());
+      continue;
+    }
     if (key == "tracks") {
       std::printf("  %-16s %zu\n", key.c_str(), value.size());
       continue;

@@ -14,6 +14,7 @@
 using namespace mocapress::runtime;
 
 static_assert(MCPR_ALIGNMENT == kAlignment);
+static_assert(MCPR_TIERS_HEAD_BYTES == kFileHead + kSectionHead + 1 + kTierBytes * kMostTiers);
 
 namespace {
 
@@ -86,7 +87,8 @@ mcpr_limits mcpr_default_limits(void) {
           .values = kMostValues,
           .scratch_bytes = kMostScratchBytes,
           .resident_bytes = kMostResidentBytes,
-          .solver_iterations = kMostSweeps};
+          .solver_iterations = kMostSweeps,
+          .tiers = 0};
 }
 
 mcpr_result mcpr_inspect(const void* file, size_t size, const mcpr_limits* limits,
@@ -98,6 +100,25 @@ mcpr_result mcpr_inspect(const void* file, size_t size, const mcpr_limits* limit
   const mcpr_result result = check_file(file, size, applied, sections, bytes);
   if (!failed(result)) *info = info_of(sections, bytes);
   return result;
+}
+
+mcpr_result mcpr_tier_of(const void* file, size_t size, uint32_t tier, mcpr_tier* out) {
+  if (out == nullptr || (file == nullptr && size > 0)) return argument("no file, or no output");
+  Cursor cursor(static_cast<const std::uint8_t*>(file), size);
+  std::uint16_t count = 0;
+  mcpr_result result = read_head(cursor, count);
+  if (failed(result)) return result;
+  Section section;
+  if (failed(result = read_section(cursor, section))) return result;
+  TierTable tiers;
+  if (section.is("TIER") && failed(result = read_tiers(section.payload, tiers))) return result;
+  if (tier >= static_cast<std::uint32_t>(tiers.count)) return argument("no such tier");
+  const Tier& found = tiers.tier[tier];
+  *out = {.bytes = found.file_bytes,
+          .bands_left_out = static_cast<std::uint32_t>(found.bands_left_out),
+          .error = found.eps_cm,
+          .max_error = found.max_error_cm};
+  return kOk;
 }
 
 mcpr_result mcpr_read(const void* file, size_t size, const mcpr_limits* limits, void* scratch,

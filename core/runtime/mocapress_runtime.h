@@ -89,12 +89,14 @@ typedef struct mcpr_limits {
   size_t resident_bytes;      /* limit for the size of the resident form */
   uint32_t solver_iterations; /* cap on the IK solver's iterations per limb and frame; the format's
                                  solvers take up to 60 or 12. Fewer are faster and less exact */
+  uint32_t tiers;             /* of a file with tiers: how many to read, after which it may end; see
+                                 mcpr_tier_of. 0: all */
 } mcpr_limits;
 
 /* Returns the limits of the format. Every valid file is within them: 2^22 frames, 4096 joints,
  * 24576 channels, 2^26 values, 608 MiB of scratch memory, 272 MiB for the resident form, 60
- * iterations. That is hours of motion: set lower limits where files come from strangers and memory
- * is scarce. Higher limits have no effect. */
+ * iterations, all tiers. That is hours of motion: set lower limits where files come from strangers
+ * and memory is scarce. Higher limits have no effect. */
 MCPR_API mcpr_limits mcpr_default_limits(void);
 
 /* ---------------------------------------------------------------- opening */
@@ -110,7 +112,9 @@ typedef struct mcpr_info {
                           correction, clip ends, turned axes */
   size_t read_bytes;   /* scratch memory that mcpr_read needs. For a segmented clip: one decoded
                           segment plus motion_bytes */
-  float error;         /* cm, RMS against the original when encoded; 0: not known. Informative */
+  float error;         /* cm, RMS against the original when encoded; 0: not known. Informative. Of
+                          the tiers that the limits ask for */
+  uint32_t tiers;      /* of the whole file; 1: it can be read only as a whole */
 } mcpr_info;
 
 /* Reads the headers of a file of `size` bytes into *info. Null `limits` are the default limits.
@@ -118,6 +122,25 @@ typedef struct mcpr_info {
  * MCPR_LIMIT. */
 MCPR_API mcpr_result mcpr_inspect(const void* file, size_t size, const mcpr_limits* limits,
                                   mcpr_info* info);
+
+/* A tier: a part of a file, from its start, that holds a coarser motion. The last tier is the whole
+ * motion. */
+typedef struct mcpr_tier {
+  size_t bytes;            /* the file's first bytes, which are enough for this tier */
+  uint32_t bands_left_out; /* finest bands that the motion then lacks, see mcpr_clip_info.bands */
+  float error;     /* cm, RMS against the original when encoded; 0: not known. Informative */
+  float max_error; /* cm, the largest of any point at any frame. Likewise */
+} mcpr_tier;
+
+/* The first bytes of a file in which mcpr_tier_of finds the tiers. */
+#define MCPR_TIERS_HEAD_BYTES 93
+
+/* Describes a tier of a file of which `size` bytes, from its start, are there:
+ * MCPR_TIERS_HEAD_BYTES are enough. To play a file while the rest is on its way: load as many bytes
+ * as the first tier has, and read them with mcpr_limits.tiers = 1; then load the bytes up to the
+ * next tier's, and read the file again with tiers = 2. Fails with MCPR_ARGUMENT if the file has no
+ * such tier; a file without tiers has none. */
+MCPR_API mcpr_result mcpr_tier_of(const void* file, size_t size, uint32_t tier, mcpr_tier* out);
 
 /* Decodes a whole file into `scratch`, of at least mcpr_info.read_bytes. Sets *resident_bytes to
  * the memory that mcpr_build needs. The file is not needed afterwards. Takes time in proportion to
@@ -585,10 +608,10 @@ typedef struct mcpr_change {
 } mcpr_change;
 
 /* Lists what changed of the tracks that step on the way from one instant to another, for events:
- * at the frames in (from, to], or at those in (to, from], latest first, if `to` is earlier. So calls
- * that start where the one before ended tell each change once. Sets *count to their number, and
- * writes as many as `capacity` allows; `changes` may be null if that is 0. Takes time in proportion
- * to the frames between. Fails with MCPR_ARGUMENT if these are more than 2^22. */
+ * at the frames in (from, to], or at those in (to, from], latest first, if `to` is earlier. So
+ * calls that start where the one before ended tell each change once. Sets *count to their number,
+ * and writes as many as `capacity` allows; `changes` may be null if that is 0. Takes time in
+ * proportion to the frames between. Fails with MCPR_ARGUMENT if these are more than 2^22. */
 MCPR_API mcpr_result mcpr_track_changes(const mcpr_tracks* tracks,
                                         const mcpr_track_request* request, double from, double to,
                                         mcpr_change* changes, uint32_t capacity, uint32_t* count);

@@ -45,8 +45,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::vector<std::byte> file(size);
   if (size > 0) std::memcpy(file.data(), data, size);
   mocapress::test::mend_checksums(file);
-  const mcpr_limits limits = fuzzed_limits();
+  mcpr_limits limits = fuzzed_limits();
   const mocapress::test::OpenedClip clip(file, &limits);
   if (clip.clip != nullptr) play(clip);
+  mcpr_tier tier;
+  if (mcpr_tier_of(file.data(), file.size(), 0, &tier).status != MCPR_OK) return 0;
+  limits.tiers = 1;
+  const mocapress::test::OpenedClip coarse(file, &limits);
+  if (coarse.clip != nullptr) play(coarse);
   return 0;
 }

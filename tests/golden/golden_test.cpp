@@ -12,6 +12,7 @@
 #include "core/codec/format/container.h"
 #include "core/codec/format/packed_clip_writer.h"
 #include "core/codec/format/source_section.h"
+#include "core/codec/format/tiers.h"
 #include "core/formats/csv.h"
 #include "tests/golden/golden_motion.h"
 #include "tests/support/opened_clip.h"
@@ -185,6 +186,19 @@ TEST(GoldenSegments, TheWriterStillMakesTheSameFile) {
   EXPECT_TRUE(write_container(golden_segmented_clip()) == read_bytes(golden("v1_segments.mcpr")));
 }
 
+/// The same motion in three tiers.
+std::vector<std::byte> golden_tiers() {
+  return with_tiers(read_bytes(golden("v1_segments.mcpr")), 3, [](const CompressedClip& coarse) {
+    return TierError{0.5F * static_cast<float>(coarse.bands_left_out), 2};
+  });
+}
+
+TEST(GoldenTiers, StayTheSame) {
+  const std::vector<std::byte> file = read_bytes(golden("v1_tiers.mcpr"));
+  EXPECT_TRUE(played(file) == read_bytes(golden("v1_segments_expected.f32")));
+  EXPECT_TRUE(golden_tiers() == file);
+}
+
 const SourceFormat kGoldenSource{.kind = SourceFormat::Kind::Bvh,
                                  .cm_per_unit = 2.54,
                                  .up = UpAxis::Z,
@@ -314,6 +328,7 @@ TEST(GoldenBytes, DISABLED_AreWrittenAnew) {
   const std::vector<float> places = positions(write_container(golden_turned_clip()));
   write_bytes(golden("v1_axes_expected.f32"), std::as_bytes(std::span(places)));
   save_mcpr(golden("v1_segments.mcpr"), golden_segmented_clip());
+  write_bytes(golden("v1_tiers.mcpr"), golden_tiers());
   write_bytes(golden("v1_segments_expected.f32"), played(write_container(golden_segmented_clip())));
   save_mcpr(golden("v1_correction.mcpr"), golden_corrected_clip());
   write_expected("v1_correction_expected.csv", golden_corrected_clip());

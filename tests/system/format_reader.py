@@ -1318,7 +1318,8 @@ def sections_of(data):
         payload = file.take(struct.unpack("<I", head[4:])[0])
         if zlib.crc32(payload, zlib.crc32(head)) != crc:
             refuse("a checksum differs")
-        sections[head[:4].decode()] = payload
+        tag = head[:4].decode()
+        sections[tag] = sections.get(tag, []) + [payload] if tag == "FINE" else payload
     if file.rest():
         refuse("bytes after the last section")
     return sections
@@ -1375,17 +1376,21 @@ class Clip:
 
     def decode_streams(self, limits):
         pairs = neighbours(self.joints, len(self.effectors))
-        length, overlap, sizes = self.frames, 0, [len(self.sections["MOTN"])]
+        pieces = [self.sections["MOTN"]] + self.sections.get("FINE", [])
+        if len(pieces) != (self.sections["TIER"][0] if "TIER" in self.sections else 1):
+            refuse("a tier is missing")
+        length, overlap, sizes = self.frames, 0, [[len(piece)] for piece in pieces]
         if "SEGS" in self.sections:
             cursor = Cursor(self.sections["SEGS"])
             length, overlap, count = cursor.read("III")
-            sizes = [cursor.read("I") for _ in range(count)]
-        motion = Cursor(self.sections["MOTN"])
+            sizes = [[cursor.read("I") for _ in range(count)] for _ in pieces]
+        pieces = [Cursor(piece) for piece in pieces]
         rows, self.steps = [], []
-        for k, size in enumerate(sizes):
+        for k, of_pieces in enumerate(zip(*sizes)):
             first = k * (length - overlap)
             frames = min(length, self.frames - first)
-            stream = Stream(motion.take(size), frames, pairs, self.tables, self.sections.get("PRIO"))
+            coded = b"".join(piece.take(size) for piece, size in zip(pieces, of_pieces))
+            stream = Stream(coded, frames, pairs, self.tables, self.sections.get("PRIO"))
             self.steps.append(stream.steps())
             samples = [
                 inverse_transform(values, step, self.basis, limit)

@@ -6,6 +6,7 @@
 #include "core/codec/format/format_error.h"
 #include "core/codec/format/range_coder.h"
 #include "core/runtime/format/learned_priors.h"
+#include "core/runtime/format/range_decoder.h"
 
 namespace mocapress {
 namespace {
@@ -67,7 +68,8 @@ std::vector<std::byte> adaptive_encode(const QuantisedSignals& coded,
 
 QuantisedSignals adaptive_decode(std::span<const std::byte> bytes,
                                  const std::vector<SignalNeighbours>& neighbours, int length,
-                                 std::size_t base_offset, std::span<const std::byte> learned) {
+                                 std::size_t base_offset, std::span<const std::byte> learned,
+                                 int bands_left_out) {
   const auto signal_count = static_cast<int>(neighbours.size());
   QuantisedSignals coded;
   coded.step_exponent.resize(neighbours.size());
@@ -79,8 +81,22 @@ QuantisedSignals adaptive_decode(std::span<const std::byte> bytes,
       {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(), base_offset},
       neighbours.data(), bands, *model,
       {length, signal_count, coded.step_exponent.data(), coded.values.data()}, *notes, coded.scale,
-      bytes_of(learned)));
+      bytes_of(learned), bands_left_out));
   return coded;
+}
+
+std::size_t bytes_without_bands(std::span<const std::byte> bytes,
+                                const std::vector<SignalNeighbours>& neighbours, int length,
+                                int bands_left_out) {
+  runtime::Cursor scale = bytes_of(bytes).cursor();
+  QuantisedSignals coded{runtime::read_scale(scale), std::vector(neighbours.size(), 0),
+                         Eigen::MatrixXi::Zero(length, std::ssize(neighbours))};
+  CoefficientModel model(static_cast<int>(neighbours.size()));
+  const std::size_t first = scale.offset();
+  const runtime::Bytes coded_bits = bytes_of(bytes.subspan(first));
+  runtime::RangeDecoder bits(coded_bits.data, coded_bits.size);
+  code_coefficients(bits, neighbours, *model, coded, bands_left_out);
+  return first + bits.position();
 }
 
 }  // namespace mocapress

@@ -53,14 +53,16 @@ void append_correction_neighbours(int count, std::vector<SignalNeighbours>& neig
 /// Walks through signals as runtime::CoefficientCoder does, with a model and memory of its own.
 template <typename Bits>
 void code_coefficients(Bits& bits, const std::vector<SignalNeighbours>& neighbours,
-                       runtime::CoefficientModel& model, QuantisedSignals& coded) {
+                       runtime::CoefficientModel& model, QuantisedSignals& coded,
+                       int bands_left_out = 0) {
   const auto length = static_cast<int>(coded.values.rows());
   const auto signal_count = static_cast<int>(neighbours.size());
   const runtime::Bands bands(length);
   const runtime::QuantisedView view{length, signal_count, coded.step_exponent.data(),
                                     coded.values.data()};
   const OwnMemory<runtime::CoderNotes> notes(bands, signal_count);
-  runtime::CoefficientCoder(bits, neighbours.data(), bands, model, view, *notes, coded.scale).run();
+  runtime::CoefficientCoder(bits, neighbours.data(), bands, model, view, *notes, coded.scale)
+      .run(bands_left_out);
 }
 
 /// Codes signals, and checks that the bytes decode to every bit. `learned` holds a bank's priors,
@@ -70,10 +72,16 @@ std::vector<std::byte> adaptive_encode(const QuantisedSignals& coded,
                                        std::span<const std::byte> learned = {});
 
 /// The inverse of adaptive_encode(). Throws FormatError, with an offset counted from `base_offset`,
-/// unless the bytes hold signals of that length.
+/// unless the bytes hold signals of that length. The finest bands may be left out: then the bytes
+/// end before them, and these values are zeros.
 QuantisedSignals adaptive_decode(std::span<const std::byte> bytes,
                                  const std::vector<SignalNeighbours>& neighbours, int length,
                                  std::size_t base_offset = 0,
-                                 std::span<const std::byte> learned = {});
+                                 std::span<const std::byte> learned = {}, int bands_left_out = 0);
+
+/// The number of bytes that hold all but the finest bands, of those that adaptive_encode() made.
+std::size_t bytes_without_bands(std::span<const std::byte> bytes,
+                                const std::vector<SignalNeighbours>& neighbours, int length,
+                                int bands_left_out);
 
 }  // namespace mocapress

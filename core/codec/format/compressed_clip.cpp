@@ -77,7 +77,8 @@ QuantisedSignals AdaptiveSegments::next() {
   if (clip_.known) return clip_.known->coded();
   const std::span bytes = std::span(clip_.motion).subspan(first_byte_, size());
   QuantisedSignals coded =
-      adaptive_decode(bytes, neighbours_, clip_.segment_layout().frames_of(segment_), first_byte_);
+      adaptive_decode(bytes, neighbours_, clip_.segment_layout().frames_of(segment_), first_byte_,
+                      {}, clip_.bands_left_out);
   skip();
   return coded;
 }

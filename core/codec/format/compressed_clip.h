@@ -108,6 +108,8 @@ struct CompressedClip {
   Loop loop = Loop::None;
   std::optional<CodedEnds> ends;  // only with Coding::Adaptive, in clips with frames
   Provenance provenance;
+  int bands_left_out = 0;  // finest bands that the motion lacks: it was read from a file's first
+                           // tiers
 
   /// The skeleton in whose channels the motion is coded.
   Skeleton coded_skeleton() const;

@@ -148,6 +148,7 @@ std::vector<std::byte> write_container(const CompressedClip& clip) {
 std::vector<std::byte> write_container(const Container& container) {
   const CompressedClip& clip = container.clip;
   if (clip.likely_bytes) throw Error("the motion to be written is not coded yet");
+  if (clip.bands_left_out > 0) throw Error("the motion to be written lacks its finest bands");
   check_room({clip.skeleton, clip.sample_rate_hz, clip.segment_layout(),
               clip.correction ? static_cast<int>(clip.correction->effectors.size()) : 0});
   ByteWriter file;
@@ -189,21 +190,24 @@ void read_description(const runtime::FileSections& sections, Container& containe
 
 }  // namespace
 
-runtime::FileSections sections_of(std::span<const std::byte> bytes) {
+runtime::FileSections sections_of(std::span<const std::byte> bytes, int tiers) {
   runtime::FileSections sections;
-  require(runtime::read_sections(bytes.data(), bytes.size(), mcpr_default_limits(), sections));
+  mcpr_limits limits = mcpr_default_limits();
+  limits.tiers = static_cast<std::uint32_t>(tiers);
+  require(runtime::read_sections(bytes.data(), bytes.size(), limits, sections));
   return sections;
 }
 
-Container read_any_container(std::span<const std::byte> bytes) {
-  const runtime::FileSections sections = sections_of(bytes);
+Container read_any_container(std::span<const std::byte> bytes, int tiers) {
+  const runtime::FileSections sections = sections_of(bytes, tiers);
   Container container;
   CompressedClip& clip = container.clip;
   read_description(sections, container);
   clip.skeleton = read_joints(sections);
   if (sections.segments_bytes > 0) clip.segments = read_segments(sections);
-  const auto motion = bytes.subspan(sections.motion.offset, sections.motion.size);
-  clip.motion.assign(motion.begin(), motion.end());
+  clip.motion.resize(sections.coded_size());
+  sections.copy_coded(reinterpret_cast<std::uint8_t*>(clip.motion.data()));
+  clip.bands_left_out = sections.bands_left_out();
   if (sections.effectors > 0) clip.correction = read_correction(sections, clip.skeleton);
   if (sections.ends_bytes > 0) clip.ends = read_ends(sections);
   clip.loop = static_cast<Loop>(sections.loop);
@@ -216,10 +220,10 @@ Container read_any_container(std::span<const std::byte> bytes) {
   return container;
 }
 
-CompressedClip read_container(std::span<const std::byte> bytes) {
-  Container container = read_any_container(bytes);
+CompressedClip read_container(std::span<const std::byte> bytes, int tiers) {
+  Container container = read_any_container(bytes, tiers);
   if (container.of_comparison)
-    throw FormatError(sections_of(bytes).motion.offset,
+    throw FormatError(sections_of(bytes, tiers).motion.offset,
                       "not a wavelet clip: it was made by a comparison method (section COMP)");
   return std::move(container.clip);
 }

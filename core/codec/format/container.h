@@ -13,8 +13,9 @@ namespace mocapress {
 std::vector<std::byte> write_container(const CompressedClip& clip);
 
 /// Throws FormatError unless the bytes are a whole, intact file of a known version that holds a
-/// wavelet motion.
-CompressedClip read_container(std::span<const std::byte> bytes);
+/// wavelet motion. Of a file with tiers (tiers.h) the first `tiers` are read, and it may end after
+/// them; 0: all.
+CompressedClip read_container(std::span<const std::byte> bytes, int tiers = 0);
 
 /// A clip and its motion: wavelets, or the payload of a comparison method's COMP section, which
 /// core/baselines understands. For the latter basis, coding and provenance.method have no meaning.
@@ -25,9 +26,9 @@ struct Container {
 
 std::vector<std::byte> write_container(const Container& container);
 /// The sections of a file, checked against the format's limits. Throws FormatError.
-runtime::FileSections sections_of(std::span<const std::byte> bytes);
+runtime::FileSections sections_of(std::span<const std::byte> bytes, int tiers = 0);
 
-Container read_any_container(std::span<const std::byte> bytes);
+Container read_any_container(std::span<const std::byte> bytes, int tiers = 0);
 
 /// Loads and saves clips of wavelets. Loading throws InputError, which names file and byte offset;
 /// saving throws WriteError.

@@ -11,6 +11,7 @@
 #include "core/codec/format/format_error.h"
 #include "core/codec/format/section_writer.h"
 #include "core/codec/format/skeleton_section.h"
+#include "core/codec/format/tiers.h"
 #include "core/runtime/format/coded_error.h"
 #include "core/runtime/format/joint_orders.h"
 #include "core/runtime/format/joint_records.h"
@@ -143,7 +144,8 @@ void write_varint(std::vector<std::byte>& bytes, std::uint64_t value) {
   bytes.push_back(static_cast<std::byte>(value));
 }
 
-PackedClip pack_clip(std::span<const std::byte> file, std::span<const std::byte> learned) {
+PackedClip pack_clip(std::span<const std::byte> mcpr, std::span<const std::byte> learned) {
+  const std::vector<std::byte> file = without_tiers(mcpr);
   const runtime::FileSections sections = sections_of(file);
   const std::optional<std::vector<std::byte>> motion = recoded(sections, learned);
   runtime::Cursor cursor(reinterpret_cast<const std::uint8_t*>(file.data()), file.size());

@@ -29,8 +29,8 @@ FileLoader::FileLoader(Memory& memory, const FileSections& sections)
       neighbours_(memory.take<SignalNeighbours>(sections.signal_count())),
       contexts_(memory.take<AdaptiveBit>(static_cast<std::uint64_t>(
           ContextLayout(static_cast<int>(sections.signal_count())).end))),
-      coded_motion_(
-          memory.take<std::uint8_t>(sections.segments.count() > 1 ? sections.motion.size : 0)),
+      coded_motion_(memory.take<std::uint8_t>(
+          sections.segments.count() > 1 || sections.tiers_read > 0 ? sections.coded_size() : 0)),
       segments_(memory.take<Segment>(static_cast<std::uint64_t>(sections.segments.count()))),
       step_exponents_(memory.take<std::int32_t>(sections.signal_count())),
       values_(memory.take<std::int32_t>(static_cast<std::uint64_t>(sections.segments.length) *
@@ -107,6 +107,10 @@ mcpr_result FileLoader::read_motion() {
                          neighbours_);
   set_correction_neighbours(channels, signal_count - channels, neighbours_ + channels);
   find_double_precision_limits();
+  if (sections_.segments.count() > 1 || sections_.tiers_read > 0) {
+    sections_.copy_coded(coded_motion_);
+    sections_.motion.data = coded_motion_;
+  }
   std::size_t first_byte = 0;
   EndReader ends(sections_.coded_ends);
   for (int k = 0; k < sections_.segments.count(); ++k) {
@@ -120,10 +124,6 @@ mcpr_result FileLoader::read_motion() {
   }
   if (sections_.ends_bytes > 0)
     if (const mcpr_result result = ends.finish(); failed(result)) return result;
-  // The file is done with.
-  if (sections_.segments.count() > 1)
-    std::copy_n(sections_.motion.data, sections_.motion.size, coded_motion_);
-  sections_.motion.data = coded_motion_;
   return kOk;
 }
 
@@ -160,8 +160,9 @@ mcpr_result FileLoader::decode_segment(int segment, const Bytes& coded) {
   const QuantisedView view{frames, signal_count, step_exponents_, values_};
   CoefficientModel model(signal_count, contexts_);
   float scale = 0;
-  const mcpr_result result = decode_coefficients(coded, neighbours_, bands, model, view,
-                                                 coder_notes_, scale, sections_.learned);
+  const mcpr_result result =
+      decode_coefficients(coded, neighbours_, bands, model, view, coder_notes_, scale,
+                          sections_.learned, sections_.bands_left_out());
   if (failed(result)) return result;
   for (int s = 0; s < signal_count; ++s)
     steps_[s] = static_cast<float>(step_of(step_exponents_[s], scale));
@@ -292,6 +293,9 @@ mcpr_result find_read_bytes(const FileSections& sections, const mcpr_limits& lim
 }
 
 mcpr_info info_of(const FileSections& sections, std::uint64_t read_bytes) {
+  const float error = sections.bands_left_out() == 0
+                          ? sections.eps_cm
+                          : sections.tiers.tier[sections.tiers_read - 1].eps_cm;
   return {.sample_rate = sections.sample_rate,
           .frames = sections.frames,
           .joints = sections.joints,
@@ -299,7 +303,8 @@ mcpr_info info_of(const FileSections& sections, std::uint64_t read_bytes) {
           .effectors = sections.effectors,
           .motion_bytes = sections.motion_bytes(),
           .read_bytes = static_cast<std::size_t>(read_bytes),
-          .error = sections.eps_cm > 0 ? sections.eps_cm : 0};
+          .error = error > 0 ? error : 0,
+          .tiers = static_cast<std::uint32_t>(std::max(sections.tiers.count, 1))};
 }
 
 mcpr_result read_into(const FileSections& sections, std::uint64_t read_bytes,

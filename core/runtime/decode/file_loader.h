@@ -62,9 +62,9 @@ class FileLoader {
   std::uint32_t name_bytes_ = 0;
   SignalNeighbours* neighbours_;
   AdaptiveBit* contexts_;
-  std::uint8_t* coded_motion_;  // copy of MOTN, if it is segmented
+  std::uint8_t* coded_motion_;  // copy of the coefficients, if they have segments or tiers
   struct Segment {
-    std::size_t first_byte;  // position in MOTN
+    std::size_t first_byte;  // position in the coded coefficients
     std::size_t bytes;
     std::uint64_t resident_bytes;
   };

@@ -15,12 +15,16 @@ double step_of(int step_exponent, float scale) {
   return step_exponent % 2 == 0 ? whole : whole * 0x1.6a09e667f3bcdp-1;  // square root of 1/2
 }
 
+float read_scale(Cursor& coded) {
+  return bit_pattern<float>(std::uint32_t{coded.read<std::uint16_t>()} << 16);
+}
+
 mcpr_result decode_coefficients(const Bytes& coded, const SignalNeighbours* neighbours,
                                 const Bands& bands, CoefficientModel& model,
                                 const QuantisedView& view, const CoderNotes& notes, float& scale,
-                                const Bytes& learned) {
+                                const Bytes& learned, int bands_left_out) {
   Cursor head = coded.cursor();
-  scale = bit_pattern<float>(std::uint32_t{head.read<std::uint16_t>()} << 16);
+  scale = read_scale(head);
   if (head.failed() || !std::isfinite(scale) || scale <= 0)
     return failure(MCPR_INVALID, coded.offset, "the scale of steps is not a positive number");
   std::fill_n(view.step_exponent, view.signal_count, 0);
@@ -28,7 +32,7 @@ mcpr_result decode_coefficients(const Bytes& coded, const SignalNeighbours* neig
   RangeDecoder bits(coded.data + 2, coded.size - 2);
   model.begin();
   if (const mcpr_result result = learn(learned, model); failed(result)) return result;
-  CoefficientCoder(bits, neighbours, bands, model, view, notes, scale).run();
+  CoefficientCoder(bits, neighbours, bands, model, view, notes, scale).run(bands_left_out);
   const std::size_t offset = coded.offset + 2 + bits.position();
   if (bits.exhausted()) return failure(MCPR_INVALID, offset, "the coded motion ends early");
   if (bits.refused())

@@ -98,7 +98,8 @@ class CoefficientCoder {
         notes_(notes),
         coarse_depth_(bands.depth(0) - half_octaves_of(scale)) {}
 
-  void run() {
+  /// Leaves out so many of the finest bands, which the values then do not have.
+  void run(int bands_left_out = 0) {
     code_step_exponents();
     for (int s = 0; s < coded_.signal_count && !bits_.failed(); ++s) code_coarse(s);
     std::fill_n(notes_.sums, coded_.signal_count, 0);
@@ -109,7 +110,7 @@ class CoefficientCoder {
     }
     for (std::size_t scale = 0; scale < deviations_.size(); ++scale)
       deviations_[scale] = kLeastDeviation + (1 << 24) / kInverseScales[scale];
-    for (int b = 1; b < bands_.count; ++b) {
+    for (int b = 1; b < bands_.count - bands_left_out; ++b) {
       std::swap(notes_.sums, notes_.sums_above);
       std::fill_n(notes_.sums, coded_.signal_count, 0);
       std::fill_n(notes_.activity, static_cast<std::size_t>(bands_[b].size) + 2, 0);

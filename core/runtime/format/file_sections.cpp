@@ -25,7 +25,9 @@ class SectionsReader {
       Section section;
       mcpr_result result = read_section(file, section);
       if (!failed(result)) result = take_counted(section);
+      if (!failed(result)) result = check_tier_ends(section, file.offset());
       if (failed(result)) return result;
+      if (has_wanted_tiers(file.offset())) return check_end(file.offset(), 0);
     }
     return check_end(file.offset(), file.left());
   }
@@ -42,7 +44,9 @@ class SectionsReader {
         result = keep(section.payload, sections_.learned);
         known_bytes_ += kSectionHead + section.payload.size;
       } else if (!failed(result)) {
-        result = take_counted(section);
+        result = section.is("TIER")
+                     ? failure(MCPR_INVALID, section.start, "a section that is not expected here")
+                     : take_counted(section);
       }
       if (failed(result)) return result;
     }
@@ -53,6 +57,7 @@ class SectionsReader {
   mcpr_result check_end(std::size_t offset, std::size_t bytes_left) {
     if (next_ < Expected::Correction) return failure(MCPR_INVALID, offset, "a section is missing");
     if (bytes_left > 0) return failure(MCPR_INVALID, offset, "bytes after the last section");
+    if (const mcpr_result result = check_tiers(offset); failed(result)) return result;
     if (tracks_.data != nullptr)
       if (const mcpr_result result = read_tracks(tracks_); failed(result)) return result;
     return check_room();
@@ -66,10 +71,47 @@ class SectionsReader {
     return result;
   }
 
+  /// The number of tiers to read of a file that has some.
+  int wanted_tiers() const {
+    const auto count = static_cast<std::uint32_t>(sections_.tiers.count);
+    return static_cast<int>(limits_.tiers == 0 ? count : std::min(limits_.tiers, count));
+  }
+
+  /// True if the file was read as far as it is wanted: it may end here.
+  bool has_wanted_tiers(std::size_t offset) const {
+    const int wanted = wanted_tiers();
+    return wanted > 0 && wanted < sections_.tiers.count && sections_.tiers_read == wanted &&
+           offset == sections_.tiers.tier[wanted - 1].file_bytes;
+  }
+
+  /// Sections FINE begin and end where TIER says.
+  mcpr_result check_tier_ends(const Section& section, std::size_t end) const {
+    if (!section.is("FINE")) return kOk;
+    const Tier* const tier = sections_.tiers.tier + sections_.tiers_read - 1;
+    if ((sections_.tiers_read == 2 && section.start != tier[-1].file_bytes) ||
+        end != tier->file_bytes)
+      return failure(MCPR_INVALID, section.start, "a tier does not end where TIER says");
+    return kOk;
+  }
+
+  /// All tiers that are wanted are there. Without its finest bands a motion does without the
+  /// corrections of its ends.
+  mcpr_result check_tiers(std::size_t offset) {
+    if (sections_.tiers_read != wanted_tiers())
+      return failure(MCPR_INVALID, offset, "a tier is missing");
+    if (sections_.bands_left_out() > 0) {
+      sections_.ends_bytes = 0;
+      sections_.end_reaches = {};
+    }
+    return kOk;
+  }
+
   enum class Expected { Joints, Clip, Segments, Motion, Correction, Ends, Axes, Nothing };
 
   /// Required sections come in a fixed order; optional ones may stand anywhere.
   mcpr_result take(const Section& section) {
+    if (next_ == Expected::Joints && section.is("TIER") && sections_.tiers.count == 0)
+      return read_tiers(section.payload, sections_.tiers);
     if (next_ == Expected::Joints && section.is("JNTS")) {
       next_ = Expected::Clip;
       return read_joints(section.payload);
@@ -88,6 +130,15 @@ class SectionsReader {
         section.is(wavelets ? "MOTN" : "COMP")) {
       next_ = Expected::Correction;
       sections_.motion = section.payload;
+      if (sections_.tiers.count > 0) {
+        if (!adaptive) return failure(MCPR_INVALID, section.start, "tiers of another coding");
+        sections_.tiers_read = 1;
+      }
+      return check_segment_sizes();
+    }
+    if (section.is("FINE") && sections_.tiers_read > 0 &&
+        sections_.tiers_read < sections_.tiers.count) {
+      sections_.fine[sections_.tiers_read++ - 1] = section.payload;
       return check_segment_sizes();
     }
     if (next_ == Expected::Correction && wavelets && section.is("IKCO")) {
@@ -189,20 +240,23 @@ class SectionsReader {
       return failure(MCPR_INVALID, payload.offset + 8,
                      "the number of segments does not fit the frames");
     const std::size_t offset = cursor.offset();
-    if (cursor.left() != 4 * std::size_t{count})
-      return failure(MCPR_INVALID, offset, "SEGS has the wrong size");
-    sections_.segment_sizes = {cursor.take(cursor.left()), 4 * std::size_t{count}, offset};
+    const std::size_t size =
+        4 * std::size_t{count} * static_cast<std::size_t>(std::max(sections_.tiers.count, 1));
+    if (cursor.left() != size) return failure(MCPR_INVALID, offset, "SEGS has the wrong size");
+    sections_.segment_sizes = {cursor.take(size), size, offset};
     sections_.segments_bytes = payload.size;
     return check_values(payload.offset);
   }
 
+  /// The sizes of segments add up to the piece of the coefficients that was read last.
   mcpr_result check_segment_sizes() const {
     if (sections_.segments_bytes == 0) return kOk;
+    const int piece = std::max(sections_.tiers_read - 1, 0);
     std::uint64_t sum = 0;
-    for (int k = 0; k < sections_.segments.count(); ++k) sum += sections_.segment_size(k);
-    if (sum != sections_.motion.size)
+    for (int k = 0; k < sections_.segments.count(); ++k) sum += sections_.segment_size(piece, k);
+    if (sum != sections_.piece(piece).size)
       return failure(MCPR_INVALID, sections_.segment_sizes.offset,
-                     "the sizes of the segments do not add up to MOTN");
+                     "the sizes of the segments do not add up to MOTN or FINE");
     return kOk;
   }
 
@@ -248,6 +302,7 @@ class SectionsReader {
     const std::size_t size = cursor.left();
     head.bits = {cursor.take(size), size, offset};
     head.bytes = kSectionHead + payload.size;
+    head.payload = payload;
     return check_values(payload.offset);
   }
 
@@ -291,11 +346,29 @@ class SectionsReader {
 
 }  // namespace
 
-std::uint32_t FileSections::segment_size(int segment) const {
-  if (segments_bytes == 0) return static_cast<std::uint32_t>(motion.size);
+std::uint32_t FileSections::segment_size(int piece_number, int segment) const {
+  if (segments_bytes == 0) return static_cast<std::uint32_t>(piece(piece_number).size);
   std::uint32_t size = 0;
-  std::memcpy(&size, segment_sizes.data + std::size_t{4} * static_cast<std::size_t>(segment), 4);
+  const auto place = static_cast<std::size_t>(piece_number * segments.count() + segment);
+  std::memcpy(&size, segment_sizes.data + sizeof size * place, sizeof size);
   return size;
+}
+
+std::uint32_t FileSections::segment_size(int segment) const {
+  std::uint32_t size = 0;
+  for (int p = 0; p < pieces(); ++p) size += segment_size(p, segment);
+  return size;
+}
+
+void FileSections::copy_coded(std::uint8_t* out) const {
+  std::size_t first[kMostTiers] = {};  // of the next segment in each piece
+  for (int k = 0; k < segments.count(); ++k)
+    for (int p = 0; p < pieces(); ++p) {
+      const std::size_t size = segment_size(p, k);
+      if (size > 0) std::memcpy(out, piece(p).data + first[p], size);
+      out += size;
+      first[p] += size;
+    }
 }
 
 mcpr_result read_ends(const Bytes& payload, FileSections& sections) {

@@ -11,6 +11,7 @@
 #include "core/runtime/format/result.h"
 #include "core/runtime/format/section.h"
 #include "core/runtime/format/segment_layout.h"
+#include "core/runtime/format/tiers.h"
 
 namespace mocapress::runtime {
 
@@ -24,6 +25,7 @@ struct TracksHead {
   Bytes stream;                    // coded curves
   Bytes bits;                      // coded records and runs
   std::size_t bytes = 0;           // size of the section with its head
+  Bytes payload;                   // the whole section
 };
 
 /// The contents of all sections before decoding, checked against the limits.
@@ -37,15 +39,18 @@ struct FileSections {
   std::uint64_t seed = 0;
   float eps_cm = 0;
   float max_error_cm = 0;
-  std::uint32_t joints = 0;        // number stated by JNTS
-  std::uint32_t channels = 0;      // number stated by JNTS
-  std::uint32_t joint_bytes = 0;   // size of the decoded skeleton
-  Bytes coded_joints;              // the skeleton as the range coder wrote it
-  Bytes joint_orders;              // packed clips only: joint_orders.h
-  Bytes learned;                   // PRIO, packed clips only: learned_priors.h
-  Bytes motion;                    // payload of MOTN or COMP
-  SegmentLayout segments;          // from SEGS; one segment without it
-  Bytes segment_sizes;             // u32 sizes of the segments in MOTN; empty without SEGS
+  std::uint32_t joints = 0;       // number stated by JNTS
+  std::uint32_t channels = 0;     // number stated by JNTS
+  std::uint32_t joint_bytes = 0;  // size of the decoded skeleton
+  Bytes coded_joints;             // the skeleton as the range coder wrote it
+  Bytes joint_orders;             // packed clips only: joint_orders.h
+  Bytes learned;                  // PRIO, packed clips only: learned_priors.h
+  Bytes motion;                   // payload of MOTN or COMP; the first tier, if there are several
+  TierTable tiers;                // from TIER
+  int tiers_read = 0;             // of a file with tiers: MOTN and the FINE sections that were read
+  Bytes fine[kMostTiers - 1];     // payloads of FINE
+  SegmentLayout segments;         // from SEGS; one segment without it
+  Bytes segment_sizes;            // u32 sizes of the segments in MOTN, then in each FINE
   std::size_t segments_bytes = 0;  // size of SEGS
   std::size_t correction_bytes = 0;
   std::size_t ends_bytes = 0;  // size of ENDS; 0: there is none
@@ -87,11 +92,31 @@ struct FileSections {
 
   /// Bytes of the file that code the motion.
   std::size_t motion_bytes() const {
-    return motion.size + segments_bytes + correction_bytes + ends_bytes + axes.size;
+    return coded_size() + segments_bytes + correction_bytes + ends_bytes + axes.size;
   }
 
-  /// Size of a segment's bytes in MOTN.
+  /// The coefficients are in several pieces if the file has tiers: in MOTN and in each FINE.
+  int pieces() const { return std::max(tiers_read, 1); }
+  const Bytes& piece(int p) const { return p == 0 ? motion : fine[p - 1]; }
+
+  /// Size of the coefficients of all segments, in all pieces that were read.
+  std::size_t coded_size() const {
+    std::size_t size = 0;
+    for (int p = 0; p < pieces(); ++p) size += piece(p).size;
+    return size;
+  }
+
+  /// Size of the coefficients of a segment, in one piece and in all that were read.
+  std::uint32_t segment_size(int piece, int segment) const;
   std::uint32_t segment_size(int segment) const;
+
+  /// Copies the coefficients of one segment after the other, coded_size() bytes.
+  void copy_coded(std::uint8_t* out) const;
+
+  /// Finest bands that the tiers that were read lack; 0 in a file without tiers.
+  int bands_left_out() const {
+    return tiers_read == 0 ? 0 : tiers.tier[tiers_read - 1].bands_left_out;
+  }
 };
 
 /// Parses and checks the payload of ENDS, except for its coded part. `sections.frames` must be set.

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/format/tiers.h"
+
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "core/codec/format/container.h"
+#include "core/codec/format/format_error.h"
+#include "core/codec/format/section_writer.h"
+#include "core/runtime/format/coded_error.h"
+
+namespace mocapress {
+namespace {
+
+/// A tier before the file is written.
+struct CutTier {
+  int bands_left_out = 0;
+  std::vector<std::size_t> end;  // of each segment's bytes in this tier
+  TierError error;
+};
+
+/// The bytes of each segment without its finest bands, for every number of these.
+std::vector<std::vector<std::size_t>> bytes_by_bands(const CompressedClip& clip) {
+  const std::vector<SignalNeighbours> neighbours = signal_neighbours(clip);
+  const SegmentLayout layout = clip.segment_layout();
+  const int bands = runtime::Bands(layout.frames_of(0)).count;
+  std::vector<std::vector<std::size_t>> bytes;
+  for (int left_out = 0; left_out < bands; ++left_out) {
+    std::vector<std::size_t>& of_segment = bytes.emplace_back();
+    std::size_t first = 0;
+    for (int k = 0; k < layout.count(); ++k) {
+      const std::size_t size =
+          clip.segments ? clip.segments->bytes[static_cast<std::size_t>(k)] : clip.motion.size();
+      of_segment.push_back(bytes_without_bands(std::span(clip.motion).subspan(first, size),
+                                               neighbours, layout.frames_of(k), left_out));
+      first += size;
+    }
+  }
+  return bytes;
+}
+
+/// Chooses the bands between which the file is cut, so that tiers have about as many bytes.
+std::vector<CutTier> cut(const CompressedClip& clip, int tiers) {
+  const std::vector<std::vector<std::size_t>> bytes = bytes_by_bands(clip);
+  const auto sum = [&](int left_out) {
+    const auto& of_segment = bytes[static_cast<std::size_t>(left_out)];
+    return static_cast<double>(std::accumulate(of_segment.begin(), of_segment.end(), 0UL));
+  };
+  std::vector<CutTier> cuts;
+  int coarser = static_cast<int>(bytes.size());
+  double bytes_before = 0;
+  for (int t = 1; t < tiers; ++t) {
+    const double wanted = sum(0) * t / tiers;
+    int best = 0;
+    for (int left_out = 1; left_out < coarser; ++left_out)
+      if (sum(left_out) > bytes_before && sum(left_out) < sum(0) &&
+          (best == 0 || std::abs(sum(left_out) - wanted) < std::abs(sum(best) - wanted)))
+        best = left_out;
+    if (best == 0) continue;
+    cuts.push_back({best, bytes[static_cast<std::size_t>(best)], {}});
+    coarser = best;
+    bytes_before = sum(best);
+  }
+  cuts.push_back({0, bytes[0], {clip.provenance.eps_cm, clip.provenance.max_error_cm}});
+  return cuts;
+}
+
+std::uint16_t error_code(float error_cm) {
+  std::uint16_t code = 0;
+  return runtime::find_error_code(runtime::rounded_error(error_cm), code) ? code : std::uint16_t{};
+}
+
+std::vector<std::byte> write_tiers(const std::vector<CutTier>& tiers,
+                                   const std::vector<std::size_t>& file_bytes) {
+  ByteWriter writer;
+  writer.write(static_cast<std::uint8_t>(tiers.size()));
+  for (std::size_t t = 0; t < tiers.size(); ++t) {
+    writer.write(static_cast<std::uint32_t>(file_bytes[t]));
+    writer.write(static_cast<std::uint8_t>(tiers[t].bands_left_out));
+    writer.write(error_code(tiers[t].error.eps_cm));
+    writer.write(error_code(tiers[t].error.max_error_cm));
+  }
+  return writer.release();
+}
+
+/// The bytes that each tier adds: of all segments one after the other, and their number by segment.
+struct Piece {
+  std::vector<std::byte> bytes;
+  std::vector<std::uint32_t> sizes;
+};
+
+std::vector<Piece> pieces_of(const CompressedClip& clip, const std::vector<CutTier>& tiers) {
+  std::vector<Piece> pieces(tiers.size());
+  std::size_t first = 0;  // of the segment
+  for (std::size_t k = 0; k < tiers.front().end.size(); ++k) {
+    std::size_t begin = 0;  // of the piece, in the segment
+    for (std::size_t t = 0; t < tiers.size(); ++t) {
+      const auto bytes = std::span(clip.motion).subspan(first + begin, tiers[t].end[k] - begin);
+      pieces[t].bytes.insert(pieces[t].bytes.end(), bytes.begin(), bytes.end());
+      pieces[t].sizes.push_back(static_cast<std::uint32_t>(bytes.size()));
+      begin = tiers[t].end[k];
+    }
+    first += begin;
+  }
+  return pieces;
+}
+
+/// Copies the sections of a file but for TIER and FINE, with another SEGS and MOTN.
+void copy_sections(std::span<const std::byte> mcpr, const std::vector<Piece>& pieces,
+                   std::uint16_t& count, ByteWriter& sections) {
+  runtime::Cursor file(reinterpret_cast<const std::uint8_t*>(mcpr.data()), mcpr.size());
+  std::uint16_t left = 0;
+  require(runtime::read_head(file, left));
+  for (; left > 0; --left) {
+    runtime::Section section;
+    require(runtime::read_section(file, section));
+    if (section.is("TIER") || section.is("FINE")) continue;
+    ++count;
+    if (section.is("SEGS")) {
+      constexpr std::size_t kHead = 12;  // length, overlap, segments
+      ByteWriter payload;
+      payload.append(mcpr.subspan(section.payload.offset, kHead));
+      for (const Piece& piece : pieces) payload.append(std::as_bytes(std::span(piece.sizes)));
+      write_section(sections, "SEGS", payload.bytes());
+    } else if (section.is("MOTN")) {
+      write_section(sections, "MOTN", pieces.front().bytes);
+    } else {
+      sections.append(mcpr.subspan(section.start, file.offset() - section.start));
+    }
+  }
+}
+
+std::vector<std::byte> write_file(std::span<const std::byte> mcpr, const CompressedClip& clip,
+                                  const std::vector<CutTier>& tiers) {
+  const std::vector<Piece> pieces = pieces_of(clip, tiers);
+  std::uint16_t count = 0;
+  ByteWriter sections;
+  copy_sections(mcpr, pieces, count, sections);
+  ByteWriter file;
+  if (tiers.size() == 1) {
+    write_head(file, count);
+    file.append(sections.bytes());
+    return file.release();
+  }
+  std::size_t end = runtime::kFileHead + runtime::kSectionHead + 1 +
+                    runtime::kTierBytes * tiers.size() + sections.bytes().size();
+  std::vector<std::size_t> file_bytes;
+  for (std::size_t t = 0; t < tiers.size(); ++t) {
+    if (t > 0) end += runtime::kSectionHead + pieces[t].bytes.size();
+    file_bytes.push_back(end);
+  }
+  write_head(file, static_cast<std::uint16_t>(count + tiers.size()));
+  write_section(file, "TIER", write_tiers(tiers, file_bytes));
+  file.append(sections.bytes());
+  for (std::size_t t = 1; t < tiers.size(); ++t) write_section(file, "FINE", pieces[t].bytes);
+  return file.release();
+}
+
+}  // namespace
+
+std::vector<std::byte> with_tiers(std::span<const std::byte> mcpr, int tiers,
+                                  const MeasureTier& measure) {
+  const Container container = read_any_container(mcpr);
+  const CompressedClip& clip = container.clip;
+  if (container.of_comparison || clip.coding != Coding::Adaptive || tiers < 2)
+    return {mcpr.begin(), mcpr.end()};
+  std::vector<CutTier> cuts = cut(clip, tiers);
+  if (cuts.size() == 1) return without_tiers(mcpr);
+  const std::vector<std::byte> unmeasured = write_file(mcpr, clip, cuts);
+  for (std::size_t t = 0; t + 1 < cuts.size(); ++t)
+    cuts[t].error = measure(read_container(unmeasured, static_cast<int>(t) + 1));
+  return write_file(mcpr, clip, cuts);
+}
+
+std::vector<std::byte> file_of_tiers(std::span<const std::byte> mcpr, int tiers) {
+  const runtime::FileSections sections = sections_of(mcpr, tiers);
+  if (sections.tiers_read != tiers)
+    throw FormatError(0, "the file has no " + std::to_string(tiers) + " tiers");
+  if (sections.bands_left_out() == 0) return without_tiers(mcpr);
+  CompressedClip clip = read_container(mcpr, tiers);
+  std::vector<std::byte> motion;
+  std::vector<std::uint32_t> sizes;
+  AdaptiveSegments segments(clip);
+  for (int k = 0; k < clip.segment_layout().count(); ++k) {
+    const std::vector<std::byte> segment = pack_adaptive(segments.next(), clip);
+    motion.insert(motion.end(), segment.begin(), segment.end());
+    sizes.push_back(static_cast<std::uint32_t>(segment.size()));
+  }
+  clip.motion = std::move(motion);
+  if (clip.segments) clip.segments->bytes = std::move(sizes);
+  clip.bands_left_out = 0;
+  const runtime::Tier& tier = sections.tiers.tier[tiers - 1];
+  clip.provenance.eps_cm = tier.eps_cm;
+  clip.provenance.max_error_cm = tier.max_error_cm;
+  std::vector<std::byte> file = write_container(clip);
+  for (const auto& [tag, payload] :
+       {std::pair("srce", sections.source), std::pair("trks", sections.tracks.payload)})
+    if (payload.data != nullptr)
+      file = with_section(
+          file, tag,
+          std::vector(mcpr.begin() + static_cast<std::ptrdiff_t>(payload.offset),
+                      mcpr.begin() + static_cast<std::ptrdiff_t>(payload.offset + payload.size)));
+  return file;
+}
+
+std::vector<std::byte> without_tiers(std::span<const std::byte> mcpr) {
+  const Container container = read_any_container(mcpr);
+  const CompressedClip& clip = container.clip;
+  if (sections_of(mcpr).tiers.count == 0) return {mcpr.begin(), mcpr.end()};
+  CutTier whole{0, {clip.motion.size()}, {}};
+  if (clip.segments) whole.end.assign(clip.segments->bytes.begin(), clip.segments->bytes.end());
+  return write_file(mcpr, clip, {whole});
+}
+
+}  // namespace mocapress

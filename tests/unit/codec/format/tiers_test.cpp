@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/format/tiers.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "core/codec/decode/decoder.h"
+#include "core/codec/encode/encoder.h"
+#include "core/codec/format/container.h"
+#include "core/codec/format/format_error.h"
+#include "core/codec/format/source_section.h"
+#include "tests/support/opened_clip.h"
+#include "tests/support/segmented_clip.h"
+#include "tests/support/test_motion.h"
+
+namespace mocapress {
+namespace {
+
+constexpr int kTiers = 3;
+
+/// Files in one segment and in several, and one with an IK correction and with corrected ends.
+std::vector<std::vector<std::byte>> files() {
+  const Motion motion = test::smooth_motion(700);
+  const auto in_segments = [&](const SegmentLayout& layout) {
+    return write_container(test::segmented_clip(motion, layout, true));
+  };
+  const Encoding with_ends =
+      Encoder(test::smooth_motion(120))
+          .encode({.target = {Target::Kind::Error, 0.5}, .ends = Ends::Exact});
+  return {in_segments(SegmentLayout::whole(700)), in_segments({700, 300, 40}),
+          write_container(with_ends.compressed)};
+}
+
+TierError unmeasured(const CompressedClip& clip) {
+  return {static_cast<float>(clip.bands_left_out), static_cast<float>(2 * clip.bands_left_out)};
+}
+
+std::vector<std::byte> tiered(std::span<const std::byte> file) {
+  return with_tiers(file, kTiers, unmeasured);
+}
+
+std::vector<float> all_frames(std::span<const std::byte> file, std::uint32_t tiers,
+                              std::uint32_t bands_left_out = 0) {
+  mcpr_limits limits = mcpr_default_limits();
+  limits.tiers = tiers;
+  const test::OpenedClip opened(file, &limits);
+  if (opened.clip == nullptr) return {};
+  mcpr_request request{};
+  request.apply_ik = 1;
+  request.bands_left_out = bands_left_out;
+  return opened.frames(request, 0, opened.info.frames);
+}
+
+mcpr_tier tier_of(std::span<const std::byte> file, std::uint32_t tier) {
+  mcpr_tier found{};
+  EXPECT_EQ(mcpr_tier_of(file.data(), MCPR_TIERS_HEAD_BYTES, tier, &found).status, MCPR_OK);
+  return found;
+}
+
+TEST(Tiers, TogetherHaveTheMotionOfTheFile) {
+  for (const auto& file : files()) {
+    const std::vector<std::byte> cut = tiered(file);
+    ASSERT_EQ(sections_of(cut).tiers.count, kTiers);
+    EXPECT_FALSE(all_frames(file, 0).empty());
+    EXPECT_EQ(all_frames(cut, 0), all_frames(file, 0));
+    EXPECT_EQ(all_frames(cut, kTiers), all_frames(file, 0));
+    EXPECT_EQ(decode(read_container(cut)).channels, decode(read_container(file)).channels);
+    EXPECT_EQ(without_tiers(cut), file);
+    EXPECT_EQ(tiered(cut), cut);
+  }
+}
+
+TEST(Tiers, CostTheirSectionsAlone) {
+  for (const auto& file : files()) {
+    const std::size_t segments = sections_of(file).segments_bytes == 0
+                                     ? 0
+                                     : static_cast<std::size_t>(sections_of(file).segments.count());
+    EXPECT_EQ(tiered(file).size(),
+              file.size() + 12 + 1 + 9 * kTiers + 12 * (kTiers - 1) + 4 * segments * (kTiers - 1));
+  }
+}
+
+TEST(Tiers, APrefixHasTheMotionWithoutItsFinestBands) {
+  for (const auto& file : files()) {
+    const std::vector<std::byte> cut = tiered(file);
+    for (std::uint32_t t = 0; t < kTiers; ++t) {
+      const mcpr_tier tier = tier_of(cut, t);
+      // A copy of just that size, so that the address sanitizer sees every read past it.
+      const std::vector<std::byte> prefix(cut.begin(), cut.begin() + static_cast<long>(tier.bytes));
+      const std::vector<float> frames = all_frames(prefix, t + 1);
+      ASSERT_FALSE(frames.empty());
+      EXPECT_EQ(frames, all_frames(file, 0, tier.bands_left_out));
+      EXPECT_EQ(all_frames(cut, t + 1), frames);
+      EXPECT_EQ(all_frames(file_of_tiers(prefix, static_cast<int>(t) + 1), 0), frames);
+    }
+    EXPECT_EQ(tier_of(cut, kTiers - 1).bytes, cut.size());
+    EXPECT_EQ(tier_of(cut, kTiers - 1).bands_left_out, 0);
+  }
+}
+
+TEST(Tiers, TellTheirErrors) {
+  const std::vector<std::byte> cut = tiered(files().back());
+  for (std::uint32_t t = 0; t + 1 < kTiers; ++t) {
+    const mcpr_tier tier = tier_of(cut, t);
+    EXPECT_GT(tier.error, 0);
+    EXPECT_EQ(tier.error, static_cast<float>(tier.bands_left_out));
+    EXPECT_EQ(tier.max_error, 2 * tier.error);
+  }
+  EXPECT_EQ(tier_of(cut, kTiers - 1).error, sections_of(cut).eps_cm);
+}
+
+TEST(Tiers, KeepWhatIsSaidOfTheSource) {
+  SourceFormat source{SourceFormat::Kind::Bvh};
+  source.cm_per_unit = 2.5;
+  const std::vector<std::byte> cut = tiered(with_source(files().front(), source));
+  EXPECT_EQ(source_of(file_of_tiers(cut, 1)).cm_per_unit, 2.5);
+}
+
+TEST(Tiers, NeedEveryByteUpToTheirEnd) {
+  const std::vector<std::byte> cut = tiered(files()[1]);
+  const std::size_t first_tier = tier_of(cut, 0).bytes;
+  for (std::size_t size = 0; size < cut.size(); ++size) {
+    const std::vector<std::byte> prefix(cut.begin(), cut.begin() + static_cast<long>(size));
+    mcpr_limits limits = mcpr_default_limits();
+    limits.tiers = 1;
+    mcpr_info info;
+    EXPECT_NE(mcpr_inspect(prefix.data(), size, nullptr, &info).status, MCPR_OK) << size;
+    EXPECT_EQ(mcpr_inspect(prefix.data(), size, &limits, &info).status == MCPR_OK,
+              size >= first_tier)
+        << size;
+  }
+}
+
+TEST(Tiers, AreNotToldOfAFileWithoutThem) {
+  const std::vector<std::byte> file = files().front();
+  mcpr_tier tier;
+  EXPECT_EQ(mcpr_tier_of(file.data(), file.size(), 0, &tier).status, MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_tier_of(tiered(file).data(), MCPR_TIERS_HEAD_BYTES, kTiers, &tier).status,
+            MCPR_ARGUMENT);
+  EXPECT_EQ(without_tiers(file), file);
+  EXPECT_THROW(file_of_tiers(file, 1), FormatError);
+}
+
+/// The file with another byte in a section that begins at `start`, whose checksum is right again.
+std::vector<std::byte> with_byte(std::vector<std::byte> file, std::size_t start, std::size_t at,
+                                 int bits) {
+  std::uint8_t head[8];
+  std::memcpy(head, file.data() + start, sizeof head);
+  std::uint32_t size = 0;
+  std::memcpy(&size, head + 4, sizeof size);
+  file[start + 12 + at] ^= static_cast<std::byte>(bits);
+  const std::uint32_t checksum = runtime::section_checksum(
+      head, reinterpret_cast<const std::uint8_t*>(file.data()) + start + 12, size);
+  std::memcpy(file.data() + start + 8, &checksum, sizeof checksum);
+  return file;
+}
+
+TEST(Tiers, AreRefusedWhereTheyDoNotFitTheFile) {
+  constexpr std::size_t kStart = 8;  // of TIER
+  for (const auto& file : files()) {
+    const std::vector<std::byte> cut = tiered(file);
+    for (std::size_t at = 0; at < 1 + runtime::kTierBytes * kTiers; ++at) {
+      if (at > 0 && (at - 1) % runtime::kTierBytes > 4) continue;  // the errors only inform
+      for (const int bits : {1, 2, 0x40, 0x80}) {
+        const std::vector<std::byte> changed = with_byte(cut, kStart, at, bits);
+        const auto refuses = [&](std::uint32_t tiers) {
+          return all_frames(changed, tiers).empty();
+        };
+        EXPECT_TRUE(refuses(0) || refuses(1) || refuses(2)) << at << ' ' << bits;
+      }
+    }
+  }
+}
+
+TEST(Tiers, AreFewerWhereBandsAreFew) {
+  const Motion motion = test::smooth_motion(8);
+  const auto file =
+      write_container(test::segmented_clip(motion, SegmentLayout::whole(8), false, 1));
+  const std::vector<std::byte> cut = with_tiers(file, 8, unmeasured);
+  EXPECT_LT(sections_of(cut).tiers.count, 8);
+  EXPECT_EQ(all_frames(cut, 0), all_frames(file, 0));
+}
+
+}  // namespace
+}  // namespace mocapress
