@@ -353,6 +353,22 @@ void add_bank(CLI::App& app) {
   remove->add_option("name", removal->names, "Clips")->required()->type_name("NAME...");
   remove->callback([removal] { removal->run(); });
 
+  struct Stripping {
+    std::string bank;
+    std::string output;
+    int tiers = 1;
+  };
+  CLI::App* strip = command->add_subcommand("strip", "Copy a bank without its finest tiers");
+  const auto stripping = std::make_shared<Stripping>();
+  add_bank_argument(*strip, stripping->bank);
+  strip->add_option("-o,--output", stripping->output, "The bank to write")
+      ->required()
+      ->type_name("OUT.mcpk");
+  strip->add_option("--tiers", stripping->tiers, "Tiers to keep: see compress --tiers")
+      ->capture_default_str();
+  strip->callback(
+      [stripping] { strip_bank(stripping->bank, stripping->output, stripping->tiers); });
+
   struct Listing {
     std::string bank;
     bool json = false;

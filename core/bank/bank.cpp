@@ -17,6 +17,7 @@
 #include "core/base/path_kind.h"
 #include "core/codec/format/packed_clip_writer.h"
 #include "core/runtime/bank/bank_check.h"
+#include "core/runtime/format/bank_tiers.h"
 
 namespace mocapress {
 namespace {
@@ -28,6 +29,18 @@ struct ReadyClip {
   std::vector<std::string> tags;
   std::variant<std::monostate, PackedClip, ClipForBank> clip;  // unset: copied as it is
 };
+
+/// What tiers add to a clip of a packed bank.
+ClipPieces pieces_of(const mcpk_bank& bank, std::uint32_t clip) {
+  ClipPieces pieces;
+  const runtime::BankTiers tiers(bank);
+  for (int t = 1; t < tiers.count(); ++t) {
+    const runtime::Bytes piece = bank.bytes_of(tiers.piece(t, clip));
+    const auto* const first = reinterpret_cast<const std::byte*>(piece.data);
+    pieces.emplace_back(first, first + piece.size);
+  }
+  return pieces;
+}
 
 /// Puts clips from any source into a new bank.
 class Filler {
@@ -55,7 +68,8 @@ class Filler {
   void put(const std::string& name, ReadyClip ready) {
     ready.tags.insert(ready.tags.end(), options_.tags.begin(), options_.tags.end());
     if (const auto* const packed = std::get_if<PackedClip>(&ready.clip)) {
-      writer_.add(name, intern_outline(*packed, intern_), packed->bytes, std::move(ready.tags));
+      writer_.add(name, intern_outline(*packed, intern_), packed->bytes, std::move(ready.tags),
+                  packed->pieces);
     } else if (const auto* const cooked = std::get_if<ClipForBank>(&ready.clip)) {
       put_cooked(name, cooked->cooked(), cooked->skeleton, std::move(ready.tags));
       ik_bytes_ += cooked->ik_bytes;
@@ -69,7 +83,8 @@ class Filler {
       const auto* const first =
           reinterpret_cast<const std::byte*>(bank.bank().at(entry.place.offset));
       writer_.add(entry.name, copied_outline(bank.bank(), entry.kind),
-                  {first, static_cast<std::size_t>(entry.place.bytes)}, std::move(tags));
+                  {first, static_cast<std::size_t>(entry.place.bytes)}, std::move(tags),
+                  pieces_of(bank.bank(), entry.number));
       return;
     }
     const mcpr_cooked* const cooked = bank.cooked(entry);
@@ -174,6 +189,10 @@ bool write_bank(const fs::path& path, const BankFile* old, const std::set<std::u
   if (twice != sources.end())
     throw InputError((twice + 1)->file.string(), 0, 0,
                      "would be the clip '" + twice->name + "', as " + twice->file.string());
+  if (old != nullptr &&
+      runtime::BankTiers(old->bank()).present() < runtime::BankTiers(old->bank()).count())
+    throw InputError(path.string(), 0, 0,
+                     "lacks its finer tiers: clips are added to and removed from the whole bank");
   BankWriter writer(path, options.form);
   const BankSourceReader files(sources);
   const bool is_packed = options.form == runtime::BankForm::Packed;
@@ -243,6 +262,26 @@ bool add_to_bank(const fs::path& bank, std::vector<BankSource> sources, const Ba
   BankOptions of_old = options;
   of_old.form = old.bank().form;
   return write_bank(bank, &old, {}, std::move(sources), of_old, texts, observer);
+}
+
+void strip_bank(const fs::path& bank, const fs::path& stripped, int tiers) {
+  const BankFile whole(bank);
+  require_place_for_bank(stripped, {BankSource{.file = bank}});
+  const runtime::BankTiers there(whole.bank());
+  if (tiers < 1 || tiers > there.present())
+    throw InputError(
+        bank.string(), 0, 0,
+        "has " + std::to_string(there.present()) + " tiers, not " + std::to_string(tiers));
+  mcpk_bank head = whole.bank();
+  const runtime::BankRegion last = tiers == 1 ? head.tables : there.region(tiers - 1);
+  head.bytes = last.offset + last.bytes;
+  head.checksum = runtime::bank_checksum(&head, offsetof(mcpk_bank, checksum));
+  const auto head_bytes = std::as_bytes(std::span(&head, 1));
+  const auto* const first = reinterpret_cast<const std::byte*>(whole.bank().at(0));
+  StagedFile file(stripped);
+  file.write(head_bytes);
+  file.write({first + head_bytes.size(), first + head.bytes});
+  file.commit();
 }
 
 bool remove_from_bank(const fs::path& bank, const std::vector<std::string>& names,

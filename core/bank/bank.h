@@ -60,4 +60,10 @@ bool add_to_bank(const std::filesystem::path& bank, std::vector<BankSource> sour
 bool remove_from_bank(const std::filesystem::path& bank, const std::vector<std::string>& names,
                       const Observer<BankProgress>& observer = {});
 
+/// Writes a copy of a packed bank that has only the first tiers, 1 or more. Its bytes are those at
+/// the beginning of the whole bank, but for the head. Throws InputError, also if the bank has fewer
+/// tiers, and WriteError as make_bank() does.
+void strip_bank(const std::filesystem::path& bank, const std::filesystem::path& stripped,
+                int tiers);
+
 }  // namespace mocapress

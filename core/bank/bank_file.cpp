@@ -90,6 +90,7 @@ BankClip BankFile::describe(std::uint32_t clip) const {
   described.frames = static_cast<int>(sections.frames);
   described.joints = static_cast<int>(sections.joints);
   described.motion_bytes = sections.motion_bytes();
+  for (int t = 1; t < sections.tiers_read; ++t) described.bytes += sections.piece(t).size;
   return described;
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/codec/format/packed_clip_writer.h"
+#include "core/runtime/format/bank_tiers.h"
 #include "core/runtime/pose/cooked_clip.h"
 
 namespace mocapress {
@@ -88,7 +89,7 @@ std::uint32_t BankWriter::tag_set(std::vector<std::string> tags) {
 }
 
 void BankWriter::add(const std::string& name, std::uint32_t kind, std::span<const std::byte> bytes,
-                     std::vector<std::string> tags) {
+                     std::vector<std::string> tags, const ClipPieces& pieces) {
   if (name.empty() || name.size() > runtime::kMostNameOfClip ||
       name.find('\0') != std::string::npos)
     throw InputError(name, 0, 0, "a clip of a bank needs a name of 1 to 255 bytes");
@@ -113,6 +114,14 @@ void BankWriter::add(const std::string& name, std::uint32_t kind, std::span<cons
                            : bytes;
   checked_.insert(checked_.end(), checked.begin(), checked.end());
   write(bytes);
+  while (tiers_.size() < pieces.size()) tiers_.push_back({{}, std::vector(count_, 0U)});
+  for (std::size_t t = 0; t < tiers_.size(); ++t) {
+    TierPieces& tier = tiers_[t];
+    tier.begins.push_back(static_cast<std::uint32_t>(tier.bytes.size()));
+    if (t < pieces.size()) tier.bytes.insert(tier.bytes.end(), pieces[t].begin(), pieces[t].end());
+    if (tier.bytes.size() > kMostRegionBytes)
+      throw WriteError("a tier of the bank would take more than 4 GiB");
+  }
   ++count_;
 }
 
@@ -162,6 +171,27 @@ runtime::BankRegion BankWriter::write_region(std::span<const std::byte> bytes,
   return region;
 }
 
+/// The places of what is written after it.
+std::vector<std::byte> BankWriter::tier_table() const {
+  std::vector<std::byte> table;
+  if (tiers_.empty()) return table;
+  const std::size_t tiers = tiers_.size() + 1;
+  std::uint64_t offset = (written_ + kTableAlignment - 1) / kTableAlignment * kTableAlignment +
+                         runtime::tier_table_bytes(tiers, count_);
+  append_value(table, static_cast<std::uint32_t>(tiers));
+  for (const TierPieces& tier : tiers_) {
+    append_value(table, offset);
+    append_value(table, std::uint64_t{tier.bytes.size()});
+    append_value(table, runtime::bank_checksum(tier.bytes.data(), tier.bytes.size()));
+    offset += tier.bytes.size();
+  }
+  for (const TierPieces& tier : tiers_) {
+    for (const std::uint32_t begin : tier.begins) append_value(table, begin);
+    append_value(table, static_cast<std::uint32_t>(tier.bytes.size()));
+  }
+  return table;
+}
+
 std::vector<std::byte> BankWriter::item_bytes(const BankTexts& texts, mcpk_bank& head) {
   std::vector<const std::string*> all;
   for (int k = 0; k < runtime::kBankItems - 1; ++k) {
@@ -209,8 +239,9 @@ void BankWriter::finish(const BankTexts& texts) {
   index.insert(index.end(), entries_.begin(), entries_.end());
   head.index = write_region(index, 1, head.index_checksum);
   const bool is_cooked = form_ == runtime::BankForm::Cooked;
-  head.tables = write_region(is_cooked ? std::span(tables_.bytes()) : std::span<const std::byte>(),
-                             runtime::kCookedAlignment, head.tables_checksum);
+  head.tables = write_region(is_cooked ? tables_.bytes() : tier_table(), runtime::kCookedAlignment,
+                             head.tables_checksum);
+  for (const TierPieces& tier : tiers_) write(tier.bytes);
   for (const std::uint64_t clip : clips_) {
     const auto distance = static_cast<std::int64_t>(head.tables.offset - clip);
     file_.write_at(clip + offsetof(mcpr_cooked, tables), std::as_bytes(std::span(&distance, 1)));

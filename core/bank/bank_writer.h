@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/staged_file.h"
+#include "core/codec/format/packed_clip_writer.h"
 #include "core/runtime/format/bank.h"
 
 namespace mocapress {
@@ -58,9 +59,9 @@ class BankWriter {
   SharedTables& tables() { return tables_; }
 
   /// Adds a clip. Also throws InputError if the name is invalid or does not come after the one
-  /// before.
+  /// before. `pieces` are what tiers add to a packed clip; they are kept in memory to the end.
   void add(const std::string& name, std::uint32_t kind, std::span<const std::byte> bytes,
-           std::vector<std::string> tags);
+           std::vector<std::string> tags, const ClipPieces& pieces = {});
 
   /// Reads the file back, checks it and puts it in place.
   void finish(const BankTexts& texts);
@@ -70,6 +71,7 @@ class BankWriter {
   void put_entry(const std::string& name, std::uint32_t kind, std::uint32_t tags,
                  std::uint64_t size);
   void end_block();
+  std::vector<std::byte> tier_table() const;
   void write(std::span<const std::byte> bytes);
   void align(std::uint64_t alignment);
   runtime::BankRegion write_region(std::span<const std::byte> bytes, std::uint64_t alignment,
@@ -90,6 +92,11 @@ class BankWriter {
   std::vector<std::uint64_t>
       clips_;  // begin of each clip: cooked ones later get the place of the tables
   std::uint32_t count_ = 0;
+  struct TierPieces {
+    std::vector<std::byte> bytes;       // of all clips, one after the other
+    std::vector<std::uint32_t> begins;  // of each clip
+  };
+  std::vector<TierPieces> tiers_;
 };
 
 }  // namespace mocapress

@@ -7,6 +7,7 @@
 #include "core/runtime/bank/bank_check.h"
 #include "core/runtime/bank/bank_skeleton.h"
 #include "core/runtime/decode/file_loader.h"
+#include "core/runtime/format/bank_tiers.h"
 #include "core/runtime/format/file_sections.h"
 #include "core/runtime/mocapress_runtime.h"
 
@@ -64,7 +65,9 @@ mcpk_info mcpk_describe(const mcpk_bank* bank) {
           .tags = bank->count(runtime::BankItem::Tag),
           .texts = bank->count(runtime::BankItem::Text) / 2,
           .is_cooked = bank->is_cooked() ? 1 : 0,
-          .table_bytes = static_cast<std::size_t>(bank->tables.bytes)};
+          .table_bytes = bank->is_cooked() ? static_cast<std::size_t>(bank->tables.bytes) : 0,
+          .tiers = static_cast<std::uint32_t>(runtime::BankTiers(*bank).count()),
+          .tiers_present = static_cast<std::uint32_t>(runtime::BankTiers(*bank).present())};
 }
 
 int32_t mcpk_find(const mcpk_bank* bank, const char* name) {
@@ -102,13 +105,30 @@ const char* mcpk_value(const mcpk_bank* bank, uint32_t number) {
 mcpr_result mcpk_place(const mcpk_bank* bank, uint32_t clip, uint64_t* offset, uint64_t* bytes) {
   if (bank == nullptr || offset == nullptr || bytes == nullptr)
     return runtime::no_such("no bank, or no place was given for the answer");
-  runtime::BankRegion place{bank->items.offset, bank->bytes - bank->items.offset};
+  runtime::BankRegion place{bank->items.offset,
+                            bank->tables.offset + bank->tables.bytes - bank->items.offset};
   if (clip != bank->clips) {
     runtime::BankEntry entry;
     const mcpr_result result = runtime::find_entry(bank, clip, bank->is_cooked(), entry);
     if (runtime::failed(result)) return result;
     place = entry.place;
   }
+  *offset = place.offset;
+  *bytes = place.bytes;
+  return runtime::kOk;
+}
+
+mcpr_result mcpk_tier_place(const mcpk_bank* bank, uint32_t clip, uint32_t tier, uint64_t* offset,
+                            uint64_t* bytes) {
+  if (tier == 0) return mcpk_place(bank, clip, offset, bytes);
+  if (bank == nullptr || offset == nullptr || bytes == nullptr)
+    return runtime::no_such("no bank, or no place was given for the answer");
+  const runtime::BankTiers tiers(*bank);
+  if (tier >= static_cast<std::uint32_t>(tiers.count()) || clip > bank->clips)
+    return runtime::no_such("no such tier or clip");
+  const auto number = static_cast<int>(tier);
+  const runtime::BankRegion place =
+      clip == bank->clips ? tiers.region(number) : tiers.piece(number, clip);
   *offset = place.offset;
   *bytes = place.bytes;
   return runtime::kOk;

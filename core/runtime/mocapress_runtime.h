@@ -646,6 +646,8 @@ typedef struct mcpk_info {
   uint32_t texts;     /* number of key-value pairs */
   int is_cooked;      /* 1: cooked, 0: packed */
   size_t table_bytes; /* the part of `bytes` that cooked clips share; 0 in a packed bank */
+  uint32_t tiers; /* of the clips that have most; 1: the bank has no tiers. Only packed ones do */
+  uint32_t tiers_present; /* those that the bank still has: it may have been cut after any */
 } mcpk_info;
 
 /* Returns the dimensions of a bank; all zero if it is null. */
@@ -679,6 +681,14 @@ MCPR_API const char* mcpk_value(const mcpk_bank* bank, uint32_t number);
  * between need not be there. */
 MCPR_API mcpr_result mcpk_place(const mcpk_bank* bank, uint32_t clip, uint64_t* offset,
                                 uint64_t* bytes);
+
+/* Tells where the piece is that a tier adds to a clip, 0 < tier < mcpk_info.tiers, counted from the
+ * beginning of the bank, even if it is not present; without bytes if the clip has no such tier.
+ * With `clip` = mcpk_info.clips: where the pieces of all clips are in this tier. Tier 0 is
+ * mcpk_place. Load the pieces to their places in any order, but read a clip with mcpr_limits.tiers
+ * = k only when its tiers 0 to k - 1 are there. */
+MCPR_API mcpr_result mcpk_tier_place(const mcpk_bank* bank, uint32_t clip, uint32_t tier,
+                                     uint64_t* offset, uint64_t* bytes);
 
 /* Verifies a clip that was loaded after its bank was opened, so that it is safe to use. A packed
  * clip has no checksum of its own: damage that leaves its structure whole gives other motion. */

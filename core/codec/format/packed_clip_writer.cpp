@@ -124,7 +124,8 @@ std::vector<SignalNeighbours> neighbours_of(const runtime::FileSections& section
 /// bytes could not be restored exactly.
 std::optional<std::vector<std::byte>> recoded(const runtime::FileSections& sections,
                                               std::span<const std::byte> learned) {
-  if (learned.empty() || !sections.is_adaptive() || sections.segments_bytes > 0)
+  if (learned.empty() || !sections.is_adaptive() || sections.segments_bytes > 0 ||
+      sections.tiers.count > 0)
     return std::nullopt;
   const std::span<const std::byte> motion = span_of(sections.motion);
   const std::vector<SignalNeighbours> neighbours = neighbours_of(sections);
@@ -144,8 +145,7 @@ void write_varint(std::vector<std::byte>& bytes, std::uint64_t value) {
   bytes.push_back(static_cast<std::byte>(value));
 }
 
-PackedClip pack_clip(std::span<const std::byte> mcpr, std::span<const std::byte> learned) {
-  const std::vector<std::byte> file = without_tiers(mcpr);
+PackedClip pack_clip(std::span<const std::byte> file, std::span<const std::byte> learned) {
   const runtime::FileSections sections = sections_of(file);
   const std::optional<std::vector<std::byte>> motion = recoded(sections, learned);
   runtime::Cursor cursor(reinterpret_cast<const std::uint8_t*>(file.data()), file.size());
@@ -166,7 +166,15 @@ PackedClip pack_clip(std::span<const std::byte> mcpr, std::span<const std::byte>
     require(runtime::read_section(cursor, section));
     const std::span<const std::byte> payload = span_of(section.payload);
     std::vector<std::byte> part;
-    if (section.is("JNTS")) {
+    if (section.is(kFine.data())) {
+      packed.pieces.emplace_back(payload.begin(), payload.end());
+      continue;
+    }
+    if (section.is(kTiers.data())) {
+      const std::vector<std::byte> without_places = packed_tiers(payload);
+      write_varint(sizes, without_places.size());
+      append(payloads, without_places);
+    } else if (section.is("JNTS")) {
       JointText joints(sections);
       const auto taken = take_orders(payload, joints);
       if (taken) orders = *taken;
@@ -217,23 +225,28 @@ std::vector<std::byte> unpack_clip(const mcpk_bank& bank, const runtime::BankEnt
   std::uint16_t count = 0;
   require(packed.begin(count));
   const std::span<const std::byte> learned = span_of(sections.learned);
-  ByteWriter file;
-  write_head(file, static_cast<std::uint16_t>(count - (learned.empty() ? 0 : 1)));
+  std::vector<std::byte> tiers;
+  ByteWriter rest;  // sections but TIER and FINE
   for (int s = 0; s < count; ++s) {
     runtime::Section section;
     require(packed.next(section));
     const std::string_view tag(section.tag, sizeof section.tag);
     if (tag == runtime::kLearned) continue;
+    if (tag == kTiers) {
+      const std::span<const std::byte> payload = span_of(section.payload);
+      tiers.assign(payload.begin(), payload.end());
+      continue;
+    }
     if (tag == "MOTN" && !learned.empty()) {
       const std::vector<SignalNeighbours> neighbours = neighbours_of(sections);
       const QuantisedSignals coded =
           adaptive_decode(span_of(section.payload), neighbours, static_cast<int>(sections.frames),
                           section.payload.offset, learned);
-      write_section(file, tag, adaptive_encode(coded, neighbours));
+      write_section(rest, tag, adaptive_encode(coded, neighbours));
       continue;
     }
     if (!section.is("JNTS") || packed.orders().size == 0) {
-      write_section(file, tag, span_of(section.payload));
+      write_section(rest, tag, span_of(section.payload));
       continue;
     }
     JointText joints(sections);
@@ -242,9 +255,23 @@ std::vector<std::byte> unpack_clip(const mcpk_bank& bank, const runtime::BankEnt
       runtime::set_order(orders.next(), kinds, channels);
     });
     require(orders.finish());
-    write_section(file, tag, joints.payload());
+    write_section(rest, tag, joints.payload());
   }
-  return file.release();
+  ByteWriter file;
+  const int fine = std::max(sections.tiers.count - 1, 0);
+  write_head(file, static_cast<std::uint16_t>(count - (learned.empty() ? 0 : 1) + fine));
+  if (!tiers.empty()) {
+    std::vector<std::size_t> sizes;
+    const runtime::BankTiers places(bank);
+    for (int t = 1; t <= fine; ++t)
+      sizes.push_back(static_cast<std::size_t>(places.piece(t, entry.number).bytes));
+    write_section(file, kTiers, placed_tiers(tiers, rest.bytes().size(), sizes));
+  }
+  file.append(rest.bytes());
+  for (int t = 1; t < sections.tiers_read; ++t)
+    write_section(file, kFine, span_of(packed.piece(t)));
+  const bool is_cut = sections.tiers_read < sections.tiers.count;
+  return is_cut ? file_of_tiers(file.bytes(), sections.tiers_read) : file.release();
 }
 
 std::uint32_t copy_outline(const mcpk_bank& bank, std::uint32_t outline, const InternItem& intern) {

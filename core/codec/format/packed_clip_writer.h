@@ -17,6 +17,9 @@ namespace mocapress {
 using InternItem =
     std::function<std::uint32_t(runtime::BankItem kind, std::span<const std::byte> bytes)>;
 
+/// What each tier but the first adds to a clip: tiers.h.
+using ClipPieces = std::vector<std::vector<std::byte>>;
+
 /// A clip prepared for a bank, not added to one yet.
 struct PackedClip {
   struct Section {
@@ -26,16 +29,19 @@ struct PackedClip {
   std::vector<Section> sections;
   std::uint16_t orders_head = 0;  // in the outline
   std::vector<std::byte> bytes;
+  ClipPieces pieces;
 };
 
-/// Codes the motion with the bank's learned priors (learned_priors.h) where that takes fewer bytes.
+/// Codes the motion with the bank's learned priors (learned_priors.h) where that takes fewer bytes
+/// and the file has no tiers.
 /// Throws FormatError where the file is no .mcpr.
 PackedClip pack_clip(std::span<const std::byte> file, std::span<const std::byte> learned = {});
 
 /// Adds the clip's parts and its outline to the items of a bank. Returns the outline's number.
 std::uint32_t intern_outline(const PackedClip& clip, const InternItem& intern);
 
-/// Restores the file that was packed. Throws FormatError.
+/// Restores the file that was packed. In a bank that lacks finer tiers, it is a file without tiers
+/// whose motion is that of those that are there. Throws FormatError.
 std::vector<std::byte> unpack_clip(const mcpk_bank& bank, const runtime::BankEntry& entry);
 
 /// Copies an outline with its parts to another bank.

@@ -72,15 +72,14 @@ std::uint16_t error_code(float error_cm) {
   return runtime::find_error_code(runtime::rounded_error(error_cm), code) ? code : std::uint16_t{};
 }
 
-std::vector<std::byte> write_tiers(const std::vector<CutTier>& tiers,
-                                   const std::vector<std::size_t>& file_bytes) {
+/// TIER without places.
+std::vector<std::byte> write_tiers(const std::vector<CutTier>& tiers) {
   ByteWriter writer;
   writer.write(static_cast<std::uint8_t>(tiers.size()));
-  for (std::size_t t = 0; t < tiers.size(); ++t) {
-    writer.write(static_cast<std::uint32_t>(file_bytes[t]));
-    writer.write(static_cast<std::uint8_t>(tiers[t].bands_left_out));
-    writer.write(error_code(tiers[t].error.eps_cm));
-    writer.write(error_code(tiers[t].error.max_error_cm));
+  for (const CutTier& tier : tiers) {
+    writer.write(static_cast<std::uint8_t>(tier.bands_left_out));
+    writer.write(error_code(tier.error.eps_cm));
+    writer.write(error_code(tier.error.max_error_cm));
   }
   return writer.release();
 }
@@ -144,21 +143,42 @@ std::vector<std::byte> write_file(std::span<const std::byte> mcpr, const Compres
     file.append(sections.bytes());
     return file.release();
   }
-  std::size_t end = runtime::kFileHead + runtime::kSectionHead + 1 +
-                    runtime::kTierBytes * tiers.size() + sections.bytes().size();
-  std::vector<std::size_t> file_bytes;
-  for (std::size_t t = 0; t < tiers.size(); ++t) {
-    if (t > 0) end += runtime::kSectionHead + pieces[t].bytes.size();
-    file_bytes.push_back(end);
-  }
+  std::vector<std::size_t> fine;
+  for (std::size_t t = 1; t < tiers.size(); ++t) fine.push_back(pieces[t].bytes.size());
   write_head(file, static_cast<std::uint16_t>(count + tiers.size()));
-  write_section(file, "TIER", write_tiers(tiers, file_bytes));
+  write_section(file, kTiers, placed_tiers(write_tiers(tiers), sections.bytes().size(), fine));
   file.append(sections.bytes());
-  for (std::size_t t = 1; t < tiers.size(); ++t) write_section(file, "FINE", pieces[t].bytes);
+  for (std::size_t t = 1; t < tiers.size(); ++t) write_section(file, kFine, pieces[t].bytes);
   return file.release();
 }
 
 }  // namespace
+
+std::vector<std::byte> packed_tiers(std::span<const std::byte> payload) {
+  ByteReader reader(payload);
+  ByteWriter packed;
+  packed.append(reader.take(1));
+  while (reader.remaining() > 0) {
+    reader.take(runtime::kTierBytes - runtime::kPackedTierBytes);
+    packed.append(reader.take(runtime::kPackedTierBytes));
+  }
+  return packed.release();
+}
+
+std::vector<std::byte> placed_tiers(std::span<const std::byte> packed, std::size_t base,
+                                    const std::vector<std::size_t>& fine) {
+  ByteReader reader(packed);
+  ByteWriter payload;
+  payload.append(reader.take(1));
+  std::size_t end = runtime::kFileHead + runtime::kSectionHead + 1 +
+                    runtime::kTierBytes * (1 + fine.size()) + base;
+  for (std::size_t t = 0; t <= fine.size(); ++t) {
+    if (t > 0) end += runtime::kSectionHead + fine[t - 1];
+    payload.write(static_cast<std::uint32_t>(end));
+    payload.append(reader.take(runtime::kPackedTierBytes));
+  }
+  return payload.release();
+}
 
 std::vector<std::byte> with_tiers(std::span<const std::byte> mcpr, int tiers,
                                   const MeasureTier& measure) {

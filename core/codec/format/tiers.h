@@ -6,12 +6,16 @@
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "core/codec/format/compressed_clip.h"
 #include "core/runtime/format/tiers.h"
 
 namespace mocapress {
+
+inline constexpr std::string_view kTiers = "TIER";
+inline constexpr std::string_view kFine = "FINE";
 
 struct TierError {
   float eps_cm = 0;  // in the clip's weighting, against the original
@@ -33,5 +37,13 @@ std::vector<std::byte> without_tiers(std::span<const std::byte> mcpr);
 /// A file without tiers whose motion is that of the first tiers. The file that is read may end
 /// after them. Throws FormatError, also if it has fewer tiers.
 std::vector<std::byte> file_of_tiers(std::span<const std::byte> mcpr, int tiers);
+
+/// TIER as a packed bank has it: without the places where tiers end in a file.
+std::vector<std::byte> packed_tiers(std::span<const std::byte> payload);
+
+/// TIER of a file from that of a packed bank. `base` are the bytes of the sections between TIER and
+/// the first FINE, `fine` those of each FINE's payload.
+std::vector<std::byte> placed_tiers(std::span<const std::byte> packed, std::size_t base,
+                                    const std::vector<std::size_t>& fine);
 
 }  // namespace mocapress

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/runtime/bank/bank_skeleton.h"
+#include "core/runtime/format/bank_tiers.h"
 #include "core/runtime/format/file_sections.h"
 #include "core/runtime/format/joint_model.h"
 #include "core/runtime/format/learned_priors.h"
@@ -156,8 +157,8 @@ mcpr_result check_index(const mcpk_bank& bank, bool clips) {
                         is_padding(bank, clips_end, bank.items.offset, clips) &&
                         follows(bank.index, bank.items.offset + bank.items.bytes) &&
                         follows(bank.tables, bank.index.offset + bank.index.bytes) &&
-                        bank.tables.offset + bank.tables.bytes == bank.bytes;
-  return is_whole ? kOk : refuse(end);
+                        (!bank.is_cooked() || bank.tables.offset + bank.tables.bytes == bank.bytes);
+  return is_whole ? BankTiers(bank).check(clips) : refuse(end);
 }
 
 }  // namespace

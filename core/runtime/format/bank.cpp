@@ -62,7 +62,8 @@ EntryWalk::EntryWalk(const mcpk_bank& bank, std::uint32_t block)
               sizeof checksum_);
   if (entry > index.size) return;
   cursor_ = {index.data + entry, index.size - entry, index.offset + entry};
-  left_ = std::min(kClipsOfBlock, bank.clips - kClipsOfBlock * block);
+  number_ = kClipsOfBlock * block;
+  left_ = std::min(kClipsOfBlock, bank.clips - number_);
 }
 
 bool EntryWalk::next(BankEntry& entry) {
@@ -93,6 +94,7 @@ bool EntryWalk::next(BankEntry& entry) {
   if (!is_possible) return false;
   entry.kind = static_cast<std::uint32_t>(kind);
   entry.tag_set = static_cast<std::uint32_t>(tag_set);
+  entry.number = number_++;
   entry.place = {data_, size};
   data_ = aligned_in(bank_, data_ + size);
   return true;

@@ -52,7 +52,8 @@ struct BankRegion {
 struct BankEntry {
   char name[kMostNameOfClip + 1] = {};  // zero-terminated
   std::uint8_t name_length = 0;
-  std::uint32_t kind = 0;  // packed: item number of its outline; cooked: of its skeleton
+  std::uint32_t number = 0;  // of the clip
+  std::uint32_t kind = 0;    // packed: item number of its outline; cooked: of its skeleton
   std::uint32_t tag_set = 0;
   BankRegion place;
 };
@@ -71,7 +72,7 @@ struct mcpk_bank {
   std::uint64_t bytes;  // size of the whole bank
   mocapress::runtime::BankRegion index;
   mocapress::runtime::BankRegion items;
-  mocapress::runtime::BankRegion tables;  // shared by cooked clips
+  mocapress::runtime::BankRegion tables;  // shared by cooked clips; packed: bank_tiers.h
   std::uint32_t clips;
   std::uint32_t item_counts[mocapress::runtime::kBankItems];
   std::uint32_t index_checksum;
@@ -128,7 +129,8 @@ class EntryWalk {
   Cursor cursor_;
   std::uint64_t data_ = 0;
   std::uint32_t checksum_ = 0;
-  std::uint32_t left_ = 0;  // entries left in the block
+  std::uint32_t number_ = 0;  // of the next entry's clip
+  std::uint32_t left_ = 0;    // entries left in the block
   bool is_first_ = true;
 };
 

@@ -35,6 +35,8 @@ class SectionsReader {
   mcpr_result read(PackedSections packed) {
     std::uint16_t count = 0;
     if (const mcpr_result result = packed.begin(count); failed(result)) return result;
+    is_packed_ = true;
+    tiers_present_ = packed.tiers();
     sections_.joint_orders = packed.orders();
     known_bytes_ = kFileHead + (packed.orders().size > 0 ? kReorderedRoom : 0);
     for (int left = count; left > 0; --left) {
@@ -44,12 +46,11 @@ class SectionsReader {
         result = keep(section.payload, sections_.learned);
         known_bytes_ += kSectionHead + section.payload.size;
       } else if (!failed(result)) {
-        result = section.is("TIER")
-                     ? failure(MCPR_INVALID, section.start, "a section that is not expected here")
-                     : take_counted(section);
+        result = take_counted(section);
       }
       if (failed(result)) return result;
     }
+    if (const mcpr_result result = take_pieces(packed); failed(result)) return result;
     return check_end(packed.offset(), packed.left());
   }
 
@@ -71,9 +72,27 @@ class SectionsReader {
     return result;
   }
 
-  /// The number of tiers to read of a file that has some.
+  /// Takes what the next tier adds to the motion.
+  mcpr_result take_piece(const Bytes& piece) {
+    if (sections_.tiers_read == 0 || sections_.tiers_read >= sections_.tiers.count)
+      return failure(MCPR_INVALID, piece.offset, "a tier that is not expected here");
+    sections_.fine[sections_.tiers_read++ - 1] = piece;
+    return check_segment_sizes();
+  }
+
+  /// Takes the pieces of a packed clip that are wanted.
+  mcpr_result take_pieces(const PackedSections& packed) {
+    for (int t = 1; t < wanted_tiers(); ++t) {
+      const Bytes piece = packed.piece(t);
+      known_bytes_ += piece.size;
+      if (const mcpr_result result = take_piece(piece); failed(result)) return result;
+    }
+    return kOk;
+  }
+
+  /// The number of tiers to read of a clip that has some.
   int wanted_tiers() const {
-    const auto count = static_cast<std::uint32_t>(sections_.tiers.count);
+    const auto count = static_cast<std::uint32_t>(std::min(sections_.tiers.count, tiers_present_));
     return static_cast<int>(limits_.tiers == 0 ? count : std::min(limits_.tiers, count));
   }
 
@@ -111,7 +130,7 @@ class SectionsReader {
   /// Required sections come in a fixed order; optional ones may stand anywhere.
   mcpr_result take(const Section& section) {
     if (next_ == Expected::Joints && section.is("TIER") && sections_.tiers.count == 0)
-      return read_tiers(section.payload, sections_.tiers);
+      return read_tiers(section.payload, sections_.tiers, is_packed_);
     if (next_ == Expected::Joints && section.is("JNTS")) {
       next_ = Expected::Clip;
       return read_joints(section.payload);
@@ -136,11 +155,7 @@ class SectionsReader {
       }
       return check_segment_sizes();
     }
-    if (section.is("FINE") && sections_.tiers_read > 0 &&
-        sections_.tiers_read < sections_.tiers.count) {
-      sections_.fine[sections_.tiers_read++ - 1] = section.payload;
-      return check_segment_sizes();
-    }
+    if (section.is("FINE") && !is_packed_) return take_piece(section.payload);
     if (next_ == Expected::Correction && wavelets && section.is("IKCO")) {
       next_ = Expected::Ends;
       return read_correction(section.payload);
@@ -340,7 +355,9 @@ class SectionsReader {
   FileSections& sections_;
   std::size_t known_bytes_ = 0;
   bool is_skipped_ = false;  // the section taken last
-  Bytes tracks_;             // kept until CLIP is read, which may come later
+  bool is_packed_ = false;
+  int tiers_present_ = kMostTiers;  // packed: in the bank
+  Bytes tracks_;                    // kept until CLIP is read, which may come later
   Expected next_ = Expected::Joints;
 };
 

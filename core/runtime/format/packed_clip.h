@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "core/runtime/format/bank.h"
+#include "core/runtime/format/bank_tiers.h"
 #include "core/runtime/format/section.h"
 
 namespace mocapress::runtime {
@@ -34,13 +35,19 @@ bool has_told_size(const Section& section);
 /// empty: then every joint that turns about three axes has them in the order x y z.
 class PackedSections {
  public:
-  PackedSections(const mcpk_bank& bank, const BankEntry& entry) : bank_(bank), entry_(entry) {}
+  PackedSections(const mcpk_bank& bank, const BankEntry& entry)
+      : bank_(bank), entry_(entry), tiers_(bank) {}
 
   /// Reads the head; sets the number of sections.
   mcpr_result begin(std::uint16_t& sections);
 
   /// Reads the next section. Its payload is valid until the next call.
   mcpr_result next(Section& section);
+
+  /// Tiers of the clip that the bank still has, and the piece that each but the first adds to the
+  /// motion.
+  int tiers() const { return tiers_.present(); }
+  Bytes piece(int tier) const { return bank_.bytes_of(tiers_.piece(tier, entry_.number)); }
 
   /// Bytes of the clip that no section has taken.
   std::size_t left() const { return left_.left(); }
@@ -55,6 +62,7 @@ class PackedSections {
 
   const mcpk_bank& bank_;
   const BankEntry& entry_;
+  BankTiers tiers_;
   Bytes outline_;
   Bytes orders_;
   Cursor sizes_{nullptr, 0};

@@ -6,18 +6,19 @@
 
 namespace mocapress::runtime {
 
-mcpr_result read_tiers(const Bytes& payload, TierTable& tiers) {
+mcpr_result read_tiers(const Bytes& payload, TierTable& tiers, bool is_packed) {
   Cursor cursor = payload.cursor();
   const int count = cursor.read<std::uint8_t>();
   if (count < 2 || count > kMostTiers)
     return failure(MCPR_INVALID, payload.offset, "TIER has an impossible number of tiers");
-  if (cursor.left() != kTierBytes * static_cast<std::size_t>(count))
+  const std::size_t tier_bytes = is_packed ? kPackedTierBytes : kTierBytes;
+  if (cursor.left() != tier_bytes * static_cast<std::size_t>(count))
     return failure(MCPR_INVALID, payload.offset, "TIER has the wrong size");
   std::uint32_t before = 0;
   for (int t = 0; t < count; ++t) {
     const std::size_t offset = cursor.offset();
     Tier& tier = tiers.tier[t];
-    tier.file_bytes = cursor.read<std::uint32_t>();
+    tier.file_bytes = is_packed ? before + 1 : cursor.read<std::uint32_t>();
     tier.bands_left_out = cursor.read<std::uint8_t>();
     tier.eps_cm = error_from(cursor.read<std::uint16_t>());
     tier.max_error_cm = error_from(cursor.read<std::uint16_t>());

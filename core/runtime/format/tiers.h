@@ -10,6 +10,7 @@ namespace mocapress::runtime {
 
 inline constexpr int kMostTiers = 8;
 inline constexpr std::size_t kTierBytes = 9;  // of each in TIER, after their number in one byte
+inline constexpr std::size_t kPackedTierBytes = 5;  // the same in a packed bank
 
 struct Tier {
   std::uint32_t file_bytes =
@@ -25,7 +26,7 @@ struct TierTable {
   Tier tier[kMostTiers] = {};
 };
 
-/// Reads and checks the payload of TIER.
-mcpr_result read_tiers(const Bytes& payload, TierTable& tiers);
+/// Reads and checks the payload of TIER. In a packed bank it has no file_bytes.
+mcpr_result read_tiers(const Bytes& payload, TierTable& tiers, bool is_packed = false);
 
 }  // namespace mocapress::runtime
