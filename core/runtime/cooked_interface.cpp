@@ -182,7 +182,23 @@ class JointMotion {
     return inverse(at(from)) * at(0) * turns * inverse(at(0)) * at(to);
   }
 
+  /// The part of it on the ground and about the axis that points up.
+  Rigid on_ground(double from, double to) const {
+    const Rigid start = at(from);
+    return inverse(ground_of(start)) * ground_of(start * between(from, to));
+  }
+
  private:
+  static Rigid ground_of(const Rigid& place) {
+    constexpr double kFacesNowhere = 1e-6;
+    double wxyz[4];
+    quaternion_of(place.rotation, wxyz);
+    const double size = std::sqrt(wxyz[0] * wxyz[0] + wxyz[2] * wxyz[2]);
+    const Rigid still{{}, {{place.translation[0], 0, place.translation[2]}}};
+    if (size < kFacesNowhere) return still;
+    return {rotation_of(wxyz[0] / size, 0, wxyz[2] / size, 0), still.translation};
+  }
+
   Rigid at(double frame) const {
     mcpr_transform out;
     sample(clip_, *poses_of(request_.path), place_in_clip(clip_, request_, frame), request_,
@@ -413,24 +429,43 @@ mcpr_result mcpr_sample_crowd(const mcpr_crowd_request* request, const mcpr_char
   return runtime::kOk;
 }
 
-mcpr_result mcpr_sample_motion(const mcpr_cooked* cooked, const mcpr_sample_request* request,
-                               uint32_t joint, double from, double to, mcpr_transform* out) {
-  const mcpr_result result = runtime::check_sample_request(cooked, request);
-  if (runtime::failed(result)) return result;
-  if (joint >= cooked->joints) return runtime::refused("no such joint");
-  const double first = runtime::frame_of(*cooked, request->unit, from);
-  const double last = runtime::frame_of(*cooked, request->unit, to);
+namespace mocapress::runtime {
+namespace {
+
+/// Both functions that tell the motion of a joint; `motion` is a member of JointMotion.
+mcpr_result sample_motion(const mcpr_cooked* cooked, const mcpr_sample_request* request,
+                          std::uint32_t joint, double from, double to, mcpr_transform* out,
+                          Rigid (JointMotion::*motion)(double, double) const) {
+  const mcpr_result result = check_sample_request(cooked, request);
+  if (failed(result)) return result;
+  if (joint >= cooked->joints) return refused("no such joint");
+  const double first = frame_of(*cooked, request->unit, from);
+  const double last = frame_of(*cooked, request->unit, to);
   if (!std::isfinite(first) || !std::isfinite(last) || out == nullptr)
-    return runtime::refused("no finite instants, or no output");
-  const runtime::Rigid motion =
-      runtime::JointMotion(*cooked, *request, static_cast<std::uint16_t>(joint))
-          .between(first, last);
+    return refused("no finite instants, or no output");
+  const JointMotion moving(*cooked, *request, static_cast<std::uint16_t>(joint));
+  const Rigid moved = (moving.*motion)(first, last);
   double wxyz[4];
-  runtime::quaternion_of(motion.rotation, wxyz);
+  quaternion_of(moved.rotation, wxyz);
   *out = {};
   for (int i = 0; i < 4; ++i) out->rotation[i] = static_cast<float>(wxyz[i]);
-  for (int i = 0; i < 3; ++i) out->translation[i] = static_cast<float>(motion.translation[i]);
+  for (int i = 0; i < 3; ++i) out->translation[i] = static_cast<float>(moved.translation[i]);
   if (request->convention != nullptr)
     runtime::convert(*request->convention, MCPR_TRANSFORMS, 1, out->rotation);
-  return runtime::kOk;
+  return kOk;
+}
+
+}  // namespace
+}  // namespace mocapress::runtime
+
+mcpr_result mcpr_sample_motion(const mcpr_cooked* cooked, const mcpr_sample_request* request,
+                               uint32_t joint, double from, double to, mcpr_transform* out) {
+  return runtime::sample_motion(cooked, request, joint, from, to, out,
+                                &runtime::JointMotion::between);
+}
+
+mcpr_result mcpr_sample_ground_motion(const mcpr_cooked* cooked, const mcpr_sample_request* request,
+                                      uint32_t joint, double from, double to, mcpr_transform* out) {
+  return runtime::sample_motion(cooked, request, joint, from, to, out,
+                                &runtime::JointMotion::on_ground);
 }

@@ -528,6 +528,85 @@ MCPR_API mcpr_result mcpr_sample_motion(const mcpr_cooked* cooked,
                                         const mcpr_sample_request* request, uint32_t joint,
                                         double from, double to, mcpr_transform* out);
 
+/* The same for the part of a joint's motion that mcpr_split_root takes out of a pose: on the ground
+ * and about the axis that points up. */
+MCPR_API mcpr_result mcpr_sample_ground_motion(const mcpr_cooked* cooked,
+                                               const mcpr_sample_request* request, uint32_t joint,
+                                               double from, double to, mcpr_transform* out);
+
+/* ---------------------------------------------------------------- blending */
+
+/* Poses are blended as arrays of mcpr_transform, one per joint, in the parents' spaces: what
+ * mcpr_sample gives with MCPR_TRANSFORMS and without `parents`. All poses of a call have the same
+ * joints in the same order. Rotations are unit quaternions; q and -q count as the same. README.md
+ * shows how the functions go together. They use arithmetic alone and give the same bits on every
+ * machine. */
+typedef struct mcpr_pose_form {
+  uint32_t joints;                   /* transforms in each pose */
+  const mcpr_convention* convention; /* that of the poses; null: the clip's own */
+} mcpr_pose_form;
+
+/* A pose that goes into a blend, with its weight. */
+typedef struct mcpr_weighted_pose {
+  const mcpr_transform* pose;
+  float weight;
+  const float* joint_weights; /* a mask: one number per joint, multiplied to `weight`; null: 1 */
+} mcpr_weighted_pose;
+
+/* Blends poses: *out = the sum of weight * pose, over the sum of the weights, joint by joint. So
+ * weights need not add up to 1. Rotations are added the shorter way round, each as it lies to the
+ * sum of those before it, and normalised. Weights are 0 to 10^6; below 10^-6 they count as 0. A
+ * joint for which only one pose counts takes it bit by bit; one for which none counts takes the
+ * first pose. `out` may be one of the poses. */
+MCPR_API mcpr_result mcpr_blend(const mcpr_pose_form* form, const mcpr_weighted_pose* poses,
+                                uint32_t count, mcpr_transform* out);
+
+/* Lays a pose over another: each joint of `pose` goes towards `layer` by its weight, 0 to 1, the
+ * shorter way round. Weight 0 leaves a joint as it is, weight 1 copies that of the layer. */
+MCPR_API mcpr_result mcpr_blend_layer(const mcpr_pose_form* form, const mcpr_weighted_pose* layer,
+                                      mcpr_transform* pose);
+
+/* Sets *out to what a pose adds to a base: rotation * inverse(base rotation), and the difference of
+ * the translations. `out` may be `pose` or `base`. */
+MCPR_API mcpr_result mcpr_pose_difference(const mcpr_pose_form* form, const mcpr_transform* pose,
+                                          const mcpr_transform* base, mcpr_transform* out);
+
+/* Adds such a difference to a pose: rotation = difference * rotation, translation + difference. Of
+ * a difference with a weight, 0 to 1, that much is added, from no turn the shorter way round to the
+ * whole one. */
+MCPR_API mcpr_result mcpr_blend_additive(const mcpr_pose_form* form,
+                                         const mcpr_weighted_pose* difference,
+                                         mcpr_transform* pose);
+
+/* Takes the part of a root's transform that moves and turns it on the ground out of the pose:
+ * root before = *ground * root after. *ground has the place on the ground and the turn about the
+ * axis that points up; the root keeps its height and its tilt. If a root lies so that it faces
+ * nowhere, *ground does not turn. */
+MCPR_API mcpr_result mcpr_split_root(const mcpr_convention* convention, mcpr_transform* root,
+                                     mcpr_transform* ground);
+
+/* How a joint is mirrored. */
+typedef struct mcpr_mirror_joint {
+  uint16_t partner; /* the joint whose mirror image it takes */
+  float before[4];  /* constant rotations before and after that image, w x y z */
+  float after[4];
+} mcpr_mirror_joint;
+
+/* Prepares mirroring of a skeleton. `bind` is a pose in which the skeleton is symmetric, such as a
+ * T-pose; its rotations may be of any kind. `parents` gives each joint's parent, which comes before
+ * it; -1: a root. `partners` gives each joint's counterpart on the other side; for joints in the
+ * middle, themselves. `axis` is the axis from side to side, 0 1 2 for x y z, in the poses' own
+ * convention. Writes one mcpr_mirror_joint per joint. Fails with MCPR_ARGUMENT if the partner of a
+ * joint's partner is not the joint itself, or if partners do not hang from partners. */
+MCPR_API mcpr_result mcpr_make_mirror(const mcpr_pose_form* form, const mcpr_transform* bind,
+                                      const int16_t* parents, const uint16_t* partners, int axis,
+                                      mcpr_mirror_joint* mirror);
+
+/* Mirrors a pose at the plane through the origin that is perpendicular to `axis`, by what
+ * mcpr_make_mirror prepared for it. `out` and `pose` do not overlap. */
+MCPR_API mcpr_result mcpr_mirror_pose(const mcpr_pose_form* form, const mcpr_mirror_joint* mirror,
+                                      int axis, const mcpr_transform* pose, mcpr_transform* out);
+
 /* ---------------------------------------------------------------- tracks */
 
 /* The meaning of a scalar track: a number without a unit that changes over time. */

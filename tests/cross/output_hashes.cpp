@@ -221,6 +221,50 @@ void print_sampled(const std::string& name, const mcpr_cooked* cooked) {
       floats.insert(floats.end(), moved.translation, moved.translation + 3);
     }
   });
+  print(name + " blends", [&](mcpr_path path, std::vector<float>& floats) {
+    mcpr_sample_request request{};
+    request.path = path;
+    std::vector<mcpr_transform> first(info.joints), second(info.joints), out(info.joints);
+    check(name, mcpr_sample(cooked, &request, 0, first[0].rotation));
+    check(name, mcpr_sample(cooked, &request, (info.frames - 1.0) * 0.6, second[0].rotation));
+    const auto keep = [&floats](const std::vector<mcpr_transform>& pose) {
+      for (const mcpr_transform& joint : pose)
+        floats.insert(floats.end(), joint.rotation, joint.translation + 4);
+    };
+    std::vector<float> mask;
+    std::vector<std::int16_t> parents;
+    std::vector<std::uint16_t> partners;
+    for (unsigned j = 0; j < info.joints; ++j) {
+      mask.push_back(static_cast<float>(j % 5) / 4);
+      parents.push_back(static_cast<std::int16_t>(static_cast<int>(j) - 1));
+      partners.push_back(static_cast<std::uint16_t>(j));
+    }
+    mcpr_pose_form form{};
+    form.joints = info.joints;
+    const mcpr_weighted_pose both[] = {{first.data(), 0.7F, nullptr},
+                                       {second.data(), 0.9F, mask.data()}};
+    check(name, mcpr_blend(&form, both, 2, out.data()));
+    keep(out);
+    check(name, mcpr_blend_layer(&form, &both[1], out.data()));
+    keep(out);
+    check(name, mcpr_pose_difference(&form, second.data(), out.data(), out.data()));
+    keep(out);
+    const mcpr_weighted_pose added = {out.data(), 0.8F, mask.data()};
+    check(name, mcpr_blend_additive(&form, &added, first.data()));
+    keep(first);
+    std::vector<mcpr_mirror_joint> mirror(info.joints);
+    check(name, mcpr_make_mirror(&form, second.data(), parents.data(), partners.data(), 0,
+                                 mirror.data()));
+    check(name, mcpr_mirror_pose(&form, mirror.data(), 0, first.data(), out.data()));
+    keep(out);
+    check(name, mcpr_split_root(nullptr, &first[0], &second[0]));
+    keep(first);
+    keep(second);
+    for (const double frame : instants(info.frames)) {
+      check(name, mcpr_sample_ground_motion(cooked, &request, 0, frame / 2, frame, &out[0]));
+      floats.insert(floats.end(), out[0].rotation, out[0].translation + 4);
+    }
+  });
   print(name + " crowd", [&](mcpr_path path, std::vector<float>& floats) {
     mcpr_crowd_request request{};
     request.path = path;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Vectors of four numbers, for what this build is compiled for. MOCAPRESS_FOUR is defined if there
 // are any. Each of the files below defines the same types and functions:
-//   Floats4  four floats: load() store() all(), + - * by element
+//   Floats4  four floats: load() store() all(), + - * / square_root() by element
 //   Ints4    four integers of 32 bits with wrap-around: load() store() all(), + - & ^ << and >>,
 //            which keeps signs
 //   Words8   eight integers of 16 bits

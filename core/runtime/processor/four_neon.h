@@ -25,6 +25,12 @@ inline Floats4 operator-(Floats4 a, Floats4 b) {
 inline Floats4 operator*(Floats4 a, Floats4 b) {
   return {vmulq_f32(a.lanes, b.lanes)};
 }
+inline Floats4 operator/(Floats4 a, Floats4 b) {
+  return {vdivq_f32(a.lanes, b.lanes)};
+}
+inline Floats4 square_root(Floats4 a) {
+  return {vsqrtq_f32(a.lanes)};
+}
 
 struct Ints4 {
   int32x4_t lanes;

@@ -25,6 +25,12 @@ inline Floats4 operator-(Floats4 a, Floats4 b) {
 inline Floats4 operator*(Floats4 a, Floats4 b) {
   return {_mm_mul_ps(a.lanes, b.lanes)};
 }
+inline Floats4 operator/(Floats4 a, Floats4 b) {
+  return {_mm_div_ps(a.lanes, b.lanes)};
+}
+inline Floats4 square_root(Floats4 a) {
+  return {_mm_sqrt_ps(a.lanes)};
+}
 
 struct Ints4 {
   __m128i lanes;

@@ -25,6 +25,12 @@ inline Floats4 operator-(Floats4 a, Floats4 b) {
 inline Floats4 operator*(Floats4 a, Floats4 b) {
   return {wasm_f32x4_mul(a.lanes, b.lanes)};
 }
+inline Floats4 operator/(Floats4 a, Floats4 b) {
+  return {wasm_f32x4_div(a.lanes, b.lanes)};
+}
+inline Floats4 square_root(Floats4 a) {
+  return {wasm_f32x4_sqrt(a.lanes)};
+}
 
 struct Ints4 {
   v128_t lanes;

@@ -506,6 +506,51 @@ TEST(CookedLoop, MotionFollowsTheWrap) {
   expect_near(motion(MCPR_LOOP_HOLD, 90, 120), motion(MCPR_CLAMP, 0, 30));
 }
 
+/// What a game does: the character moves by the motion on the ground, and the rest stays a pose.
+TEST(CookedLoop, MotionOnTheGroundAndTheRestOfTheRootMakeTheRoot) {
+  const OpenedClip opened(write_container(compressed_of(test::smooth_motion(90))));
+  const CookedClip cooked(opened.clip);
+  const mcpr_sample_request request{};
+  const auto root_at = [&](double frame) {
+    mcpr_transform root;
+    std::memcpy(&root, cooked.sample(request, frame).data(), sizeof root);
+    return root;
+  };
+  mcpr_transform start = root_at(20);
+  mcpr_transform ground_at_start;
+  ASSERT_EQ(mcpr_split_root(nullptr, &start, &ground_at_start).status, MCPR_OK);
+  mcpr_transform end = root_at(71.5);
+  mcpr_transform ground_at_end;
+  ASSERT_EQ(mcpr_split_root(nullptr, &end, &ground_at_end).status, MCPR_OK);
+  EXPECT_EQ(end.translation[0], 0);
+  EXPECT_EQ(end.translation[1], root_at(71.5).translation[1]);
+  EXPECT_EQ(end.translation[2], 0);
+  mcpr_transform moved;
+  ASSERT_EQ(mcpr_sample_ground_motion(cooked.clip, &request, 0, 20, 71.5, &moved).status, MCPR_OK);
+  EXPECT_EQ(moved.translation[1], 0);
+  const auto heading = [](const mcpr_transform& turn) {
+    return 2 * std::atan2(turn.rotation[2], turn.rotation[0]);
+  };
+  const float at_start = heading(ground_at_start);
+  EXPECT_NEAR(std::remainder(at_start + heading(moved) - heading(ground_at_end), 6.2831853F), 0,
+              1e-5);
+  const float x = moved.translation[0];
+  const float z = moved.translation[2];
+  EXPECT_NEAR(ground_at_start.translation[0] + std::cos(at_start) * x + std::sin(at_start) * z,
+              ground_at_end.translation[0], 1e-3);
+  EXPECT_NEAR(ground_at_start.translation[2] - std::sin(at_start) * x + std::cos(at_start) * z,
+              ground_at_end.translation[2], 1e-3);
+  mcpr_transform back;
+  const mcpr_sample_request looping{.wrap = MCPR_LOOP_JUMP};
+  ASSERT_EQ(mcpr_sample_ground_motion(cooked.clip, &looping, 0, 20, 20 + 89 * 3, &moved).status,
+            MCPR_OK);
+  ASSERT_EQ(mcpr_sample_ground_motion(cooked.clip, &looping, 0, 20 + 89 * 3, 20, &back).status,
+            MCPR_OK);
+  EXPECT_NEAR(std::remainder(heading(moved) + heading(back), 6.2831853F), 0, 1e-5);
+  EXPECT_EQ(mcpr_sample_ground_motion(cooked.clip, &request, 9999, 0, 1, &moved).status,
+            MCPR_ARGUMENT);
+}
+
 TEST_F(CookedPaths, SteppedJointsKeepTheEarlierFrame) {
   const std::vector<std::uint16_t> stepped = {2, 6};
   const std::vector<std::uint16_t> list = {6, 1, 2};
