@@ -156,11 +156,13 @@ Rigid inverse(const Rigid& a) {
   return {back, back * (Vector3() - a.translation)};
 }
 
-/// The motion of one joint between two instants.
+/// The motion of one joint between two instants, or the part of it on the ground and about the axis
+/// that points up.
 class JointMotion {
  public:
-  JointMotion(const mcpr_cooked& clip, const mcpr_sample_request& request, std::uint16_t joint)
-      : clip_(clip), joint_(joint), request_(request) {
+  JointMotion(const mcpr_cooked& clip, const mcpr_sample_request& request, std::uint16_t joint,
+              bool on_ground)
+      : clip_(clip), joint_(joint), on_ground_(on_ground), request_(request) {
     request_.layout = MCPR_TRANSFORMS;
     request_.unit = MCPR_FRAMES;
     request_.joints = &joint_;
@@ -182,13 +184,15 @@ class JointMotion {
     return inverse(at(from)) * at(0) * turns * inverse(at(0)) * at(to);
   }
 
-  /// The part of it on the ground and about the axis that points up.
-  Rigid on_ground(double from, double to) const {
-    const Rigid start = at(from);
-    return inverse(ground_of(start)) * ground_of(start * between(from, to));
+ private:
+  Rigid placed(const mcpr_transform& transform) const {
+    const float* const q = transform.rotation;
+    const Rigid place{rotation_of(static_cast<double>(q[0]), static_cast<double>(q[1]),
+                                  static_cast<double>(q[2]), static_cast<double>(q[3])),
+                      vector_of(transform.translation)};
+    return on_ground_ ? ground_of(place) : place;
   }
 
- private:
   static Rigid ground_of(const Rigid& place) {
     constexpr double kFacesNowhere = 1e-6;
     double wxyz[4];
@@ -203,10 +207,7 @@ class JointMotion {
     mcpr_transform out;
     sample(clip_, *poses_of(request_.path), place_in_clip(clip_, request_, frame), request_,
            out.rotation);
-    const float* const q = out.rotation;
-    return {rotation_of(static_cast<double>(q[0]), static_cast<double>(q[1]),
-                        static_cast<double>(q[2]), static_cast<double>(q[3])),
-            vector_of(out.translation)};
+    return placed(out);
   }
 
   /// The joint's transform at the start of the next cycle: that of the last frame; or one frame
@@ -219,10 +220,7 @@ class JointMotion {
     mcpr_sample_request moving = request_;
     moving.stepped_count = 0;  // a root that steps goes on to the next cycle, too
     sample(clip_, *poses_of(request_.path), place, moving, out.rotation);
-    const float* const q = out.rotation;
-    return {rotation_of(static_cast<double>(q[0]), static_cast<double>(q[1]),
-                        static_cast<double>(q[2]), static_cast<double>(q[3])),
-            vector_of(out.translation)};
+    return placed(out);
   }
 
   /// The power of a transform by any whole number, also negative.
@@ -241,6 +239,7 @@ class JointMotion {
 
   const mcpr_cooked& clip_;
   const std::uint16_t joint_;
+  const bool on_ground_;
   mcpr_sample_request request_;
 };
 
@@ -432,10 +431,9 @@ mcpr_result mcpr_sample_crowd(const mcpr_crowd_request* request, const mcpr_char
 namespace mocapress::runtime {
 namespace {
 
-/// Both functions that tell the motion of a joint; `motion` is a member of JointMotion.
 mcpr_result sample_motion(const mcpr_cooked* cooked, const mcpr_sample_request* request,
-                          std::uint32_t joint, double from, double to, mcpr_transform* out,
-                          Rigid (JointMotion::*motion)(double, double) const) {
+                          std::uint32_t joint, double from, double to, bool on_ground,
+                          mcpr_transform* out) {
   const mcpr_result result = check_sample_request(cooked, request);
   if (failed(result)) return result;
   if (joint >= cooked->joints) return refused("no such joint");
@@ -443,8 +441,8 @@ mcpr_result sample_motion(const mcpr_cooked* cooked, const mcpr_sample_request* 
   const double last = frame_of(*cooked, request->unit, to);
   if (!std::isfinite(first) || !std::isfinite(last) || out == nullptr)
     return refused("no finite instants, or no output");
-  const JointMotion moving(*cooked, *request, static_cast<std::uint16_t>(joint));
-  const Rigid moved = (moving.*motion)(first, last);
+  const Rigid moved = JointMotion(*cooked, *request, static_cast<std::uint16_t>(joint), on_ground)
+                          .between(first, last);
   double wxyz[4];
   quaternion_of(moved.rotation, wxyz);
   *out = {};
@@ -460,12 +458,10 @@ mcpr_result sample_motion(const mcpr_cooked* cooked, const mcpr_sample_request* 
 
 mcpr_result mcpr_sample_motion(const mcpr_cooked* cooked, const mcpr_sample_request* request,
                                uint32_t joint, double from, double to, mcpr_transform* out) {
-  return runtime::sample_motion(cooked, request, joint, from, to, out,
-                                &runtime::JointMotion::between);
+  return runtime::sample_motion(cooked, request, joint, from, to, false, out);
 }
 
 mcpr_result mcpr_sample_ground_motion(const mcpr_cooked* cooked, const mcpr_sample_request* request,
                                       uint32_t joint, double from, double to, mcpr_transform* out) {
-  return runtime::sample_motion(cooked, request, joint, from, to, out,
-                                &runtime::JointMotion::on_ground);
+  return runtime::sample_motion(cooked, request, joint, from, to, true, out);
 }
