@@ -172,30 +172,46 @@ struct BankRemoval {
   }
 };
 
-Json to_json(const BankClip& clip) {
+Json to_json(const BankClip& clip, std::uint32_t skeleton) {
   return {{"name", clip.name},
           {"bytes", clip.bytes},
           {"motion_bytes", clip.motion_bytes > 0 ? Json(clip.motion_bytes) : Json()},
           {"sample_rate_hz", clip.sample_rate_hz},
           {"frames", clip.frames},
           {"joints", clip.joints},
+          {"skeleton", skeleton},
           {"tags", clip.tags}};
+}
+
+/// 16 hexadecimal digits.
+std::string hash_text(std::uint64_t hash) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  return text;
 }
 
 /// Prints one JSON object for each clip: a single document would take 1.5 KB of memory per clip.
 void print_json(const BankFile& bank, const std::string& path) {
   Json texts = Json::object();
+  const SkeletonsInBank skeletons = bank.skeletons();
+  Json of_bank = Json::array();
+  for (const SkeletonInBank& skeleton : skeletons.all)
+    of_bank.push_back({{"hash", skeleton.hash != 0 ? Json(hash_text(skeleton.hash)) : Json()},
+                       {"joints", bank.describe(skeleton.clip).joints},
+                       {"clips", skeleton.clips},
+                       {"first_clip", bank.entry(skeleton.clip).name}});
   for (const auto& [key, value] : bank.texts()) texts[key] = value;
   const std::string around = dumped(Json{{"bank", path},
                                          {"form", name(bank.bank().form)},
                                          {"bytes", bank.bank().bytes},
                                          {"meta", texts},
+                                         {"skeletons", of_bank},
                                          {"clips", Json::array()}},
                                     2);
   const std::size_t end_of_clips = around.rfind(']');
   std::cout << std::string_view(around).substr(0, end_of_clips);
   for (std::uint32_t clip = 0; clip < bank.clips(); ++clip) {
-    std::istringstream lines(dumped(to_json(bank.describe(clip)), 2));
+    std::istringstream lines(dumped(to_json(bank.describe(clip), skeletons.of_clip[clip]), 2));
     std::cout << (clip == 0 ? "" : ",");
     for (std::string line; std::getline(lines, line);) std::cout << "\n    " << line;
   }
@@ -206,16 +222,24 @@ void print_json(const BankFile& bank, const std::string& path) {
 void list_bank(const std::string& path, bool json) {
   const BankFile bank(path);
   if (!json) {
+    const SkeletonsInBank skeletons = bank.skeletons();
     for (const auto& [key, value] : bank.texts())
       std::printf("%s: %s\n", printable(key).c_str(), printable(value).c_str());
     for (std::uint32_t clip = 0; clip < bank.clips(); ++clip) {
       const BankClip described = bank.describe(clip);
       std::string tags;
       for (const std::string& tag : described.tags) tags += "  " + printable(tag);
-      std::printf("%-32s %9llu bytes %7d frames at %s Hz%s\n", printable(described.name).c_str(),
+      std::printf("%-32s %9llu bytes %7d frames at %s Hz, skeleton %u%s\n",
+                  printable(described.name).c_str(),
                   static_cast<unsigned long long>(described.bytes), described.frames,
-                  significant_text(described.sample_rate_hz, 6).c_str(), tags.c_str());
+                  significant_text(described.sample_rate_hz, 6).c_str(), skeletons.of_clip[clip],
+                  tags.c_str());
     }
+    for (std::size_t s = 0; s < skeletons.all.size(); ++s)
+      std::printf("skeleton %zu: %s, %d joints, %u clips\n", s,
+                  skeletons.all[s].hash != 0 ? hash_text(skeletons.all[s].hash).c_str()
+                                             : "no engine plays it",
+                  bank.describe(skeletons.all[s].clip).joints, skeletons.all[s].clips);
     return;
   }
   print_json(bank, path);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <map>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -120,24 +121,59 @@ bool BankFile::play(std::uint32_t clip) const {
       require_of(mcpr_sample(cooked, &request, at, pose.data()));
     return true;
   }
-  mcpr_info info{};
-  mcpr_result result = mcpk_inspect(bank_, clip, nullptr, &info);
-  if (result.status == MCPR_UNSUPPORTED) return false;
-  require_of(result);
-  const AlignedBytes scratch(info.read_bytes);
-  std::size_t resident_bytes = 0;
-  require_of(mcpk_read(bank_, clip, nullptr, scratch.data(), scratch.size(), &resident_bytes));
-  const AlignedBytes resident(resident_bytes);
-  const mcpr_clip* played = nullptr;
-  require_of(mcpr_build(scratch.data(), scratch.size(), resident.data(), resident.size(), &played));
+  const std::optional<BuiltClip> built = build(clip);
+  if (!built) return false;
+  const mcpr_clip* const played = built->clip;
   const mcpr_request request{.output = MCPR_LOCAL};
   const AlignedBytes working(mcpr_scratch_bytes(played, &request));
   std::vector<float> pose(mcpr_frame_values(played, &request));
-  for (const double at : {0.0, info.frames - 1.0})
-    if (info.frames > 0)
+  const std::uint32_t frames = mcpr_clip_describe(played).frames;
+  for (const double at : {0.0, frames - 1.0})
+    if (frames > 0)
       require_of(
           mcpr_decode_moment(played, &request, at, pose.data(), working.data(), working.size()));
   return true;
+}
+
+std::optional<BankFile::BuiltClip> BankFile::build(std::uint32_t clip) const {
+  mcpr_info info{};
+  const mcpr_result result = mcpk_inspect(bank_, clip, nullptr, &info);
+  if (result.status == MCPR_UNSUPPORTED) return {};
+  require_of(result);
+  const AlignedBytes scratch(info.read_bytes);
+  std::size_t bytes = 0;
+  require_of(mcpk_read(bank_, clip, nullptr, scratch.data(), scratch.size(), &bytes));
+  BuiltClip built{AlignedBytes(bytes), nullptr};
+  require_of(mcpr_build(scratch.data(), scratch.size(), built.bytes.data(), bytes, &built.clip));
+  return built;
+}
+
+std::uint64_t BankFile::skeleton_hash(std::uint32_t clip) const {
+  if (is_cooked()) return mcpk_skeleton_hash(bank_, clip);
+  const std::optional<BuiltClip> built = build(clip);
+  return built ? mcpr_skeleton_hash(built->clip) : 0;
+}
+
+SkeletonsInBank BankFile::skeletons() const {
+  SkeletonsInBank skeletons;
+  std::map<std::int32_t, std::uint32_t> by_number;
+  std::map<std::uint64_t, std::uint32_t> by_hash;
+  for (std::uint32_t clip = 0; clip < clips(); ++clip) {
+    const std::int32_t number = mcpk_skeleton(bank_, clip);
+    const auto known = by_number.find(number);
+    auto at = static_cast<std::uint32_t>(skeletons.all.size());
+    if (number >= 0 && known != by_number.end()) {
+      at = known->second;
+    } else {
+      const std::uint64_t hash = skeleton_hash(clip);
+      if (hash != 0) at = by_hash.try_emplace(hash, at).first->second;
+      if (at == skeletons.all.size()) skeletons.all.push_back({.hash = hash, .clip = clip});
+      if (number >= 0) by_number.emplace(number, at);
+    }
+    ++skeletons.all[at].clips;
+    skeletons.of_clip.push_back(at);
+  }
+  return skeletons;
 }
 
 }  // namespace mocapress

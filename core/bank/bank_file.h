@@ -29,6 +29,18 @@ struct BankClip {
 /// file. Throws InputError.
 std::optional<mcpk_bank> read_bank_head(const std::filesystem::path& path);
 
+/// A skeleton of some of a bank's clips.
+struct SkeletonInBank {
+  std::uint64_t hash = 0;   // mcpr_skeleton_hash; 0: no engine plays the clips
+  std::uint32_t clip = 0;   // the first that has it
+  std::uint32_t clips = 0;  // how many have it
+};
+
+struct SkeletonsInBank {
+  std::vector<SkeletonInBank> all;     // by their first clips
+  std::vector<std::uint32_t> of_clip;  // for each clip, its number among `all`
+};
+
 /// A bank on disk whose bytes were all checked. All of it is in memory, since the pages of a mapped
 /// file would be lost if somebody cut it short.
 class BankFile {
@@ -45,6 +57,8 @@ class BankFile {
   BankClip describe(std::uint32_t clip) const;
   std::vector<std::string> tags(const runtime::BankEntry& entry) const;
   BankTexts texts() const;
+  /// Decodes one clip for each skeleton of a packed bank.
+  SkeletonsInBank skeletons() const;
 
   /// A clip of a cooked bank. Throws InputError if its bytes are no valid clip.
   const mcpr_cooked* cooked(const runtime::BankEntry& entry) const;
@@ -57,7 +71,15 @@ class BankFile {
   bool play(std::uint32_t clip) const;
 
  private:
+  struct BuiltClip {
+    AlignedBytes bytes;
+    const mcpr_clip* clip;
+  };
+
   void require_of(const mcpr_result& result) const;
+  /// Decodes a clip of a packed bank; unset if no engine plays it.
+  std::optional<BuiltClip> build(std::uint32_t clip) const;
+  std::uint64_t skeleton_hash(std::uint32_t clip) const;
 
   std::string path_;
   AlignedBytes bytes_;

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/codec/format/format_error.h"
-#include "core/runtime/bank/bank_skeleton.h"
+#include "core/runtime/format/bank_skeleton.h"
 #include "core/runtime/pose/cooked_builder.h"
 #include "core/runtime/pose/cooked_check.h"
 

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "core/runtime/bank/bank_check.h"
-#include "core/runtime/bank/bank_skeleton.h"
 #include "core/runtime/decode/file_loader.h"
+#include "core/runtime/format/bank_skeleton.h"
 #include "core/runtime/format/bank_tiers.h"
 #include "core/runtime/format/file_sections.h"
 #include "core/runtime/mocapress_runtime.h"
@@ -66,6 +66,7 @@ mcpk_info mcpk_describe(const mcpk_bank* bank) {
           .texts = bank->count(runtime::BankItem::Text) / 2,
           .is_cooked = bank->is_cooked() ? 1 : 0,
           .table_bytes = bank->is_cooked() ? static_cast<std::size_t>(bank->tables.bytes) : 0,
+          .skeletons = bank->count(runtime::BankItem::Part),
           .tiers = static_cast<std::uint32_t>(runtime::BankTiers(*bank).count()),
           .tiers_present = static_cast<std::uint32_t>(runtime::BankTiers(*bank).present())};
 }
@@ -178,14 +179,8 @@ mcpr_result mcpk_joint(const mcpk_bank* bank, uint32_t clip, uint32_t joint, mcp
   const runtime::BankSkeleton skeleton(bank->item(runtime::BankItem::Part, entry.kind));
   if (joint >= skeleton.joints() || out == nullptr)
     return runtime::no_such("no such joint, or no place was given for it");
-  const runtime::BankJoint made = skeleton.joint(joint);
-  *out = {};
-  const char* const name = skeleton.name(made);
-  out->name = name != nullptr ? name : "";
-  out->parent = made.parent;
-  std::memcpy(out->offset, made.offset, sizeof out->offset);
-  out->has_end_site = made.has_end_site != 0 ? 1 : 0;
-  std::memcpy(out->end_site, made.end_site, sizeof out->end_site);
+  *out = skeleton.described(joint);
+  if (out->name == nullptr) out->name = "";  // of a bank that was not checked
   return runtime::kOk;
 }
 

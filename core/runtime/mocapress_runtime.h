@@ -316,6 +316,8 @@ typedef struct mcpr_cook_options {
   int apply_ik;   /* 1: apply the clip's IK correction, if it has one, once and for all */
   float ik_error; /* cm: how far cooking the correction may move a joint at any frame, beside
                      rounding. 0: not at all, which takes far more memory, see SAMPLING.md */
+  int skeleton;   /* 1: keep the joints' names, parents and offsets, about 50 bytes a joint, for
+                     mcpr_cooked_joint. Clips of a bank have them there */
 } mcpr_cook_options;
 
 /* Returns the bytes of scratch memory that cooking needs; 0 without a clip. They are in proportion
@@ -534,6 +536,50 @@ MCPR_API mcpr_result mcpr_sample_ground_motion(const mcpr_cooked* cooked,
                                                const mcpr_sample_request* request, uint32_t joint,
                                                double from, double to, mcpr_transform* out);
 
+/* ---------------------------------------------------------------- skeletons */
+
+/* Describes a joint of a cooked clip, if it was cooked with mcpr_cook_options.skeleton.
+ * `first_channel`, `channels` and `kinds` are 0. */
+MCPR_API mcpr_result mcpr_cooked_joint(const mcpr_cooked* cooked, uint32_t joint, mcpr_joint* out);
+
+/* Return the identity of a skeleton: 64 bits made from names, parents, offsets and end sites of all
+ * joints. It is the same for a clip, its cooked form and in a bank, on every machine. 0: no clip,
+ * or a cooked clip that has no skeleton. Takes time in proportion to the joints: keep it. */
+MCPR_API uint64_t mcpr_skeleton_hash(const mcpr_clip* clip);
+MCPR_API uint64_t mcpr_cooked_skeleton_hash(const mcpr_cooked* cooked);
+
+/* An engine's skeleton. */
+typedef struct mcpr_skeleton {
+  uint32_t joints;          /* at most 32767 */
+  const char* const* names; /* zero-terminated, one per joint */
+  const int16_t* parents;   /* -1: a root; may be null, but then mcpr_map_gaps.moved is 0 */
+} mcpr_skeleton;
+
+/* The joints that a clip and an engine's skeleton do not share. */
+typedef struct mcpr_map_gaps {
+  uint32_t missing; /* joints of the skeleton that the clip does not have: they get the bind pose */
+  uint32_t unused;  /* joints of the clip that the skeleton does not have: they are left out */
+  uint32_t moved;   /* joints of both that hang from another joint in the clip. Their transforms are
+                       in the space of that one: retarget the clip, or they will be elsewhere */
+} mcpr_map_gaps;
+
+/* Finds the joints of an engine's skeleton in a clip by their names, compared byte for byte. Sets
+ * map[j] to the clip's number of joint j, the first with its name, or to -1 if it has none. Takes
+ * joints * joints comparisons: do it once for each skeleton, not for each clip. The second function
+ * needs a clip cooked with mcpr_cook_options.skeleton. */
+MCPR_API mcpr_result mcpr_map_joints(const mcpr_clip* clip, const mcpr_skeleton* skeleton,
+                                     int16_t* map, mcpr_map_gaps* gaps);
+MCPR_API mcpr_result mcpr_map_cooked_joints(const mcpr_cooked* cooked,
+                                            const mcpr_skeleton* skeleton, int16_t* map,
+                                            mcpr_map_gaps* gaps);
+
+/* Puts a clip's pose of `clip_joints` joints onto an engine's skeleton of `joints` joints: each
+ * takes the transform that `map` names, or that of the bind pose. `bind` has one transform per
+ * joint of the skeleton, in the pose's convention. `out` overlaps neither pose. */
+MCPR_API mcpr_result mcpr_remap_pose(const int16_t* map, uint32_t joints,
+                                     const mcpr_transform* bind, const mcpr_transform* pose,
+                                     uint32_t clip_joints, mcpr_transform* out);
+
 /* ---------------------------------------------------------------- blending */
 
 /* Poses are blended as arrays of mcpr_transform, one per joint, in the parents' spaces: what
@@ -725,7 +771,10 @@ typedef struct mcpk_info {
   uint32_t texts;     /* number of key-value pairs */
   int is_cooked;      /* 1: cooked, 0: packed */
   size_t table_bytes; /* the part of `bytes` that cooked clips share; 0 in a packed bank */
-  uint32_t tiers; /* of the clips that have most; 1: the bank has no tiers. Only packed ones do */
+  uint32_t skeletons; /* numbers of skeletons are below this: see mcpk_skeleton. A cooked bank has
+                          as many; in a packed one some of these numbers are no skeleton's */
+  uint32_t tiers;     /* of the clips that have most; 1: the bank has no tiers. Only packed ones do.
+                         This and the next are known when what follows the clips is there */
   uint32_t tiers_present; /* those that the bank still has: it may have been cut after any */
 } mcpk_info;
 
@@ -783,6 +832,13 @@ MCPR_API mcpr_result mcpk_read(const mcpk_bank* bank, uint32_t clip, const mcpr_
 /* Points *cooked to a clip of a cooked bank, in the bank's memory, ready for mcpr_sample. */
 MCPR_API mcpr_result mcpk_cooked(const mcpk_bank* bank, uint32_t clip, const mcpr_cooked** cooked);
 
+/* Returns the number of a clip's skeleton, below mcpk_info.skeletons; -1 if there is no such clip,
+ * or, in a packed bank from elsewhere, if it shares its skeleton with no other clip. Clips with one
+ * number have the same skeleton: the same names, parents and offsets. In a cooked bank clips with
+ * different numbers have different ones. In a packed bank they may be the same, with other
+ * channels: mcpr_skeleton_hash tells once a clip is built. */
+MCPR_API int32_t mcpk_skeleton(const mcpk_bank* bank, uint32_t clip);
+
 /* Describes a joint of a clip in a cooked bank, parents before children. The name is in the bank's
  * memory. `first_channel`, `channels` and `kinds` are 0. */
 MCPR_API mcpr_result mcpk_joint(const mcpk_bank* bank, uint32_t clip, uint32_t joint,
@@ -791,6 +847,12 @@ MCPR_API mcpr_result mcpk_joint(const mcpk_bank* bank, uint32_t clip, uint32_t j
 /* Returns the index of the first joint with this name in a clip of a cooked bank; -1 if there is
  * none. Searches all joints. */
 MCPR_API int32_t mcpk_find_joint(const mcpk_bank* bank, uint32_t clip, const char* name);
+
+/* mcpr_skeleton_hash and mcpr_map_joints of a clip in a cooked bank. */
+MCPR_API uint64_t mcpk_skeleton_hash(const mcpk_bank* bank, uint32_t clip);
+MCPR_API mcpr_result mcpk_map_joints(const mcpk_bank* bank, uint32_t clip,
+                                     const mcpr_skeleton* skeleton, int16_t* map,
+                                     mcpr_map_gaps* gaps);
 
 #ifdef __cplusplus
 }

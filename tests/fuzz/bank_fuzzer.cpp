@@ -82,7 +82,10 @@ void read_packed(const mcpk_bank* bank, std::uint32_t clip) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const mocapress::test::MendedBank bytes(data, size);
   const mcpr_cooked* alone = nullptr;
-  if (mcpr_open_cooked(bytes.data(), size, 1, &alone).status == MCPR_OK) sample(alone);
+  if (mcpr_open_cooked(bytes.data(), size, 1, &alone).status == MCPR_OK) {
+    sample(alone);
+    mcpr_cooked_skeleton_hash(alone);
+  }
   const mcpk_bank* bank = nullptr;
   // Checks the head only: index and packed clips may be damaged.
   if (mcpk_open(bytes.data(), size, 0, &bank).status == MCPR_OK) {
@@ -93,6 +96,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       std::uint64_t place[2];
       mcpk_place(bank, clip, &place[0], &place[1]);
       mcpk_find_joint(bank, clip, "hips");
+      mcpk_skeleton(bank, clip);
+      mcpk_skeleton_hash(bank, clip);
       if (!bank->is_cooked()) read_packed(bank, clip);
     }
     mcpk_key(bank, 0);

@@ -62,6 +62,8 @@ void cook(const mcpr_clip* clip, const mcpr_cook_options& options) {
           .status != MCPR_OK)
     std::abort();
   if (mcpr_open_cooked(memory.data(), size, 1, &cooked).status != MCPR_OK) std::abort();
+  if (mcpr_cooked_skeleton_hash(cooked) != (options.skeleton != 0 ? mcpr_skeleton_hash(clip) : 0))
+    std::abort();
   play(cooked);
 }
 
@@ -75,5 +77,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const mocapress::test::OpenedClip clip(file, &limits);
   if (clip.clip == nullptr) return 0;
   for (const int apply_ik : {0, 1}) cook(clip.clip, {.apply_ik = apply_ik});
+  cook(clip.clip, {.skeleton = 1});
   return 0;
 }

@@ -100,6 +100,31 @@ TEST_F(CliBank, ListsOneJsonDocument) {
   }
 }
 
+TEST_F(CliBank, TellsWhichClipsHaveOneSkeleton) {
+  compress_two();
+  const std::string other = std::string(MOCAPRESS_SOURCE_DIR) + "/core/runtime/example/walk.mcpr";
+  fs::copy_file(other, file("other.mcpr"));
+  ASSERT_EQ(
+      mocapress({"bank", "make", file("b.mcpk"), file("clips"), file("other.mcpr")}).exit_code, 0);
+  ASSERT_EQ(mocapress({"bank", "make", file("c.mcpk"), file("b.mcpk"), "--cooked"}).exit_code, 0);
+  std::vector<std::string> hashes;
+  for (const char* const bank : {"b.mcpk", "c.mcpk"}) {
+    const auto list = nlohmann::json::parse(mocapress({"bank", "list", file(bank), "--json"}).out);
+    ASSERT_EQ(list["skeletons"].size(), 2U);
+    EXPECT_EQ(list["skeletons"][0]["first_clip"], "other");
+    EXPECT_EQ(list["skeletons"][0]["clips"], 1);
+    EXPECT_EQ(list["skeletons"][1]["clips"], 2);
+    EXPECT_EQ(list["clips"][0]["skeleton"], 0);
+    EXPECT_EQ(list["clips"][1]["skeleton"], 1);
+    EXPECT_EQ(list["clips"][2]["skeleton"], 1);
+    for (const auto& skeleton : list["skeletons"])
+      hashes.push_back(skeleton["hash"].get<std::string>());
+  }
+  EXPECT_EQ(hashes[0], hashes[2]);
+  EXPECT_EQ(hashes[1], hashes[3]);
+  EXPECT_NE(hashes[0], hashes[1]);
+}
+
 TEST_F(CliBank, ACookedBankIsMadeOfAPackedOne) {
   compress_two();
   ASSERT_EQ(mocapress({"bank", "make", file("b.mcpk"), file("clips")}).exit_code, 0);
@@ -154,7 +179,7 @@ TEST_F(CliBank, ShowsNamesThatATerminalWouldObey) {
             {.tags = {"t\nu"}});
   const Outcome listed = mocapress({"bank", "list", bank});
   EXPECT_THAT(listed.out, testing::StartsWith("a\\x1b[2Jb\\x9bc\xc3\xa4 "));
-  EXPECT_THAT(listed.out, testing::EndsWith("  t\\x0au\n"));
+  EXPECT_THAT(listed.out, HasSubstr(" Hz, skeleton 0  t\\x0au\nskeleton 0: "));
   EXPECT_EQ(mocapress({"bank", "remove", bank, "\x1b[2J"}).err,
             "mocapress: " + bank + ": holds no clip '\\x1b[2J'\n");
 }

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/runtime/bank/bank_check.h"
 
-#include <cmath>
-
-#include "core/runtime/bank/bank_skeleton.h"
+#include "core/runtime/format/bank_skeleton.h"
 #include "core/runtime/format/bank_tiers.h"
 #include "core/runtime/format/file_sections.h"
-#include "core/runtime/format/joint_model.h"
 #include "core/runtime/format/learned_priors.h"
 
 namespace mocapress::runtime {
@@ -17,25 +14,6 @@ mcpr_result check_checksum(const mcpk_bank& bank, const BankRegion& region, std:
   return bank_checksum(bank.at(region.offset), static_cast<std::size_t>(region.bytes)) == checksum
              ? kOk
              : failure(MCPR_DAMAGED, static_cast<std::size_t>(region.offset), message);
-}
-
-bool is_finite(const float* numbers, int count) {
-  bool all = true;
-  for (int i = 0; i < count; ++i) all = all && std::isfinite(numbers[i]);
-  return all;
-}
-
-bool is_skeleton(const Bytes& item) {
-  const BankSkeleton skeleton(item);
-  if (skeleton.joints() < 1 || skeleton.joints() > kMostJoints) return false;
-  for (std::uint32_t j = 0; j < skeleton.joints(); ++j) {
-    const BankJoint joint = skeleton.joint(j);
-    if (joint.parent < -1 || joint.parent >= static_cast<std::int64_t>(j) ||
-        skeleton.name(joint) == nullptr || !is_finite(joint.offset, 3) ||
-        !is_finite(joint.end_site, 3))
-      return false;
-  }
-  return true;
 }
 
 /// True if an item of a packed bank is a section, or valid learned priors. A section's contents are
@@ -74,7 +52,8 @@ mcpr_result check_items(const mcpk_bank& bank) {
         is_sound = bank.text(kind, i) != nullptr &&
                    std::memchr(item.data, 0, item.size) == item.data + item.size - 1;
       if (is_sound && kind == BankItem::TagSet) is_sound = is_tag_set(bank, item);
-      if (is_sound && kind == BankItem::Part && bank.is_cooked()) is_sound = is_skeleton(item);
+      if (is_sound && kind == BankItem::Part && bank.is_cooked())
+        is_sound = BankSkeleton(item).is_sound();
       if (is_sound && kind == BankItem::Part && !bank.is_cooked()) is_sound = is_part(item);
       if (!is_sound) return refuse(item);
     }

@@ -77,4 +77,13 @@ mcpr_result PackedSections::next(Section& section) {
   return kOk;
 }
 
+std::uint32_t PackedSections::joints_part() const {
+  const auto sections = (outline_.size - kOutlineHead) / kOutlineSection;
+  for (std::size_t s = 0; s < sections; ++s) {
+    std::uint32_t part = 0;
+    if (section_at(static_cast<int>(s), part).is("JNTS")) return part;
+  }
+  return kOwnPart;
+}
+
 }  // namespace mocapress::runtime

@@ -58,6 +58,7 @@ void put_quaternions(const Matrix3& before, const Matrix3& after, float* to) {
 CookedBuilder::CookedBuilder(Memory& memory, const mcpr_clip& clip,
                              const mcpr_cook_options& options)
     : clip_(clip.block),
+      has_skeleton_(options.skeleton != 0),
       coefficients_(memory, clip.block, options),
       columns_(memory, clip.block, coefficients_) {}
 
@@ -96,6 +97,7 @@ std::uint64_t CookedBuilder::lay_out(CookedBlock& block, CookedBlock& tables, st
   mcpr_cooked head{};
   block.reserve(sizeof head);
   const std::uint64_t first_table = tables.used();
+  if (has_skeleton_) lay_out_skeleton(block);
   std::memcpy(head.magic, mcpr_cooked::kMagic, sizeof head.magic);
   head.version = mcpr_cooked::kVersion;
   head.sample_rate = clip_.sample_rate;
@@ -103,6 +105,7 @@ std::uint64_t CookedBuilder::lay_out(CookedBlock& block, CookedBlock& tables, st
   head.segment_length = static_cast<std::uint32_t>(clip_.segments.length);
   head.segment_overlap = static_cast<std::uint32_t>(clip_.segments.overlap);
   head.joints = clip_.joint_count;
+  head.has_skeleton = has_skeleton_ ? 1 : 0;
   head.groups = static_cast<std::uint32_t>(columns_.groups());
   head.row_groups = static_cast<std::uint32_t>(columns_.row_groups());
   head.parts = static_cast<std::uint16_t>(columns_.parts().size());
@@ -153,6 +156,33 @@ std::uint64_t CookedBuilder::lay_out(CookedBlock& block, CookedBlock& tables, st
   auto* const made = std::launder(reinterpret_cast<mcpr_cooked*>(memory));
   made->checksum = checksum_of(*made);
   return head.bytes;
+}
+
+/// Stores names, parents and offsets of the joints, with the size of all that.
+void CookedBuilder::lay_out_skeleton(CookedBlock& block) {
+  const char* const names = clip_.at<char>(clip_.names);
+  const JointModel* const models = clip_.joint_models();
+  std::uint32_t size = 0;
+  const auto head = static_cast<std::uint32_t>(sizeof size + clip_.joint_count * sizeof(BankJoint));
+  std::uint32_t item_bytes = head;
+  for (std::uint32_t j = 0; j < clip_.joint_count; ++j)
+    item_bytes += static_cast<std::uint32_t>(std::strlen(names + models[j].name) + 1);
+  std::byte* const at = block.at(block.reserve(sizeof size + item_bytes));
+  if (at == nullptr) return;
+  std::byte* const item = at + sizeof size;
+  std::memcpy(at, &item_bytes, sizeof item_bytes);
+  std::memcpy(item, &clip_.joint_count, sizeof clip_.joint_count);
+  std::uint32_t name = head;
+  for (std::uint32_t j = 0; j < clip_.joint_count; ++j) {
+    const JointModel& model = models[j];
+    BankJoint joint{.parent = model.parent, .name = name, .has_end_site = model.has_end_site};
+    for (int i = 0; i < 3; ++i) joint.offset[i] = static_cast<float>(model.offset[i]);
+    if (model.has_end_site) std::copy_n(model.end_site, 3, joint.end_site);
+    std::memcpy(item + sizeof size + j * sizeof joint, &joint, sizeof joint);
+    const std::size_t length = std::strlen(names + model.name) + 1;
+    std::memcpy(item + name, names + model.name, length);
+    name += static_cast<std::uint32_t>(length);
+  }
 }
 
 /// Stores the end corrections. Few channels need one, so only nonzero values are kept.

@@ -37,11 +37,13 @@ class CookedBuilder {
  private:
   std::uint64_t lay_out(CookedBlock& block, CookedBlock& tables, std::byte* memory);
   void choose_bands();
+  void lay_out_skeleton(CookedBlock& block);
   void lay_out_ends(CookedBlock& block, mcpr_cooked& head);
   void lay_out_joints(CookedBlock& block, mcpr_cooked& head);
   void lay_out_rotors(CookedBlock& block, mcpr_cooked& head);
 
   const ClipBlock& clip_;
+  const bool has_skeleton_;
   CookedCoefficients coefficients_;
   CookedColumns columns_;
 };

@@ -47,6 +47,7 @@ class Checker {
     if (reaches.any()) check_ends();
     check_parts();
     if (clip_.tracks != 0) check_tracks();
+    if (clip_.has_skeleton != 0) check_skeleton();
     return sound_;
   }
 
@@ -128,6 +129,16 @@ class Checker {
     const auto& tracks = *clip_.at<mcpr_tracks>(clip_.tracks);
     require(tracks.frames == clip_.frames && tracks.loop == clip_.loop &&
             are_sound(tracks, clip_.bytes - clip_.tracks));
+  }
+
+  void check_skeleton() {
+    const std::uint64_t room = clip_.bytes - sizeof clip_;
+    std::uint32_t size = 0;
+    require(clip_.has_skeleton == 1 && room >= sizeof size);
+    if (!sound_) return;
+    std::memcpy(&size, &clip_ + 1, sizeof size);
+    require(size <= room - sizeof size);
+    require(sound_ && clip_.skeleton().is_sound() && clip_.skeleton().joints() == clip_.joints);
   }
 
   void check_rows(const CookedPart& part, const CookedRows& rows, int frames) {

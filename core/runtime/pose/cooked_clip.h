@@ -10,6 +10,7 @@
 #include <cstring>
 
 #include "core/runtime/format/bands.h"
+#include "core/runtime/format/bank_skeleton.h"
 #include "core/runtime/format/bit_pattern.h"
 #include "core/runtime/format/end_poses.h"
 #include "core/runtime/format/kinds.h"
@@ -204,7 +205,8 @@ struct mcpr_cooked {
   mocapress::runtime::Wavelet wavelet;
   mocapress::runtime::LoopKind loop;
   mocapress::runtime::EndReaches end_reaches;  // as in ENDS of FORMAT.md
-  std::uint8_t unused[2];
+  std::uint8_t has_skeleton;  // 1: after the head, u32 bytes of a skeleton item, and the item
+  std::uint8_t unused;
   float end_units[mocapress::runtime::kMostEnds];
   mocapress::runtime::TableOffset rest;        // an mcpr_transform per joint: its constant values
   mocapress::runtime::TableOffset rotors;      // RotorGroup array
@@ -266,6 +268,17 @@ struct mcpr_cooked {
     return at<mocapress::runtime::CookedEntries>(
         entries)[(segment * entry_parts() + entry_part) * mocapress::runtime::kMostKeptBands +
                  band];
+  }
+  /// Names and parents; no joints if they were not kept.
+  mocapress::runtime::BankSkeleton skeleton() const {
+    if (has_skeleton == 0) return mocapress::runtime::BankSkeleton({nullptr, 0, 0});
+    std::uint32_t size = 0;
+    std::memcpy(&size, this + 1, sizeof size);
+    return mocapress::runtime::BankSkeleton(
+        {at<std::uint8_t>(skeleton_item()), size, skeleton_item()});
+  }
+  static constexpr std::uint32_t skeleton_item() {
+    return static_cast<std::uint32_t>(sizeof(mcpr_cooked) + sizeof(std::uint32_t));
   }
   int turn_frames() const {
     return mocapress::runtime::turn_frames_of(static_cast<int>(frames), loop);

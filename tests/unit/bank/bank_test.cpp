@@ -236,6 +236,46 @@ TEST_F(BankTest, CookedClipsGiveThePosesOfClipsCookedAlone) {
   }
 }
 
+TEST_F(BankTest, TellsSkeletonsByNumberAndHash) {
+  Motion renamed = test::smooth_motion(20);
+  Skeleton skeleton;
+  for (Joint joint : renamed.skeleton.joints()) {
+    joint.name += "2";
+    skeleton.add(joint);
+  }
+  renamed.skeleton = skeleton;
+  put("walks/renamed", encoded(renamed));
+  for (const runtime::BankForm form : {runtime::BankForm::Packed, runtime::BankForm::Cooked}) {
+    make({.form = form});
+    const BankFile made(bank());
+    const SkeletonsInBank skeletons = made.skeletons();
+    for (std::uint32_t clip = 0; clip < made.clips(); ++clip) {
+      const std::string name = made.entry(clip).name;
+      const OpenedClip alone(file(name));
+      const std::uint64_t hash = skeletons.all[skeletons.of_clip[clip]].hash;
+      EXPECT_EQ(hash, alone.clip != nullptr ? mcpr_skeleton_hash(alone.clip) : hash) << name;
+      if (form == runtime::BankForm::Cooked) {
+        EXPECT_EQ(mcpk_skeleton_hash(&made.bank(), clip), hash) << name;
+        EXPECT_LT(static_cast<std::uint32_t>(mcpk_skeleton(&made.bank(), clip)),
+                  mcpk_describe(&made.bank()).skeletons);
+      }
+      for (std::uint32_t other = 0; other < clip; ++other) {
+        if (mcpk_skeleton(&made.bank(), clip) == mcpk_skeleton(&made.bank(), other)) {
+          EXPECT_EQ(skeletons.of_clip[clip], skeletons.of_clip[other]) << name;
+        }
+      }
+    }
+    const auto number = [&](const char* name) {
+      return skeletons.of_clip[static_cast<std::size_t>(mcpk_find(&made.bank(), name))];
+    };
+    EXPECT_EQ(number("walks/zyx"), number("walks/yxz"));
+    EXPECT_EQ(number("walks/zyx"), number("plain"));
+    EXPECT_NE(number("walks/renamed"), number("plain"));
+    EXPECT_EQ(mcpk_skeleton(&made.bank(), made.clips()), -1);
+    EXPECT_EQ(mcpk_skeleton(nullptr, 0), -1);
+  }
+}
+
 TEST_F(BankTest, CooksIkAsAskedAndSaysWhatItTakes) {
   const auto bytes_with = [&](const CookedIk& ik, std::uint64_t& ik_bytes) {
     make_bank(bank(), {{"long", folder_ / "clips/long.mcpr", {}}},

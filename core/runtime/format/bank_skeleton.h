@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
+#include "core/runtime/format/joint_model.h"
 #include "core/runtime/format/section.h"
 
 namespace mocapress::runtime {
 
-/// A joint of a skeleton in a cooked bank.
+/// A joint of a skeleton in a cooked bank, or in a clip cooked alone.
 struct BankJoint {
   std::int32_t parent = -1;  // -1: a root
   std::uint32_t name = 0;    // offset in the item of the zero-terminated name
@@ -42,6 +45,31 @@ class BankSkeleton {
     return std::memchr(first, 0, item_.size - joint.name) != nullptr
                ? reinterpret_cast<const char*>(first)
                : nullptr;
+  }
+
+  /// As the C interface tells it. The name must end within the item.
+  mcpr_joint described(std::uint32_t number) const {
+    const BankJoint made = joint(number);
+    mcpr_joint told{};
+    told.name = name(made);
+    told.parent = made.parent;
+    std::memcpy(told.offset, made.offset, sizeof told.offset);
+    told.has_end_site = made.has_end_site != 0 ? 1 : 0;
+    std::memcpy(told.end_site, made.end_site, sizeof told.end_site);
+    return told;
+  }
+
+  bool is_sound() const {
+    if (joints_ < 1 || joints_ > kMostJoints) return false;
+    for (std::uint32_t j = 0; j < joints_; ++j) {
+      const BankJoint made = joint(j);
+      bool sound =
+          made.parent >= -1 && made.parent < static_cast<std::int64_t>(j) && name(made) != nullptr;
+      for (int i = 0; i < 3; ++i)
+        sound = sound && std::isfinite(made.offset[i]) && std::isfinite(made.end_site[i]);
+      if (!sound) return false;
+    }
+    return true;
   }
 
  private:
