@@ -617,9 +617,9 @@ MCPR_API mcpr_result mcpr_blend_layer(const mcpr_pose_form* form, const mcpr_wei
 MCPR_API mcpr_result mcpr_pose_difference(const mcpr_pose_form* form, const mcpr_transform* pose,
                                           const mcpr_transform* base, mcpr_transform* out);
 
-/* Adds such a difference to a pose: rotation = difference * rotation, translation + difference. Of
- * a difference with a weight, 0 to 1, that much is added, from no turn the shorter way round to the
- * whole one. */
+/* Adds such a difference to a pose: rotation = difference * rotation, translation + difference. A
+ * weight, 0 to 1, adds a part of it: rotations go the shorter way round from no turn to the whole
+ * one. */
 MCPR_API mcpr_result mcpr_blend_additive(const mcpr_pose_form* form,
                                          const mcpr_weighted_pose* difference,
                                          mcpr_transform* pose);
@@ -631,7 +631,7 @@ MCPR_API mcpr_result mcpr_blend_additive(const mcpr_pose_form* form,
 MCPR_API mcpr_result mcpr_split_root(const mcpr_convention* convention, mcpr_transform* root,
                                      mcpr_transform* ground);
 
-/* How a joint is mirrored. */
+/* The way in which a joint is mirrored. */
 typedef struct mcpr_mirror_joint {
   uint16_t partner; /* the joint whose mirror image it takes */
   float before[4];  /* constant rotations before and after that image, w x y z */

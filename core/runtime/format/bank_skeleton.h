@@ -8,6 +8,7 @@
 
 #include "core/runtime/format/joint_model.h"
 #include "core/runtime/format/section.h"
+#include "core/runtime/mocapress_runtime.h"
 
 namespace mocapress::runtime {
 
