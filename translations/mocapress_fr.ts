@@ -3697,6 +3697,10 @@
         <translation>%1 de côté : pas un nombre fini</translation>
     </message>
     <message>
+        <source>%1 stated again: each counts once</source>
+        <translation>%1 répétées dans le fichier : chacune compte une fois</translation>
+    </message>
+    <message>
         <source>%1 with spheric XYZ angles, which are read as XYZ angles</source>
         <translation>%1 avec des angles XYZ sphériques, lus comme des angles XYZ</translation>
     </message>
@@ -4256,6 +4260,13 @@
         <translation>
             <numerusform>%n articulation</numerusform>
             <numerusform>%n articulations</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n connection(s)</source>
+        <translation>
+            <numerusform>%n connexion</numerusform>
+            <numerusform>%n connexions</numerusform>
         </translation>
     </message>
     <message numerus="yes">

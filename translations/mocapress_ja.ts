@@ -3670,6 +3670,10 @@
         <translation>有限の数でない%1を省きました</translation>
     </message>
     <message>
+        <source>%1 stated again: each counts once</source>
+        <translation>ファイルで繰り返された%1は、それぞれ 1 回と数えます</translation>
+    </message>
+    <message>
         <source>%1 with spheric XYZ angles, which are read as XYZ angles</source>
         <translation>%1の球面 XYZ 角を XYZ 角として読みました</translation>
     </message>
@@ -4227,6 +4231,12 @@
         <source>%n joint(s)</source>
         <translation>
             <numerusform>%n 個の関節</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n connection(s)</source>
+        <translation>
+            <numerusform>%n 個の接続</numerusform>
         </translation>
     </message>
     <message numerus="yes">

@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -450,12 +451,16 @@ void TakeReader::sample() {
   result_.first_s = times.first_s;
   take.frames = times.frames;
   take.sample_rate_hz = times.rate_hz;
-  for (const KeyCurve& curve : curves_) {
-    AnimatedNode& node = take.nodes[curve.node];
-    node.frames.resize(static_cast<std::size_t>(times.frames), node.rest);
-    KeyCurveReader reader(curve, times.near_s);
-    for (int f = 0; f < times.frames; ++f)
-      reader.apply(times.at(f), node.frames[static_cast<std::size_t>(f)]);
+  std::map<std::size_t, std::vector<KeyCurveReader>> of_node;
+  for (const KeyCurve& curve : curves_) of_node[curve.node].emplace_back(curve, times.near_s);
+  for (auto& [index, readers] : of_node) {
+    AnimatedNode& node = take.nodes[index];
+    node.frames.reserve(static_cast<std::size_t>(times.frames));
+    for (int f = 0; f < times.frames; ++f) {
+      LocalTransform local = node.rest;
+      for (KeyCurveReader& reader : readers) reader.apply(times.at(f), local);
+      node.frames.push_back(local);
+    }
   }
   sample_weights(times);
 }

@@ -33,17 +33,43 @@ bool same_place(const Vector3d& a, const Vector3d& b) {
   return (a - b).norm() <= kSameShare * (1 + a.norm());
 }
 
+bool same_turn(const Quaterniond& a, const Quaterniond& b) {
+  return a.angularDistance(b) <= kSameShare;
+}
+
 bool same_transform(const LocalTransform& a, const LocalTransform& b) {
   return same_place(a.translation, b.translation) && same_place(a.scale, b.scale) &&
-         a.rotation.angularDistance(b.rotation) <= kSameShare;
+         same_turn(a.rotation, b.rotation);
+}
+
+bool moves(const LocalFrames& frames) {
+  const auto changes = [](const auto& values, const auto& same) {
+    return std::any_of(values.begin(), values.end(),
+                       [&](const auto& value) { return !same(values.front(), value); });
+  };
+  return changes(frames.translations(), same_place) || changes(frames.rotations(), same_turn) ||
+         changes(frames.scales(), same_place);
+}
+
+bool is_possible(const Vector3d& vector) {
+  return vector.allFinite() && vector.cwiseAbs().maxCoeff() <= kFarthest;
+}
+
+bool is_possible(const Quaterniond& rotation) {
+  const double length = rotation.norm();
+  return std::isfinite(length) && length > 1e-6;
 }
 
 bool is_possible(const LocalTransform& local) {
-  const auto fits = [](const Vector3d& v) {
-    return v.allFinite() && v.cwiseAbs().maxCoeff() <= kFarthest;
+  return is_possible(local.translation) && is_possible(local.scale) && is_possible(local.rotation);
+}
+
+bool are_possible(const LocalFrames& frames) {
+  const auto all = [](const auto& values) {
+    return std::all_of(values.begin(), values.end(),
+                       [](const auto& value) { return is_possible(value); });
   };
-  const double length = local.rotation.norm();
-  return fits(local.translation) && fits(local.scale) && std::isfinite(length) && length > 1e-6;
+  return all(frames.translations()) && all(frames.rotations()) && all(frames.scales());
 }
 
 /// The use of a node.
@@ -60,7 +86,7 @@ class NodeTree {
   NodeTree(const std::string& file, const std::vector<AnimatedNode>& nodes);
 
   Role role(std::size_t node) const { return roles_[node]; }
-  const LocalTransform& local(std::size_t node, int frame) const;
+  LocalTransform local(std::size_t node, int frame) const;
   bool changes_scale(std::size_t node) const;
   /// The nearest joint above, as a node; -1: none.
   int joint_above(std::size_t node) const;
@@ -95,10 +121,7 @@ NodeTree::NodeTree(const std::string& file, const std::vector<AnimatedNode>& nod
 }
 
 void NodeTree::find_movement() {
-  for (const AnimatedNode& node : nodes_)
-    moves_.push_back(std::any_of(node.frames.begin(), node.frames.end(), [&](const auto& local) {
-      return !same_transform(local, node.frames.front());
-    }));
+  for (const AnimatedNode& node : nodes_) moves_.push_back(moves(node.frames));
 }
 
 /// Finds joints: nodes that begin a skeleton, and those between or above them.
@@ -154,15 +177,15 @@ void NodeTree::find_bone_ends() {
   }
 }
 
-const LocalTransform& NodeTree::local(std::size_t node, int frame) const {
+LocalTransform NodeTree::local(std::size_t node, int frame) const {
   const AnimatedNode& of = nodes_[node];
   return of.frames.empty() ? of.rest : of.frames[static_cast<std::size_t>(frame)];
 }
 
 bool NodeTree::changes_scale(std::size_t node) const {
-  const auto& frames = nodes_[node].frames;
-  return std::any_of(frames.begin(), frames.end(), [&](const LocalTransform& local) {
-    return (local.scale - frames.front().scale).norm() > kUnevenScale;
+  const auto& scales = nodes_[node].frames.scales();
+  return std::any_of(scales.begin(), scales.end(), [&](const Vector3d& scale) {
+    return (scale - scales.front()).norm() > kUnevenScale;
   });
 }
 
@@ -290,8 +313,10 @@ MotionFile MotionBuilder::build() {
   measure_on(skin_.get(), skeleton_);
   Motion motion{std::move(skeleton_), {take_.sample_rate_hz, {}}};
   motion.clip.channels.resize(take_.frames, static_cast<Eigen::Index>(channels_.size()));
-  for (std::size_t c = 0; c < channels_.size(); ++c)
+  for (std::size_t c = 0; c < channels_.size(); ++c) {
     motion.clip.channels.col(static_cast<Eigen::Index>(c)) = channels_[c];
+    channels_[c] = {};  // a long clip is not held twice
+  }
   return {.motion = std::move(motion),
           .warnings = std::move(warnings_),
           .source = source_,
@@ -323,9 +348,8 @@ void MotionBuilder::check() {
   }
   check_take_size(file_, joints_.size(), take_.frames);
   for (const AnimatedNode& node : take_.nodes) {
-    assert(node.frames.empty() || std::ssize(node.frames) == take_.frames);
-    if (!is_possible(node.rest) ||
-        !std::all_of(node.frames.begin(), node.frames.end(), is_possible))
+    assert(node.frames.empty() || node.frames.size() == static_cast<std::size_t>(take_.frames));
+    if (!is_possible(node.rest) || !are_possible(node.frames))
       refuse(node.name + " has a transform that is not finite, or beyond 1e9");
   }
 }
@@ -402,7 +426,7 @@ void MotionBuilder::name_joints() {
 
 void MotionBuilder::add_joint(std::size_t j) {
   Joint& joint = joints_[j];
-  const Track& track = tracks_[j];
+  const Track track = std::move(tracks_[j]);
   Vector3d mean = Vector3d::Zero();
   for (const Vector3d& place : track.translation) mean += place / take_.frames;
   joint.offset = mean;
@@ -421,14 +445,16 @@ void MotionBuilder::add_joint(std::size_t j) {
         return rotation.angularDistance(Quaterniond::Identity()) > kSameShare;
       })) {
     const std::array<int, 3> axes = axes_of(calmest_order(track));
-    Eigen::Matrix3Xd angles(3, take_.frames);
+    const std::size_t first = channels_.size();
+    for (const int axis : axes) {
+      joint.channels.push_back(rotation_about(axis));
+      channels_.emplace_back(take_.frames);
+    }
     Vector3d last = Vector3d::Zero();
-    for (int t = 0; t < take_.frames; ++t)
-      angles.col(t) = last =
+    for (int t = 0; t < take_.frames; ++t) {
+      last =
           three_angles(axes, track.rotation[static_cast<std::size_t>(t)].toRotationMatrix(), last);
-    for (int i = 0; i < 3; ++i) {
-      joint.channels.push_back(rotation_about(axes[static_cast<std::size_t>(i)]));
-      channels_.push_back(angles.row(i).transpose());
+      for (int i = 0; i < 3; ++i) channels_[first + static_cast<std::size_t>(i)](t) = last(i);
     }
   }
   skeleton_.add(joint);

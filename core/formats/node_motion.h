@@ -6,37 +6,21 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "core/formats/local_frames.h"
 #include "core/formats/motion_file.h"
 #include "core/formats/node_skin.h"
 
 namespace mocapress {
-
-/// The inheritance of a parent's scale. It always scales the node's translation.
-enum class ScaleOfParent : std::uint8_t {
-  Whole,   // as glTF, and FBX where it says RSrs: a turned node is sheared
-  ByAxis,  // RrSs: scales are multiplied axis by axis, below all turns
-  None     // Rrs: Maya's segment scale compensation
-};
-
-/// x_in_parent = translation + rotation * scale * x_in_node, in the file's unit, if the parent's
-/// scale applies as a whole.
-struct LocalTransform {
-  Eigen::Vector3d translation = Eigen::Vector3d::Zero();
-  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  // any length except 0
-  Eigen::Vector3d scale = Eigen::Vector3d::Ones();
-  ScaleOfParent inherit = ScaleOfParent::Whole;
-};
 
 struct AnimatedNode {
   std::string name;
   int parent = -1;     // comes before its children; -1: none
   bool joint = false;  // true: a bone of a skin, says the file; false: unknown
   LocalTransform rest;
-  std::vector<LocalTransform> frames;  // one for each frame; empty: it stays at rest
+  LocalFrames frames;  // one for each frame; empty: it stays at rest
 };
 
 /// One animation of a file.

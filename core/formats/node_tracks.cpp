@@ -100,7 +100,7 @@ class SourceTracks {
   }
 
   /// The transform of a node that does not follow the motion, as the reader took it.
-  const LocalTransform& still(std::size_t node) const {
+  LocalTransform still(std::size_t node) const {
     const AnimatedNode& of = take_.nodes[node];
     return of.frames.empty() ? of.rest : of.frames.front();
   }

@@ -96,6 +96,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("mocapress::Sentence", "%1 left out: not a finite number"),
     QT_TRANSLATE_NOOP("mocapress::Sentence",
                       "%1 with spheric XYZ angles, which are read as XYZ angles"),
+    QT_TRANSLATE_NOOP("mocapress::Sentence", "%1 stated again: each counts once"),
     QT_TRANSLATE_NOOP("mocapress::Sentence",
                       "%1 with quaternions between keys, which are read as angles"),
     QT_TRANSLATE_NOOP(
@@ -291,6 +292,7 @@ constexpr const char* kCounts[] = {
     QT_TRANSLATE_N_NOOP("mocapress::Sentence", "%n value(s)"),
     QT_TRANSLATE_N_NOOP("mocapress::Sentence", "%n joint(s)"),
     QT_TRANSLATE_N_NOOP("mocapress::Sentence", "%n node(s)"),
+    QT_TRANSLATE_N_NOOP("mocapress::Sentence", "%n connection(s)"),
     QT_TRANSLATE_N_NOOP("mocapress::Sentence", "%n bone(s)"),
     QT_TRANSLATE_N_NOOP("mocapress::Sentence", "%n channel(s)"),
     QT_TRANSLATE_N_NOOP("mocapress::Sentence", "%n curve(s)"),

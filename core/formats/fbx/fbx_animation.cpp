@@ -34,6 +34,11 @@ bool FbxMovement::moves() const {
                      [](const auto& curve) { return curve && curve->moves(); });
 }
 
+bool FbxMovement::has_keys() const {
+  return std::any_of(curves.begin(), curves.end(),
+                     [](const auto& curve) { return curve.has_value(); });
+}
+
 double FbxLayer::weight_at(double ticks) const {
   return weight_curve ? std::clamp(kPercent * weight_curve->at(ticks), 0.0, 1.0) : weight;
 }
@@ -122,13 +127,17 @@ bool FbxAnimation::movements_of_layer(const FbxTakeInfo& take, std::size_t layer
                                       const Take& receive) {
   for (const FbxLink& link : objects_.children(take.layers[layer].object)) {
     if (!objects_.is(link.object, "AnimationCurveNode")) continue;
-    std::optional<FbxMovement> movement;
-    for (const FbxLink& moved : objects_.parents(link.object)) {
-      if (moved.property.empty() || objects_.is(moved.object, "AnimationLayer")) continue;
-      if (!movement) movement = movement_of(link.object, layer);
-      movement->object = moved.object;
-      movement->property = moved.property;
-      if (!receive(*movement)) return false;
+    std::vector<const FbxLink*> moved;
+    for (const FbxLink& parent : objects_.parents(link.object))
+      if (!parent.property.empty() && !objects_.is(parent.object, "AnimationLayer"))
+        moved.push_back(&parent);
+    if (moved.empty()) continue;
+    FbxMovement read = movement_of(link.object, layer);
+    for (const FbxLink* const parent : moved) {
+      FbxMovement movement = parent == moved.back() ? std::move(read) : read;
+      movement.object = parent->object;
+      movement.property = parent->property;
+      if (!receive(std::move(movement))) return false;
     }
   }
   return true;
@@ -173,7 +182,7 @@ bool FbxAnimation::movements_of_record(const FbxTakeInfo& take, const Take& rece
       any = true;  // a channel without keys keeps its default in this take
       return true;
     });
-    return !any || receive(movement);
+    return !any || receive(std::move(movement));
   };
   for (const FbxRecord* record = records_.first_child(*take.record); record != nullptr;
        record = records_.next(*record)) {
@@ -210,8 +219,8 @@ void FbxAnimation::for_each_movement(const FbxTakeInfo& take, const Take& receiv
 
 std::vector<FbxMovement> FbxAnimation::movements(std::size_t take) {
   std::vector<FbxMovement> movements;
-  for_each_movement(takes_[take], [&](const FbxMovement& movement) {
-    movements.push_back(movement);
+  for_each_movement(takes_[take], [&](FbxMovement&& movement) {
+    movements.push_back(std::move(movement));
     return true;
   });
   return movements;
@@ -219,11 +228,20 @@ std::vector<FbxMovement> FbxAnimation::movements(std::size_t take) {
 
 bool FbxAnimation::moves(std::size_t take, bool nodes) {
   bool moves = false;
-  for_each_movement(takes_[take], [&](const FbxMovement& movement) {
+  for_each_movement(takes_[take], [&](FbxMovement&& movement) {
     moves = (!nodes || is_of_node(movement)) && movement.moves();
     return !moves;
   });
   return moves;
+}
+
+bool FbxAnimation::has_keys(std::size_t take) {
+  bool has = false;
+  for_each_movement(takes_[take], [&](FbxMovement&& movement) {
+    has = movement.has_keys();
+    return !has;
+  });
+  return has;
 }
 
 }  // namespace mocapress

@@ -31,6 +31,7 @@ struct FbxMovement {
 
   Eigen::Vector3d at(double ticks) const;
   bool moves() const;
+  bool has_keys() const;
 };
 
 struct FbxLayer {
@@ -45,6 +46,13 @@ struct FbxLayer {
   std::size_t object = 0;  // version 7
 
   double weight_at(double ticks) const;
+  /// The value of this layer and those below it; at a weight of 1 it is `own`, or adds it.
+  template <typename Value>
+  Value over(const Value& below, const Value& own, double at_weight) const {
+    if (blend == Blend::Replace) return own;
+    if (blend == Blend::Add) return below + at_weight * own;
+    return (1 - at_weight) * below + at_weight * own;
+  }
 };
 
 struct FbxTakeInfo {
@@ -70,6 +78,8 @@ class FbxAnimation {
   /// True if the take moves a node, or with `nodes` false, if it moves anything. Stops at the
   /// first.
   bool moves(std::size_t take, bool nodes);
+  /// True if the take has a curve with a key. Stops at the first.
+  bool has_keys(std::size_t take);
 
  private:
   template <typename Take>

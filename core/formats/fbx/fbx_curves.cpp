@@ -62,6 +62,13 @@ struct FbxCurve::Tangents {
   double a = 0;
   double b = 0;
   double tcb_bias = 0;
+  double weight_out = kUsualWeight;
+  double weight_in = kUsualWeight;
+
+  /// True if the slopes depend on the neighbouring keys.
+  bool is_automatic() const {
+    return (flags & kConstant) == 0 && (flags & kCubic) != 0 && (flags & kUser) == 0;
+  }
 };
 
 FbxCurve::FbxCurve(FbxRecords& records, const FbxRecord& curve, double ticks_per_second)
@@ -78,17 +85,7 @@ FbxCurve::FbxCurve(FbxRecords& records, const FbxRecord& curve, double ticks_per
   if (times.size() != values.size())
     records.fail(curve, "a curve has " + std::to_string(times.size()) + " key times, but " +
                             std::to_string(values.size()) + " values");
-  std::vector<Tangents> tangents;
-  std::size_t attribute = 0;
-  std::int64_t left = counts.empty() ? 0 : counts[0];
-  for (std::size_t k = 0; k < times.size(); ++k) {
-    while (left <= 0 && attribute + 1 < counts.size()) left = counts[++attribute];
-    --left;
-    if (!std::isfinite(values[k])) {
-      ++dropped_;
-      continue;
-    }
-    Key key{.ticks = times[k], .value = values[k]};
+  const auto tangents_of = [&](std::size_t attribute) {
     Tangents of;
     if (attribute < flags.size()) of.flags = static_cast<std::uint32_t>(flags[attribute]);
     if (4 * attribute + 3 < bits.size()) {
@@ -100,13 +97,28 @@ FbxCurve::FbxCurve(FbxRecords& records, const FbxRecord& curve, double ticks_per
       of.b = number(1);
       of.tcb_bias = number(2);
       const std::uint32_t weights = bits[4 * attribute + 2];
-      if ((of.flags & kWeightedOut) != 0) key.weight_out = weight_of(weights & 0xFFFF);
-      if ((of.flags & kWeightedIn) != 0) key.weight_in = weight_of(weights >> 16);
+      if ((of.flags & kWeightedOut) != 0) of.weight_out = weight_of(weights & 0xFFFF);
+      if ((of.flags & kWeightedIn) != 0) of.weight_in = weight_of(weights >> 16);
     }
-    keys_.push_back(key);
-    tangents.push_back(of);
+    return of;
+  };
+  std::vector<Tangents> tangents;  // one for each key, or one for all
+  const bool is_shared = counts.size() <= 1;
+  if (is_shared) tangents.push_back(tangents_of(0));
+  keys_.reserve(times.size());
+  std::size_t attribute = 0;
+  std::int64_t left = counts.empty() ? 0 : counts[0];
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    while (left <= 0 && attribute + 1 < counts.size()) left = counts[++attribute];
+    --left;
+    if (!std::isfinite(values[k])) {
+      ++dropped_;
+      continue;
+    }
+    keys_.push_back({.ticks = times[k], .value = values[k]});
+    if (!is_shared) tangents.push_back(tangents_of(attribute));
   }
-  settle(tangents);
+  settle(std::move(tangents));
 }
 
 /// A channel repeats time, value, a letter for the interpolation, and its parameters:
@@ -168,16 +180,16 @@ FbxCurve FbxCurve::of_channel(FbxRecords& records, const FbxRecord& channel,
       for (; weights > 0; --weights) {
         const char weighted = take().letter();
         const auto weight = [&] { return std::clamp(take().number(), 1e-4, 1.0); };
-        if (weighted == 'a' || weighted == 'r') key.weight_out = weight();
-        if (weighted == 'a' || weighted == 'l') key.weight_in = weight();
+        if (weighted == 'a' || weighted == 'r') of.weight_out = weight();
+        if (weighted == 'a' || weighted == 'l') of.weight_in = weight();
       }
     } else if (way != 'L') {
       records.fail(*list, "has a key of an unknown kind");
     }
     for (double* const slope : {&of.a, &of.b, &of.tcb_bias})
       if (!std::isfinite(*slope)) *slope = 0;
-    if (!std::isfinite(key.weight_out)) key.weight_out = kUsualWeight;
-    if (!std::isfinite(key.weight_in)) key.weight_in = kUsualWeight;
+    if (!std::isfinite(of.weight_out)) of.weight_out = kUsualWeight;
+    if (!std::isfinite(of.weight_in)) of.weight_in = kUsualWeight;
     if (!std::isfinite(key.value)) {
       ++curve.dropped_;
       continue;
@@ -185,7 +197,7 @@ FbxCurve FbxCurve::of_channel(FbxRecords& records, const FbxRecord& channel,
     curve.keys_.push_back(key);
     tangents.push_back(of);
   }
-  curve.settle(tangents);
+  curve.settle(std::move(tangents));
   return curve;
 }
 
@@ -217,55 +229,76 @@ FbxCurve::Extrapolation FbxCurve::extrapolation(const FbxRecords& records, const
   return result;
 }
 
-/// Sorts the keys by time and computes slopes from the kinds of their tangents.
-void FbxCurve::settle(const std::vector<Tangents>& tangents) {
+/// Sorts the keys by time; among keys at one time the last wins.
+void FbxCurve::sort(std::vector<Tangents>& tangents) {
+  if (std::adjacent_find(keys_.begin(), keys_.end(), [](const Key& a, const Key& b) {
+        return a.ticks >= b.ticks;
+      }) == keys_.end())
+    return;
   std::vector<std::size_t> order(keys_.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return keys_[a].ticks < keys_[b].ticks; });
   const std::vector<Key> unsorted = std::move(keys_);
+  const std::vector<Tangents> of_unsorted = std::move(tangents);
+  const bool is_shared = of_unsorted.size() == 1;
   keys_.clear();
-  std::vector<Tangents> of;
-  for (const std::size_t k : order) {  // among keys at one time the last wins
+  tangents.clear();
+  if (is_shared) tangents = of_unsorted;
+  for (const std::size_t k : order) {
     if (!keys_.empty() && keys_.back().ticks == unsorted[k].ticks) {
       keys_.pop_back();
-      of.pop_back();
+      if (!is_shared) tangents.pop_back();
     }
     keys_.push_back(unsorted[k]);
-    of.push_back(tangents[k]);
+    if (!is_shared) tangents.push_back(of_unsorted[k]);
   }
-  for (std::size_t k = 0; k < keys_.size(); ++k) {
-    Key& key = keys_[k];
-    const std::uint32_t flags = of[k].flags;
-    key.slope_out = of[k].a;
-    key.slope_in = of[k].b;
+}
+
+/// Sorts the keys by time and computes slopes from the kinds of their tangents, of which there is
+/// one for each key or one for all.
+void FbxCurve::settle(std::vector<Tangents> tangents) {
+  sort(tangents);
+  const auto of = [&](std::size_t key) -> const Tangents& {
+    return tangents[tangents.size() == 1 ? 0 : key];
+  };
+  const bool is_one_for_all = tangents.size() == 1 && !tangents.front().is_automatic();
+  spans_.resize(is_one_for_all ? 1 : keys_.size());
+  for (std::size_t k = 0; k < spans_.size(); ++k) {
+    Span& span = spans_[k];
+    const Tangents& stated = of(k);
+    const std::uint32_t flags = stated.flags;
+    span = {.slope_out = stated.a,
+            .slope_in = stated.b,
+            .weight_out = stated.weight_out,
+            .weight_in = stated.weight_in};
     if ((flags & kConstant) != 0) {
-      key.way = (flags & kConstantNext) != 0 ? Way::ConstantNext : Way::Constant;
+      span.way = (flags & kConstantNext) != 0 ? Way::ConstantNext : Way::Constant;
       continue;
     }
     if ((flags & kCubic) == 0) continue;
-    key.way = Way::Cubic;
-    if ((flags & kUser) != 0) continue;
-    double* const slope_before = k > 0 ? &keys_[k - 1].slope_in : nullptr;
-    const double weight_before = k > 0 ? keys_[k - 1].weight_in : kUsualWeight;
+    span.way = Way::Cubic;
+    if (!stated.is_automatic()) continue;
+    double* const slope_before = k > 0 ? &spans_[k - 1].slope_in : nullptr;
+    const double weight_before = k > 0 ? spans_[k - 1].weight_in : kUsualWeight;
     if ((flags & kTcb) != 0) {
       const bool is_inner = k > 0 && k + 1 < keys_.size();
       const double before = k > 0 ? slope(k - 1, k) : 0;
       const double after = k + 1 < keys_.size() ? slope(k, k + 1) : 0;
-      const double share = (is_inner ? 0.5 : 1.0) * (1 - of[k].a);
-      const double continuity = of[k].b;
-      const double from_before = share * (1 + of[k].tcb_bias) * before;
-      const double from_after = share * (1 - of[k].tcb_bias) * after;
+      const double share = (is_inner ? 0.5 : 1.0) * (1 - stated.a);
+      const double continuity = stated.b;
+      const double from_before = share * (1 + stated.tcb_bias) * before;
+      const double from_after = share * (1 - stated.tcb_bias) * after;
       if (slope_before != nullptr)
         *slope_before = (1 - continuity) * from_before + (1 + continuity) * from_after;
-      key.slope_out = (1 + continuity) * from_before + (1 - continuity) * from_after;
-      key.slope_in = 0;
+      span.slope_out = (1 + continuity) * from_before + (1 - continuity) * from_after;
+      span.slope_in = 0;
       continue;
     }
-    const double bias_before = k > 0 ? -of[k - 1].b : 0;
-    key.slope_out = auto_slope(k, of[k].a, of[k], weight_before, key.weight_out);
+    const double bias_before = k > 0 ? -of(k - 1).b : 0;
+    span.slope_out = auto_slope(k, stated.a, stated, weight_before, span.weight_out);
     if (slope_before != nullptr)
-      *slope_before = auto_slope(k, bias_before, of[k], weight_before, key.weight_out);
+      *slope_before = auto_slope(k, bias_before, stated, weight_before, span.weight_out);
   }
 }
 
@@ -323,17 +356,21 @@ double FbxCurve::auto_slope(std::size_t k, double bias, const Tangents& tangents
 }
 
 bool FbxCurve::moves() const {
-  return goes_beyond() || std::any_of(keys_.begin(), keys_.end(), [&](const Key& key) {
-           return std::abs(key.value - keys_.front().value) >
-                      1e-6 * (1 + std::abs(keys_.front().value)) ||
-                  (key.way == Way::Cubic && keys_.size() > 1 &&
-                   std::max(std::abs(key.slope_out), std::abs(key.slope_in)) > 1e-4);
-         });
+  return goes_beyond() ||
+         std::any_of(keys_.begin(), keys_.end(),
+                     [&](const Key& key) {
+                       return std::abs(key.value - keys_.front().value) >
+                              1e-6 * (1 + std::abs(keys_.front().value));
+                     }) ||
+         (keys_.size() > 1 && std::any_of(spans_.begin(), spans_.end(), [](const Span& span) {
+            return span.way == Way::Cubic &&
+                   std::max(std::abs(span.slope_out), std::abs(span.slope_in)) > 1e-4;
+          }));
 }
 
 bool FbxCurve::steps() const {
-  return !keys_.empty() && std::all_of(keys_.begin(), keys_.end(), [](const Key& key) {
-    return key.way == Way::Constant || key.way == Way::ConstantNext;
+  return !keys_.empty() && std::all_of(spans_.begin(), spans_.end(), [](const Span& span) {
+    return span.way == Way::Constant || span.way == Way::ConstantNext;
   });
 }
 
@@ -349,26 +386,42 @@ double FbxCurve::at(double ticks) const {
   return within(ticks);
 }
 
+/// The first key after a time; their number if there is none.
+std::size_t FbxCurve::key_after(double ticks) const {
+  const auto is_after = [&](std::size_t key) {
+    return ticks < static_cast<double>(keys_[key].ticks);
+  };
+  constexpr std::size_t kNear = 4;
+  std::size_t key = last_found_;
+  if (key == 0 || !is_after(key - 1))
+    for (; key < std::min(last_found_ + kNear, keys_.size()); ++key)
+      if (is_after(key)) return last_found_ = key;
+  const auto found = std::upper_bound(
+      keys_.begin(), keys_.end(), ticks,
+      [](double time, const Key& of) { return time < static_cast<double>(of.ticks); });
+  return last_found_ = static_cast<std::size_t>(found - keys_.begin());
+}
+
 double FbxCurve::within(double ticks) const {
   const double snap = kSameKey * ticks_per_second_;
-  const auto next = std::upper_bound(
-      keys_.begin(), keys_.end(), ticks + snap,
-      [](double time, const Key& key) { return time < static_cast<double>(key.ticks); });
-  if (next == keys_.begin()) return keys_.front().value;
-  const Key& key = *(next - 1);
+  const std::size_t after = key_after(ticks + snap);
+  if (after == 0) return keys_.front().value;
+  const Key& key = keys_[after - 1];
   const double since = ticks - static_cast<double>(key.ticks);
-  if (next == keys_.end() || since <= snap) return key.value;
-  if (key.way == Way::Constant) return key.value;
-  if (key.way == Way::ConstantNext) return next->value;
-  const double between = static_cast<double>(next->ticks) - static_cast<double>(key.ticks);
+  if (after == keys_.size() || since <= snap) return key.value;
+  const Key& next = keys_[after];
+  const Span& of = span(after - 1);
+  if (of.way == Way::Constant) return key.value;
+  if (of.way == Way::ConstantNext) return next.value;
+  const double between = static_cast<double>(next.ticks) - static_cast<double>(key.ticks);
   const double share = since / between;
-  if (key.way == Way::Linear) return (1 - share) * key.value + share * next->value;
-  const double s = bezier_place(key.weight_out, 1 - key.weight_in, share);
-  const double span = between / ticks_per_second_;
-  const double first = key.value + key.slope_out * key.weight_out * span;
-  const double second = next->value - key.slope_in * key.weight_in * span;
+  if (of.way == Way::Linear) return (1 - share) * key.value + share * next.value;
+  const double s = bezier_place(of.weight_out, 1 - of.weight_in, share);
+  const double time = between / ticks_per_second_;
+  const double first = key.value + of.slope_out * of.weight_out * time;
+  const double second = next.value - of.slope_in * of.weight_in * time;
   const double r = 1 - s;
-  return r * r * r * key.value + 3 * r * s * (r * first + s * second) + s * s * s * next->value;
+  return r * r * r * key.value + 3 * r * s * (r * first + s * second) + s * s * s * next.value;
 }
 
 double FbxCurve::beyond(double ticks) const {
@@ -381,9 +434,9 @@ double FbxCurve::beyond(double ticks) const {
   if (extrapolation.way == Beyond::Slope) {
     const std::size_t key = is_before ? 0 : keys_.size() - 2;
     double rise = slope(key, key + 1);
-    if (keys_[key].way == Way::Cubic)
-      rise = is_before ? keys_[key].slope_out : keys_[key].slope_in;
-    else if (keys_[key].way != Way::Linear)
+    if (span(key).way == Way::Cubic)
+      rise = is_before ? span(key).slope_out : span(key).slope_in;
+    else if (span(key).way != Way::Linear)
       rise = 0;
     return end.value + rise * (ticks - static_cast<double>(end.ticks)) / ticks_per_second_;
   }

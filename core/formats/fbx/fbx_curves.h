@@ -21,12 +21,6 @@ class FbxCurve {
   struct Key {
     std::int64_t ticks = 0;
     double value = 0;
-    // Interpolation to the next key. Slopes are per second; weights are shares of the time between.
-    Way way = Way::Linear;
-    double slope_out = 0;
-    double slope_in = 0;  // slope on arrival at the next key
-    double weight_out = 1.0 / 3;
-    double weight_in = 1.0 / 3;
   };
 
   /// Reads an AnimationCurve of version 7.
@@ -50,20 +44,33 @@ class FbxCurve {
     std::int64_t repetitions = -1;  // below 0: endless
   };
   struct Tangents;  // tangents as the file states them
+  /// The interpolation from a key to the next one.
+  struct Span {
+    Way way = Way::Linear;
+    double slope_out = 0;         // per second
+    double slope_in = 0;          // slope on arrival at the next key
+    double weight_out = 1.0 / 3;  // share of the time between
+    double weight_in = 1.0 / 3;
+  };
 
   explicit FbxCurve(double ticks_per_second) : ticks_per_second_(ticks_per_second) {}
   static Extrapolation extrapolation(const FbxRecords& records, const FbxRecord& curve,
                                      const char* name);
-  void settle(const std::vector<Tangents>& tangents);
+  void sort(std::vector<Tangents>& tangents);
+  void settle(std::vector<Tangents> tangents);
+  const Span& span(std::size_t key) const { return spans_[spans_.size() == 1 ? 0 : key]; }
   double seconds(std::size_t from, std::size_t to) const;
   double slope(std::size_t from, std::size_t to) const;
   double auto_slope(std::size_t key, double bias, const Tangents& tangents, double weight_before,
                     double weight_after) const;
+  std::size_t key_after(double ticks) const;
   double within(double ticks) const;
   double beyond(double ticks) const;
 
   double ticks_per_second_;
   std::vector<Key> keys_;
+  std::vector<Span> spans_;             // one for each key, or one for all
+  mutable std::size_t last_found_ = 0;  // a key: times are mostly asked for in order
   Extrapolation before_;
   Extrapolation after_;
   int dropped_ = 0;

@@ -141,7 +141,10 @@ void FbxObjects::read_connections() {
     std::string property;
     if (values.size() > 3 && values[3].kind == FbxValue::Kind::Text)
       property = std::string(values[3].text);
-    if (!known.emplace(*child, *parent, property).second) continue;
+    if (!known.emplace(*child, *parent, property).second) {
+      ++repeated_connections_;
+      continue;
+    }
     children_[*parent].push_back({*child, property});
     parents_[*child].push_back({*parent, property});
   }

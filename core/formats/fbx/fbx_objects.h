@@ -69,6 +69,8 @@ class FbxObjects {
 
   FbxProperties properties(std::size_t object) const;
   const FbxProperties& settings() const { return settings_; }  // settings of the file
+  /// Connections that repeat an earlier one.
+  int repeated_connections() const { return repeated_connections_; }
 
   /// Finds an object of a version 6 file by a name such as "Model::Top".
   std::optional<std::size_t> named(std::string_view full_name) const;
@@ -87,6 +89,7 @@ class FbxObjects {
   std::unordered_map<std::string, std::size_t> by_name_;         // "Model::Top"
   std::map<std::string, FbxProperties, std::less<>> templates_;  // by type
   FbxProperties settings_;
+  int repeated_connections_ = 0;
 };
 
 }  // namespace mocapress

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -45,15 +47,15 @@ FbxTake read_target(FbxFile& file, const ReadOptions& options) {
   const double second = file.ticks_per_second();
   FbxAnimation animation(file.records, file.objects, second);
   for (std::size_t take = 0; take < animation.takes().size(); ++take)
-    for (const FbxMovement& movement : animation.movements(take))
-      for (const auto& curve : movement.curves)
-        if (curve) return read_fbx_take(file, options);
+    if (animation.has_keys(take)) return read_fbx_take(file, options, FbxCurves::Keep);
   FbxTake rest = read_fbx_rest(file);
   std::vector<TakeName> takes;
   for (const FbxTakeInfo& take : animation.takes()) takes.push_back({take.name});
   if (options.take)
     rest.index = choose_take(file.records.file(), takes, options.take, rest.warnings);
-  if (takes.empty() || !animation.takes()[rest.index].span) return rest;
+  if (takes.empty()) return rest;
+  rest.movements = animation.movements(rest.index);
+  if (!animation.takes()[rest.index].span) return rest;
   const double begin = static_cast<double>(animation.takes()[rest.index].span->first) / second;
   if (std::abs(begin) <= kMostFbxSeconds) rest.first_s = begin;
   return rest;
@@ -76,7 +78,6 @@ class EditedTake {
       add_take();
     } else {
       take_ = animation.takes()[read.index];
-      movements_ = animation.movements(read.index);
       if (take_.layers.empty() || take_.layers.front().is_silent)
         file.records.fail("its take " + take_.name +
                           " has no first layer that is heard: a motion cannot be written there");
@@ -112,6 +113,8 @@ class EditedTake {
   void set_axis(std::size_t curve_node, std::size_t axis, const std::vector<float>& values,
                 bool steps);
   void set_keys(const FbxRecord& curve, const std::vector<float>& values, bool steps);
+  bool is_layered(std::size_t object, std::string_view property) const;
+  void add(std::size_t object, const std::string& property, Curves& curves, bool steps);
   void lengthen();
 
   FbxFile& file_;
@@ -125,7 +128,6 @@ class EditedTake {
   FbxCurveOutput out_;
   FbxTakeInfo take_;
   std::int64_t layer_ = 0;  // of the take, the first
-  std::vector<FbxMovement> movements_;
   bool keeps_rate_ = true;
   std::unordered_map<std::int64_t, std::vector<const FbxRecord*>> by_child_;  // by child
 };
@@ -162,7 +164,7 @@ void EditedTake::add_take() {
 /// The first layer's movement of a property; from other layers the property is disconnected.
 const FbxMovement* EditedTake::movement_of(std::size_t object, std::string_view property) {
   const FbxMovement* first = nullptr;
-  for (const FbxMovement& movement : movements_) {
+  for (const FbxMovement& movement : read_.movements) {
     if (movement.object != object || movement.property != property) continue;
     if (first == nullptr && movement.layer == 0)
       first = &movement;
@@ -270,7 +272,7 @@ void EditedTake::move(const NodeTrack& track) {
   const std::size_t object = read_.object_of_node[track.node];
   FbxTransform transform = read_.transforms[track.node];
   // Pivots do not move: positions and angles absorb their curves.
-  for (const FbxMovement& movement : movements_)
+  for (const FbxMovement& movement : read_.movements)
     if (movement.object == object && movement.property != kPlace && movement.property != kTurn &&
         movement.property != kScale && transform.part(movement.property) != nullptr)
       disconnect(movement.curve_node, object, movement.property);
@@ -306,26 +308,65 @@ void EditedTake::move(const NodeTrack& track) {
   set(object, kScale, scale, rest.scaling, scales, kSameNumber);
 }
 
-/// Tracks of the same name are used in order, each once.
+/// Tracks of the same name are used in order, each once. Where several layers move a property, its
+/// values go to the first layer, and the others leave all of it.
 void EditedTake::move(const ScalarTracks& tracks) {
+  using Property = std::pair<std::size_t, std::string>;
+  std::vector<const ScalarTrack*> given;  // for each track of the file; null: none
   std::unordered_set<const ScalarTrack*> taken;
+  std::set<Property> changed;
   for (std::size_t w = 0; w < read_.track_places.size(); ++w) {
     const ScalarTrack& wanted = read_.take.tracks[w];
-    const FbxTake::TrackPlace& place = read_.track_places[w];
     const auto found = std::find_if(tracks.begin(), tracks.end(), [&](const ScalarTrack& track) {
       return track.kind == wanted.kind && track.node == wanted.node && track.name == wanted.name &&
              !taken.contains(&track);
     });
+    given.push_back(found != tracks.end() ? &*found : nullptr);
     if (found == tracks.end()) continue;
     taken.insert(&*found);
-    if (keeps_rate_ && found->values == wanted.values) continue;
-    if (!is_alone(place.curve_node))
-      file_.records.fail("has a curve of " + label(*found) + " that others share");
-    std::vector<float> values;
-    for (const float value : found->values)
-      values.push_back(static_cast<float>(static_cast<double>(value) / place.scale));
-    set_axis(place.curve_node, place.axis, values, found->steps);
+    if (!keeps_rate_ || found->values != wanted.values)
+      changed.emplace(read_.track_places[w].object, read_.track_places[w].property);
   }
+  std::map<Property, std::pair<Curves, bool>> added;  // and whether they step
+  for (std::size_t w = 0; w < read_.track_places.size(); ++w) {
+    const auto& [object, property, axis, scale] = read_.track_places[w];
+    const ScalarTrack& was = read_.take.tracks[w];
+    const ScalarTrack& wanted = given[w] != nullptr ? *given[w] : was;
+    const bool stays = &wanted == &was || (keeps_rate_ && wanted.values == was.values);
+    if (!changed.contains({object, property}) || (stays && !is_layered(object, property))) continue;
+    std::vector<float> values;
+    for (const float value : wanted.values)
+      values.push_back(static_cast<float>(static_cast<double>(value) / scale));
+    values.resize(ticks_.size(), values.back());
+    if (const FbxMovement* const movement = movement_of(object, property)) {
+      set_axis(movement->curve_node, axis, values, wanted.steps);
+    } else {
+      auto& [curves, steps] = added[{object, property}];
+      curves[axis] = std::move(values);
+      steps = wanted.steps;
+    }
+  }
+  for (auto& [property, curves] : added)
+    add(property.first, property.second, curves.first, curves.second);
+}
+
+bool EditedTake::is_layered(std::size_t object, std::string_view property) const {
+  return std::count_if(read_.movements.begin(), read_.movements.end(), [&](const auto& movement) {
+           return movement.object == object && movement.property == property;
+         }) > 1;
+}
+
+/// Adds curves to a property of one number, or to one of three, whose other axes stay at rest.
+void EditedTake::add(std::size_t object, const std::string& property, Curves& curves, bool steps) {
+  if (curves[1].empty() && curves[2].empty()) {
+    out_.add(layer_, id(object), property, curves[0], steps);
+    return;
+  }
+  const Vector3d rest = file_.objects.properties(object).vector(property, Vector3d::Zero());
+  for (std::size_t a = 0; a < 3; ++a)
+    if (curves[a].empty())
+      curves[a].assign(ticks_.size(), static_cast<float>(rest(static_cast<Eigen::Index>(a))));
+  out_.add(layer_, id(object), property, curves);
 }
 
 /// Moves the take's stated end if the motion is longer.

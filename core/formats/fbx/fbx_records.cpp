@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 
 #include "core/base/error.h"
 #include "core/base/memory_limit.h"
@@ -427,60 +428,70 @@ std::string FbxRecords::text(const FbxRecord& in, std::string_view name) const {
   return stated && stated->kind == FbxValue::Kind::Text ? std::string(stated->text) : std::string();
 }
 
-template <typename Take>
-void FbxRecords::for_each_number(const FbxRecord& record, const Take& take) {
+template <typename Number, typename Convert>
+std::vector<Number> FbxRecords::collected(const FbxRecord& record, const Convert& convert) {
   const FbxRecord* of = &record;
   if (!is_binary_)  // ASCII arrays: Name: *3 { a: 1,2,3 }
     if (const FbxRecord* const inner = find(record, "a")) of = inner;
+  std::vector<Number> numbers;
   for (const FbxValue& value : values(*of)) {
     if (value.kind != FbxValue::Kind::Array) {
-      if (value.kind != FbxValue::Kind::Text || !value.text.starts_with('*')) take(value);
+      if (value.kind != FbxValue::Kind::Text || !value.text.starts_with('*'))
+        numbers.push_back(convert(value));
       continue;
     }
     std::size_t count = 0;
     const std::string elements = unpacked(record, value.text, count);
-    const char type = value.text.front();
-    const std::size_t size = bytes_of_type(type);
-    FbxValue element;
-    const bool is_real = type == 'f' || type == 'd';
-    element.kind = is_real ? FbxValue::Kind::Real : FbxValue::Kind::Integer;
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t at = i * size;
-      if (type == 'f')
-        element.real = static_cast<double>(number_at<float>(elements, at));
-      else if (type == 'd')
-        element.real = number_at<double>(elements, at);
-      else
-        element.integer = size == 1   ? static_cast<unsigned char>(elements[at])
-                          : size == 4 ? number_at<std::int32_t>(elements, at)
-                                      : number_at<std::int64_t>(elements, at);
-      take(element);
+    numbers.reserve(numbers.size() + count);
+    const auto append = [&](auto zero) {
+      using Stored = decltype(zero);
+      constexpr bool is_real = std::is_floating_point_v<Stored>;
+      FbxValue element{.kind = is_real ? FbxValue::Kind::Real : FbxValue::Kind::Integer};
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto number = number_at<Stored>(elements, i * sizeof(Stored));
+        if constexpr (is_real)
+          element.real = static_cast<double>(number);
+        else
+          element.integer = number;
+        numbers.push_back(convert(element));
+      }
+    };
+    switch (value.text.front()) {
+      case 'f':
+        append(float{});
+        break;
+      case 'd':
+        append(double{});
+        break;
+      case 'i':
+        append(std::int32_t{});
+        break;
+      case 'l':
+        append(std::int64_t{});
+        break;
+      default:
+        append(std::uint8_t{});
     }
   }
-}
-
-std::vector<double> FbxRecords::numbers(const FbxRecord& record) {
-  std::vector<double> numbers;
-  for_each_number(record, [&](const FbxValue& value) { numbers.push_back(value.number()); });
   return numbers;
 }
 
+std::vector<double> FbxRecords::numbers(const FbxRecord& record) {
+  return collected<double>(record, [](const FbxValue& value) { return value.number(); });
+}
+
 std::vector<std::int64_t> FbxRecords::integers(const FbxRecord& record) {
-  std::vector<std::int64_t> integers;
-  for_each_number(record, [&](const FbxValue& value) { integers.push_back(value.whole()); });
-  return integers;
+  return collected<std::int64_t>(record, [](const FbxValue& value) { return value.whole(); });
 }
 
 std::vector<std::uint32_t> FbxRecords::float_bits(const FbxRecord& record) {
   constexpr int kTextHasBits = 7200;  // ASCII from this version on states the bits as an integer
   const bool is_bits = !is_binary_ && version_ >= kTextHasBits;
-  std::vector<std::uint32_t> bits;
-  for_each_number(record, [&](const FbxValue& value) {
-    bits.push_back(value.kind == FbxValue::Kind::Integer && (is_bits || is_binary_)
-                       ? static_cast<std::uint32_t>(value.integer)
-                       : std::bit_cast<std::uint32_t>(static_cast<float>(value.number())));
+  return collected<std::uint32_t>(record, [&](const FbxValue& value) {
+    return value.kind == FbxValue::Kind::Integer && (is_bits || is_binary_)
+               ? static_cast<std::uint32_t>(value.integer)
+               : std::bit_cast<std::uint32_t>(static_cast<float>(value.number()));
   });
-  return bits;
 }
 
 std::vector<double> FbxRecords::numbers(const FbxRecord& in, std::string_view name) {

@@ -81,8 +81,8 @@ class FbxRecords {
   std::uint32_t add(const FbxRecord& record);
   template <typename Number>
   Number number_at(std::string_view bytes, std::size_t at) const;
-  template <typename Take>
-  void for_each_number(const FbxRecord& record, const Take& take);
+  template <typename Number, typename Convert>
+  std::vector<Number> collected(const FbxRecord& record, const Convert& convert);
   std::string unpacked(const FbxRecord& record, std::string_view array, std::size_t& count);
 
   std::string file_;

@@ -41,10 +41,11 @@ double power(double base, double exponent) {
 
 class FbxTakeReader {
  public:
-  FbxTakeReader(FbxFile& file, const ReadOptions& options)
+  FbxTakeReader(FbxFile& file, const ReadOptions& options, FbxCurves curves)
       : file_(file),
         objects_(file.objects),
         options_(options),
+        curves_(curves),
         ticks_per_second_(file.ticks_per_second()) {}
 
   FbxTake read();
@@ -60,10 +61,13 @@ class FbxTakeReader {
   void clip_to_span(std::vector<double>& keys_s, std::optional<double> rate) const;
   void snap_to_frames(std::vector<double>& keys_s, std::optional<double> rate) const;
   void sample();
-  void sample_node(std::size_t node, const std::vector<const FbxMovement*>& movements);
-  void apply(const FbxMovement& movement, double ticks, FbxTransform& transform) const;
+  void sample_node(std::size_t node, const std::vector<FbxMovement*>& movements);
+  void apply(const FbxMovement& movement, double ticks, Vector3d& part) const;
+  /// The movements of one property, layer by layer.
+  using Layered = std::vector<const FbxMovement*>;
   void sample_tracks();
-  bool add_track(const FbxMovement& movement, std::size_t axis, ScalarTrack track, double scale);
+  bool sample_track(const Layered& movements, std::size_t axis, ScalarTrack track, double scale);
+  double layered_at(const Layered& movements, std::size_t axis, double rest, double ticks) const;
   std::optional<std::size_t> mesh_of_shape(std::size_t channel) const;
   double ticks_at(int frame) const { return times_.at(frame) * ticks_per_second_; }
   void warn(std::string message) {
@@ -74,6 +78,7 @@ class FbxTakeReader {
   FbxFile& file_;
   const FbxObjects& objects_;
   const ReadOptions& options_;
+  FbxCurves curves_;
   double ticks_per_second_;
   FbxTake result_;
   std::optional<FbxTakeInfo> chosen_;
@@ -87,6 +92,7 @@ FbxTake FbxTakeReader::read() {
   find_nodes();
   settle_axes();
   sample();
+  result_.movements = std::move(movements_);
   return std::move(result_);
 }
 
@@ -114,10 +120,8 @@ void FbxTakeReader::choose_take(FbxAnimation& animation) {
   result_.take.name = takes[chosen].name;
   chosen_ = animation.takes()[chosen];
   movements_ = animation.movements(chosen);
-  if (std::none_of(movements_.begin(), movements_.end(), [](const FbxMovement& movement) {
-        return std::any_of(movement.curves.begin(), movement.curves.end(),
-                           [](const auto& curve) { return curve.has_value(); });
-      })) {
+  if (std::none_of(movements_.begin(), movements_.end(),
+                   [](const FbxMovement& movement) { return movement.has_keys(); })) {
     if (takes.size() == 1 || !options_.take) refuse("holds no keys");
     refuse("its take " + takes[chosen].name + " moves no node");
   }
@@ -200,6 +204,8 @@ void FbxTakeReader::find_nodes() {
       open.push_back({*child, node, visit.depth + 1});
   }
   if (visited < models + 1) refuse("its nodes hang in a circle");
+  if (const int repeated = objects_.repeated_connections(); repeated > 0)
+    warn(counted(repeated, "connection") + " stated again: each counts once");
   if (spheric > 0)
     warn(counted(spheric, "node") + " with spheric XYZ angles, which are read as XYZ angles");
   if (by_quaternion > 0 && !movements_.empty())
@@ -278,7 +284,13 @@ std::optional<double> FbxTakeReader::stated_rate() const {
 
 /// Key times of curves that move nodes, or of all others, with at least that many keys.
 std::vector<double> FbxTakeReader::key_times(bool of_nodes, std::size_t fewest) const {
-  std::set<std::vector<std::int64_t>> known;  // many curves share their key times
+  // Many curves share their key times.
+  const auto is_earlier = [](const auto* a, const auto* b) {
+    return std::lexicographical_compare(
+        a->begin(), a->end(), b->begin(), b->end(),
+        [](const FbxCurve::Key& x, const FbxCurve::Key& y) { return x.ticks < y.ticks; });
+  };
+  std::set<const std::vector<FbxCurve::Key>*, decltype(is_earlier)> known(is_earlier);
   std::vector<double> all;
   for (const FbxMovement& movement : movements_) {
     const bool is_of_node = result_.node_of_object[movement.object] > 0 &&
@@ -286,12 +298,10 @@ std::vector<double> FbxTakeReader::key_times(bool of_nodes, std::size_t fewest) 
     if (is_of_node != of_nodes) continue;
     for (const auto& curve : movement.curves) {
       if (!curve || curve->keys().size() < fewest) continue;
-      std::vector<std::int64_t> ticks;
-      for (const FbxCurve::Key& key : curve->keys()) ticks.push_back(key.ticks);
-      if (!known.insert(ticks).second) continue;
+      if (!known.insert(&curve->keys()).second) continue;
       std::vector<double> times;
-      for (const std::int64_t t : ticks) {
-        times.push_back(static_cast<double>(t) / ticks_per_second_);
+      for (const FbxCurve::Key& key : curve->keys()) {
+        times.push_back(static_cast<double>(key.ticks) / ticks_per_second_);
         if (std::abs(times.back()) > kMostFbxSeconds) refuse("has keys at impossible times");
       }
       all = merged_times(all, std::move(times));
@@ -338,7 +348,7 @@ void FbxTakeReader::snap_to_frames(std::vector<double>& keys_s, std::optional<do
 
 void FbxTakeReader::sample() {
   NodeTake& take = result_.take;
-  std::map<std::size_t, std::vector<const FbxMovement*>> of_node;
+  std::map<std::size_t, std::vector<FbxMovement*>> of_node;
   std::size_t others = 0;
   for (FbxMovement& movement : movements_) {
     const int node = result_.node_of_object[movement.object];
@@ -374,21 +384,30 @@ void FbxTakeReader::sample() {
   sample_tracks();
 }
 
-void FbxTakeReader::sample_node(std::size_t node,
-                                const std::vector<const FbxMovement*>& movements) {
+void FbxTakeReader::sample_node(std::size_t node, const std::vector<FbxMovement*>& movements) {
   AnimatedNode& of = result_.take.nodes[node];
+  const FbxTransform& rest = result_.transforms[node];
+  FbxTransform transform = rest;
+  std::vector<Vector3d*> parts;  // that the movements move
+  for (const FbxMovement* const movement : movements)
+    parts.push_back(transform.part(movement->property));
+  const bool is_turned_by_curves =
+      std::any_of(parts.begin(), parts.end(), [&](const Vector3d* part) {
+        return part == &transform.pre_rotation || part == &transform.post_rotation;
+      });
+  const FbxTransform::Turns turns = rest.turns();
   of.frames.reserve(static_cast<std::size_t>(times_.frames));
   for (int t = 0; t < times_.frames; ++t) {
-    FbxTransform transform = result_.transforms[node];
-    for (const FbxMovement* const movement : movements) apply(*movement, ticks_at(t), transform);
-    of.frames.push_back(transform.local());
+    transform = rest;
+    for (std::size_t m = 0; m < parts.size(); ++m) apply(*movements[m], ticks_at(t), *parts[m]);
+    of.frames.push_back(is_turned_by_curves ? transform.local() : transform.local(turns));
   }
+  if (curves_ == FbxCurves::Release)
+    for (FbxMovement* const movement : movements) movement->curves = {};
 }
 
 /// The first layer replaces the value at rest; later layers combine by their modes.
-void FbxTakeReader::apply(const FbxMovement& movement, double ticks,
-                          FbxTransform& transform) const {
-  Vector3d& part = *transform.part(movement.property);
+void FbxTakeReader::apply(const FbxMovement& movement, double ticks, Vector3d& part) const {
   const Vector3d value = movement.at(ticks);
   const FbxLayer& layer = chosen_->layers[movement.layer];
   if (movement.layer == 0 || layer.blend == FbxLayer::Blend::Replace) {
@@ -407,7 +426,7 @@ void FbxTakeReader::apply(const FbxMovement& movement, double ticks,
     for (Eigen::Index axis = 0; axis < 3; ++axis)
       part(axis) = (adds ? part(axis) : power(part(axis), 1 - weight)) * power(value(axis), weight);
   } else {
-    part = (adds ? part : Vector3d((1 - weight) * part)) + weight * value;
+    part = layer.over(part, value, weight);
   }
 }
 
@@ -425,21 +444,44 @@ std::optional<std::size_t> FbxTakeReader::mesh_of_shape(std::size_t channel) con
   return at;
 }
 
-bool FbxTakeReader::add_track(const FbxMovement& movement, std::size_t axis, ScalarTrack track,
-                              double scale) {
+/// The value of all layers; the first one replaces the value at rest.
+double FbxTakeReader::layered_at(const Layered& movements, std::size_t axis, double rest,
+                                 double ticks) const {
+  double value = rest;
+  for (const FbxMovement* const movement : movements) {
+    const double still = movement->still(static_cast<Eigen::Index>(axis));
+    const auto& curve = movement->curves[axis];
+    if (!curve && !std::isfinite(still)) continue;
+    const double own = curve ? curve->at(ticks) : still;
+    const FbxLayer& layer = chosen_->layers[movement->layer];
+    value = movement->layer == 0 ? own : layer.over(value, own, layer.weight_at(ticks));
+  }
+  return value;
+}
+
+bool FbxTakeReader::sample_track(const Layered& movements, std::size_t axis, ScalarTrack track,
+                                 double scale) {
   auto& tracks = result_.take.tracks;
   if (tracks.size() == runtime::kMostTracks ||
       std::max(track.node.size(), track.name.size()) > runtime::kMostNameBytes)
     return false;
-  const FbxCurve& curve = *movement.curves[axis];
-  track.steps = curve.steps();
+  const FbxMovement& first = *movements.front();
+  track.steps = std::all_of(movements.begin(), movements.end(), [&](const FbxMovement* movement) {
+    const auto& curve = movement->curves[axis];
+    const auto& weight = chosen_->layers[movement->layer].weight_curve;
+    return (!curve || curve->steps()) && (!weight || movement->layer == 0 || weight->steps());
+  });
+  const FbxProperties properties = objects_.properties(first.object);
+  const double number = properties.number(first.property, 0);
+  const double rest =
+      properties.vector(first.property, {number, 0, 0})(static_cast<Eigen::Index>(axis));
   for (int t = 0; t < times_.frames; ++t) {
-    const auto value = static_cast<float>(scale * curve.at(ticks_at(t)));
+    const auto value = static_cast<float>(scale * layered_at(movements, axis, rest, ticks_at(t)));
     if (!(std::abs(value) <= 1e9F)) return false;
     track.values.push_back(value);
   }
   tracks.push_back(std::move(track));
-  result_.track_places.push_back({movement.curve_node, axis, scale});
+  result_.track_places.push_back({first.object, first.property, axis, scale});
   return true;
 }
 
@@ -448,36 +490,41 @@ void FbxTakeReader::sample_tracks() {
   constexpr double kFullShape = 0.01;
   constexpr const char* kAxes[] = {"", ".Y", ".Z"};
   int left_out = 0;
-  std::set<std::pair<std::size_t, std::string>> known;
+  std::map<std::pair<std::size_t, std::string>, Layered> of_property;
+  std::vector<const Layered*> in_order;
   for (const FbxMovement& movement : movements_) {
-    const FbxObject& object = objects_[movement.object];
-    if (object.type == "Model" && FbxTransform().part(movement.property) != nullptr) continue;
-    if (object.kind == "BlendShapeChannel" && movement.property == "DeformPercent") {
-      const auto mesh = mesh_of_shape(movement.object);
-      if (movement.curves[0] && known.emplace(movement.object, movement.property).second)
-        left_out += !add_track(movement, 0,
-                               {.kind = TrackKind::MorphWeight,
-                                .node = mesh ? objects_[*mesh].name : std::string(),
-                                .name = object.name,
-                                .values = {}},
-                               kFullShape);
+    const auto [of, is_new] = of_property.try_emplace({movement.object, movement.property});
+    if (!is_new && of->second.back()->layer == movement.layer) continue;  // the first counts
+    of->second.push_back(&movement);
+    if (is_new) in_order.push_back(&of->second);
+  }
+  for (const Layered* const movements : in_order) {
+    const FbxMovement& first = *movements->front();
+    const FbxObject& object = objects_[first.object];
+    if (object.type == "Model" && FbxTransform().part(first.property) != nullptr) continue;
+    const bool is_channel = object.kind == "BlendShapeChannel" && first.property == "DeformPercent";
+    if (!is_channel && object.type != "Model") continue;
+    const bool is_shape =
+        is_channel || (object.record != nullptr &&
+                       fbx_shape_named(file_.records, *object.record, first.property));
+    if (!is_shape && first.property != "Visibility" &&
+        !objects_.properties(first.object).is_custom(first.property))
       continue;
-    }
-    if (object.type != "Model") continue;
-    const bool is_shape = object.record != nullptr &&
-                          fbx_shape_named(file_.records, *object.record, movement.property);
-    const FbxProperties properties = objects_.properties(movement.object);
-    if (!is_shape && movement.property != "Visibility" && !properties.is_custom(movement.property))
-      continue;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (!movement.curves[axis] || (!is_shape && !movement.curves[axis]->moves())) continue;
-      if (!known.emplace(movement.object, movement.property + kAxes[axis]).second) continue;
-      left_out += !add_track(movement, axis,
-                             {.kind = is_shape ? TrackKind::MorphWeight : TrackKind::Property,
-                              .node = object.name,
-                              .name = movement.property + kAxes[axis],
-                              .values = {}},
-                             is_shape ? kFullShape : 1);
+    const auto mesh = is_channel ? mesh_of_shape(first.object) : std::optional(first.object);
+    for (std::size_t axis = 0; axis < (is_channel ? 1 : 3); ++axis) {
+      const bool changes =
+          std::any_of(movements->begin(), movements->end(), [&](const FbxMovement* movement) {
+            const auto& curve = movement->curves[axis];
+            const auto& weight = chosen_->layers[movement->layer].weight_curve;
+            return curve && (is_shape || curve->moves() || (weight && weight->moves()));
+          });
+      if (!changes) continue;
+      left_out += !sample_track(*movements, axis,
+                                {.kind = is_shape ? TrackKind::MorphWeight : TrackKind::Property,
+                                 .node = mesh ? objects_[*mesh].name : std::string(),
+                                 .name = (is_channel ? object.name : first.property) + kAxes[axis],
+                                 .values = {}},
+                                is_shape ? kFullShape : 1);
     }
   }
   if (left_out > 0)
@@ -505,8 +552,8 @@ double FbxFile::ticks_per_second() const {
   return is_stated && definition && *definition != kUsual ? kNewTicks : kFbxTicks;
 }
 
-FbxTake read_fbx_take(FbxFile& file, const ReadOptions& options) {
-  FbxTake take = FbxTakeReader(file, options).read();
+FbxTake read_fbx_take(FbxFile& file, const ReadOptions& options, FbxCurves curves) {
+  FbxTake take = FbxTakeReader(file, options, curves).read();
   try {
     take.take.meshes = fbx_meshes(file, take, take.warnings);
   } catch (const InputError& error) {  // an error here is no reason to refuse the motion
@@ -519,7 +566,7 @@ FbxTake read_fbx_take(FbxFile& file, const ReadOptions& options) {
 
 FbxTake read_fbx_rest(FbxFile& file) {
   const ReadOptions as_it_says;
-  FbxTake take = FbxTakeReader(file, as_it_says).read_rest();
+  FbxTake take = FbxTakeReader(file, as_it_says, FbxCurves::Release).read_rest();
   take.take.meshes = fbx_meshes(file, take, take.warnings);
   return take;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -61,17 +62,22 @@ struct FbxTake {
   std::size_t index = 0;                    // index among the file's takes
   double first_s = 0;                       // time of the first frame
   struct TrackPlace {                       // The source of each of take.tracks.
-    std::size_t curve_node = 0;
+    std::size_t object = 0;
+    std::string property;
     std::size_t axis = 0;
     double scale = 1;  // track value = scale * curve value
   };
   std::vector<TrackPlace> track_places;
+  std::vector<FbxMovement> movements;  // their curves are released, unless asked for
   Takes takes;
   Warnings warnings;
 };
 
+enum class FbxCurves : std::uint8_t { Release, Keep };
+
 /// Reads a take with its meshes. Throws InputError.
-FbxTake read_fbx_take(FbxFile& file, const ReadOptions& options);
+FbxTake read_fbx_take(FbxFile& file, const ReadOptions& options,
+                      FbxCurves curves = FbxCurves::Release);
 
 /// Reads the nodes at rest, whatever takes the file has.
 FbxTake read_fbx_rest(FbxFile& file);

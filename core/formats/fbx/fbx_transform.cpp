@@ -85,14 +85,18 @@ Vector3d* FbxTransform::part(std::string_view property) {
   return nullptr;
 }
 
-LocalTransform FbxTransform::local() const {
+FbxTransform::Turns FbxTransform::turns() const {
+  return {fbx_rotation(pre_rotation), fbx_rotation(post_rotation).conjugate()};
+}
+
+LocalTransform FbxTransform::local(const Turns& turns) const {
   LocalTransform local;
-  local.rotation = fbx_rotation(pre_rotation) * fbx_rotation(rotation, order) *
-                   fbx_rotation(post_rotation).conjugate();
+  local.rotation = turns.before * fbx_rotation(rotation, order) * turns.after;
   local.scale = scaling;
   local.inherit = inherit;
-  local.translation =
-      translation + rotation_offset + rotation_pivot + local.rotation * within_pivots();
+  local.translation = translation + rotation_offset + rotation_pivot;
+  if (const Vector3d within = within_pivots(); !within.isZero(0))
+    local.translation += local.rotation * within;
   return local;
 }
 

@@ -46,7 +46,15 @@ struct FbxTransform {
   /// The part with that name, which a curve may move; null: none.
   Eigen::Vector3d* part(std::string_view property);
 
-  LocalTransform local() const;
+  /// The rotations before and after the node's own.
+  struct Turns {
+    Eigen::Quaterniond before;
+    Eigen::Quaterniond after;
+  };
+  Turns turns() const;
+
+  LocalTransform local() const { return local(turns()); }
+  LocalTransform local(const Turns& turns) const;
   /// Sets translation, rotation and scaling so that local() equals this, with angles nearest to the
   /// current ones.
   void set_local(const LocalTransform& local);

@@ -44,6 +44,15 @@ AnimatedNode moving(std::string name, int parent, std::vector<LocalTransform> fr
   return {std::move(name), parent, joint, rest, std::move(frames)};
 }
 
+/// Changes one frame of a node.
+template <typename Change>
+void change(AnimatedNode& node, int frame, const Change& change_local) {
+  std::vector<LocalTransform> frames;
+  for (std::size_t t = 0; t < node.frames.size(); ++t) frames.push_back(node.frames[t]);
+  change_local(frames[static_cast<std::size_t>(frame)]);
+  node.frames = frames;
+}
+
 NodeTake take_of(std::vector<AnimatedNode> nodes) {
   NodeTake take;
   take.nodes = std::move(nodes);
@@ -143,7 +152,8 @@ TEST(NodeMotion, GivesTranslationChannelsOnlyToJointsThatSlide) {
 TEST(NodeMotion, KeepsPlacesWhereScaleChangesAndSaysSo) {
   NodeTake take = armature();
   for (int t = 0; t < kFrames; ++t)
-    take.nodes[3].frames[static_cast<std::size_t>(t)].scale = Vector3d::Constant(1 + 0.02 * t);
+    change(take.nodes[3], t,
+           [&](LocalTransform& local) { local.scale = Vector3d::Constant(1 + 0.02 * t); });
   const MotionFile file = read(take);
   EXPECT_THAT(texts(file), ElementsAre(HasSubstr("1 node whose scale changes over time")));
   EXPECT_EQ(channels(file.motion, "Foot"), 6);
@@ -259,13 +269,18 @@ TEST(NodeMotion, RefusesWhatNoMotionCanHold) {
     return std::string("read");
   };
   NodeTake take = armature();
-  take.nodes[3].frames[7].translation.x() = std::numeric_limits<double>::quiet_NaN();
+  change(take.nodes[3], 7, [](LocalTransform& local) {
+    local.translation.x() = std::numeric_limits<double>::quiet_NaN();
+  });
   EXPECT_EQ(message(take), "f: Knee has a transform that is not finite, or beyond 1e9");
-  take.nodes[3].frames[7] = {{0, 0, 0}, Quaterniond(0, 0, 0, 0)};
+  change(take.nodes[3], 7, [](LocalTransform& local) {
+    local = {{0, 0, 0}, Quaterniond(0, 0, 0, 0)};
+  });
   EXPECT_EQ(message(take), "f: Knee has a transform that is not finite, or beyond 1e9");
   take = armature();
   take.nodes[1].rest.scale = Vector3d::Constant(1e9);
-  take.nodes[2].rest.scale = take.nodes[2].frames[0].scale = Vector3d::Constant(1e9);
+  take.nodes[2].rest.scale = Vector3d::Constant(1e9);
+  change(take.nodes[2], 0, [](LocalTransform& local) { local.scale = Vector3d::Constant(1e9); });
   EXPECT_EQ(message(take), "f: Knee is farther than 1e9 cm away");
   EXPECT_EQ(message(take_of({still("light", -1, {})})),
             "f: has neither bones nor anything else that moves");

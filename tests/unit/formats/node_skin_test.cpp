@@ -36,8 +36,9 @@ AnimatedNode moving(const std::string& name, int parent, const LocalTransform& r
                     const Vector3d& axis) {
   AnimatedNode node{name, parent, true, rest, {}};
   for (int t = 0; t < kFrames; ++t) {
-    node.frames.push_back(rest);
-    node.frames.back().rotation = rest.rotation * turn(0.3 + std::sin(0.5 * t), axis);
+    LocalTransform local = rest;
+    local.rotation = rest.rotation * turn(0.3 + std::sin(0.5 * t), axis);
+    node.frames.push_back(local);
   }
   return node;
 }

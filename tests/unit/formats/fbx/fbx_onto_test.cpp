@@ -222,6 +222,39 @@ TEST_F(FbxOnto, TracksTakeTheNewValues) {
         << label(track);
 }
 
+TEST_F(FbxOnto, TracksOfSeveralLayersTakeTheNewValues) {
+  const Motion motion = test::smooth_motion(3);
+  ScalarTracks tracks = {
+      {.kind = TrackKind::Property, .node = "event", .name = "step", .values = {0, 1, 2}},
+      {.kind = TrackKind::MorphWeight, .node = "Face", .name = "smile", .values = {0, 1, 0.5}}};
+  const std::string plain = fbx_bytes(motion, {}, {}, tracks);
+  FbxRecords records("f", plain);
+  const FbxObjects objects(records);
+  FbxEdits edits;
+  FbxCurveOutput out({0, 46186158000}, edits.added[records.find(records.top(), "Objects")],
+                     edits.added[records.find(records.top(), "Connections")], 1'000'000);
+  const std::int64_t layer = out.new_id();
+  out.object("AnimationLayer", layer, fbx_full_name("more", "AnimLayer"), "").is_list = true;
+  for (const FbxObject& object : objects.all()) {
+    if (object.record == nullptr) continue;
+    const std::int64_t id = records.value(*object.record, 0)->whole();
+    if (object.type == "AnimationStack") out.connect(layer, id);
+    if (object.kind == "BlendShapeChannel") out.add(layer, id, "DeformPercent", {7, 7}, false);
+    if (object.type == "Model" && object.name == "event") out.add(layer, id, "step", {7, 7}, false);
+  }
+  const fs::path file = written(fbx_edited_bytes(records, edits));
+  const ScalarTracks layered = read_motion(file).tracks;
+  ASSERT_EQ(layered.size(), 2u);
+  for (const ScalarTrack& track : layered)
+    EXPECT_NEAR(track.values[2], track.name == "step" ? 9 : 0.57, 1e-6);
+  EXPECT_EQ(all_but_curves(put_onto(file, motion, {}, layered)), all_but_curves(read_text(file)));
+  for (ScalarTrack& track : tracks) std::reverse(track.values.begin(), track.values.end());
+  const MotionFile found = again(file, motion, {}, tracks);
+  for (const ScalarTrack& track : tracks)
+    EXPECT_NE(std::find(found.tracks.begin(), found.tracks.end(), track), found.tracks.end())
+        << label(track);
+}
+
 TEST_F(FbxOnto, AnAsciiFileIsRefusedInOneSentence) {
   const fs::path file =
       written("; FBX 7.4.0 project file\nFBXHeaderExtension: {\n FBXVersion: 7400\n}\n");

@@ -97,6 +97,34 @@ TEST_F(FbxStrangers, NamesAPointerOfGitLfs) {
   }
 }
 
+TEST_F(FbxStrangers, CountsAConnectionThatIsStatedTwiceOnceAndSaysSo) {
+  const Motion wanted = read("../fbx/animation_with_skeleton.fbx").motion;
+  for (const char* name : {"dup_AnimationCurveNode_Node.fbx", "dup_Deformer_Deformer.fbx"}) {
+    const MotionFile found = read(std::string("../attack/") + name);
+    EXPECT_EQ(found.motion.clip.channels, wanted.clip.channels) << name;
+    EXPECT_NE(found.skin, nullptr) << name;
+    EXPECT_THAT(found.warnings,
+                testing::Contains(testing::Field(&Warning::message,
+                                                 "1 connection stated again: each counts once")));
+  }
+}
+
+TEST_F(FbxStrangers, LeavesOutAMeshWhoseWeightsCannotBeThere) {
+  const std::string name = "../attack/inflate_4gb.fbx";
+  const std::string reason = "an array states more values than its bytes can hold (byte 50970)";
+  const MotionFile found = read(name);
+  EXPECT_EQ(found.motion.clip.channels, read("../fbx/huesitos.fbx").motion.clip.channels);
+  EXPECT_EQ(found.skin, nullptr);
+  EXPECT_THAT(found.warnings, testing::Contains(testing::Field(
+                                  &Warning::message, "its character is not read: " + reason)));
+  try {
+    read_character(folder_ / name);
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr(reason));
+  }
+}
+
 TEST_F(FbxStrangers, RefusesOrReadsManglesInOneSentence) {
   for (const char* folder : {"fbx_fuzz", "attack"})
     for (const auto& entry : fs::directory_iterator(folder_.parent_path() / folder)) {
