@@ -2,6 +2,8 @@
 // FBX files that the command line writes.
 #include <gmock/gmock.h>
 
+#include "core/base/file.h"
+#include "core/formats/fbx/fbx_records.h"
 #include "core/formats/motion_file.h"
 #include "tests/support/same_motion.h"
 #include "tests/system/command.h"
@@ -62,6 +64,27 @@ TEST_F(CliFbx, PutsSeveralClipsOfARigIntoOneFbxATakeEach) {
   ASSERT_EQ(mocapress({"compress", write("other.bvh", test_bvh()), "-o", packed_}).exit_code, 0);
   words.push_back(packed_);
   EXPECT_EQ(onto(output, {}).exit_code, 3);
+}
+
+TEST_F(CliFbx, ABatchWritesTheVersionAskedFor) {
+  std::filesystem::create_directories(file("in"));
+  write("in/clip.bvh", test_bvh());
+  const auto batch = [&](const std::string& out, const std::vector<std::string>& more) {
+    std::vector<std::string> words = {"batch",    file("in"), "-o",     file(out),
+                                      "--format", "fbx",      "--jobs", "1"};
+    words.insert(words.end(), more.begin(), more.end());
+    return mocapress(words).exit_code;
+  };
+  const auto version = [&](const std::string& out) {
+    const std::string name = file(out) / "clip.fbx";
+    const std::string bytes = read_text(name);
+    return FbxRecords(name, bytes).version();
+  };
+  ASSERT_EQ(batch("plain", {}), 0);
+  ASSERT_EQ(batch("newer", {"--fbx-version", "7.7"}), 0);
+  EXPECT_EQ(version("plain"), 7400);
+  EXPECT_EQ(version("newer"), 7700);
+  EXPECT_EQ(batch("older", {"--fbx-version", "6.1"}), 2);
 }
 
 /// Takes share nodes by their place in the list of joints.
