@@ -3698,7 +3698,7 @@
     </message>
     <message>
         <source>%1 stated again: each counts once</source>
-        <translation>%1 répétées dans le fichier : chacune compte une fois</translation>
+        <translation>%1 en double dans le fichier : chacune compte une fois</translation>
     </message>
     <message>
         <source>%1 with spheric XYZ angles, which are read as XYZ angles</source>

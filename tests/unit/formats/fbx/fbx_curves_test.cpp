@@ -67,6 +67,16 @@ TEST(FbxCurve, GoesStraightWhereLinear) {
   EXPECT_NEAR(at(curve({"1", "5"}, {{.flags = 4}}), 0.25), 2, 1e-12);
 }
 
+TEST(FbxCurve, AnswersTimesInAnyOrder) {
+  std::vector<std::string> values;
+  for (int k = 0; k < 40; ++k) values.push_back(std::to_string(k * k));
+  const FbxCurve asked = curve(values, {{.flags = 4}});
+  for (const int key : {0, 1, 2, 30, 31, 39, 12, 13, 11, 0, 20, 25})
+    EXPECT_NEAR(at(asked, key + (key < 39 ? 0.5 : 0.0)),
+                key < 39 ? (key * key + (key + 1) * (key + 1)) / 2.0 : 1521.0, 1e-9)
+        << key;
+}
+
 TEST(FbxCurve, FollowsTheSlopesOfItsUser) {
   const FbxCurve hermite = curve({"0", "1"}, {{.flags = 8 | 0x400, .a = 3, .b = -2}});
   const auto expected = [](double t) {  // Hermite's

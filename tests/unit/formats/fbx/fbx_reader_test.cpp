@@ -409,6 +409,16 @@ TEST(FbxReader, MixesAndReplacesByLayersOfAWeight) {
             1e-6);
 }
 
+TEST(FbxReader, ReleasesTheCurvesOfNodesUnlessAskedToKeepThem) {
+  const std::string text = fbx_text({{}});
+  for (const FbxCurves curves : {FbxCurves::Release, FbxCurves::Keep}) {
+    FbxFile file("f", text);
+    const FbxTake take = read_fbx_take(file, {}, curves);
+    ASSERT_EQ(take.movements.size(), 1u);
+    EXPECT_EQ(take.movements[0].has_keys(), curves == FbxCurves::Keep);
+  }
+}
+
 TEST(FbxReader, CombinesWeightsOfShapesByLayers) {
   const auto last = [](const std::string& properties) {
     const std::string text = with_layer(with_smile(fbx_text({{}})), "23", "DeformPercent");
