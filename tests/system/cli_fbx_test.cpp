@@ -76,7 +76,7 @@ TEST_F(CliFbx, ABatchWritesTheVersionAskedFor) {
     return mocapress(words).exit_code;
   };
   const auto version = [&](const std::string& out) {
-    const std::string name = file(out) / "clip.fbx";
+    const std::string name = file(out) / "in/clip.fbx";
     const std::string bytes = read_text(name);
     return FbxRecords(name, bytes).version();
   };
