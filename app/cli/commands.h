@@ -30,6 +30,7 @@ void add_contacts(CLI::App& app);
 void add_bench(CLI::App& app);
 void add_study(CLI::App& app);
 void add_batch(CLI::App& app);
+void add_diff(CLI::App& app);
 void add_bank(CLI::App& app);
 
 }  // namespace mocapress::cli

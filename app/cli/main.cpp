@@ -71,6 +71,7 @@ ExitCode run(int argc, char** argv) {
   add_bench(app);
   add_study(app);
   add_batch(app);
+  add_diff(app);
   add_bank(app);
   refuse_streams(app);
   try {

@@ -104,6 +104,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using Journals = std::vector<std::unique_ptr<JournalReader>>;
+
 std::vector<fs::path> journals_in(const fs::path& folder) {
   std::vector<fs::path> found;
   std::error_code error;
@@ -118,8 +120,7 @@ std::vector<fs::path> journals_in(const fs::path& folder) {
 
 /// Visits the rows of several journals in the order of the batch. Each journal has its rows in that
 /// order, and no row is in two of them.
-void visit_in_order(std::vector<std::unique_ptr<JournalReader>>& journals,
-                    const std::function<void(const BatchRow&)>& visit) {
+void visit_in_order(const Journals& journals, const std::function<void(const BatchRow&)>& visit) {
   std::map<std::size_t, std::pair<JournalReader*, std::size_t>> places;  // by index of the clip
   for (const auto& journal : journals)
     for (std::size_t place = 0; place < journal->rows(); ++place)
@@ -127,11 +128,9 @@ void visit_in_order(std::vector<std::unique_ptr<JournalReader>>& journals,
   for (const auto& [index, place] : places) visit(place.first->row_at(place.second));
 }
 
-}  // namespace
-
-MergedBatch merge_batch(const std::vector<fs::path>& folders, const fs::path& folder,
-                        const std::function<void(const BatchRow&)>& visit) {
-  std::vector<std::unique_ptr<JournalReader>> journals;
+/// Throws InputError if there is no journal or they belong to different batches.
+Journals open_journals(const std::vector<fs::path>& folders) {
+  Journals journals;
   for (const fs::path& one : folders)
     for (const fs::path& path : journals_in(one)) {
       journals.push_back(std::make_unique<JournalReader>(path));
@@ -143,6 +142,18 @@ MergedBatch merge_batch(const std::vector<fs::path>& folders, const fs::path& fo
   if (journals.empty())
     throw InputError(folders.empty() ? "" : folders.front().string(), 0, 0,
                      "holds no journal of a batch");
+  return journals;
+}
+
+}  // namespace
+
+void visit_rows(const fs::path& folder, const std::function<void(const BatchRow&)>& visit) {
+  visit_in_order(open_journals({folder}), visit);
+}
+
+MergedBatch merge_batch(const std::vector<fs::path>& folders, const fs::path& folder,
+                        const std::function<void(const BatchRow&)>& visit) {
+  const Journals journals = open_journals(folders);
   MergedBatch merged{.clips = journals.front()->header().clips};
   std::size_t rows = 0;
   const BatchRows in_order = [&](const auto& each) { visit_in_order(journals, each); };

@@ -175,6 +175,28 @@ TEST_F(CliBatch, FailsOnWhatItIsToldToWithCompleteReports) {
   EXPECT_EQ(mocapress(batch("out", {"--fail-on", "ugly"})).exit_code, 2);
 }
 
+TEST_F(CliBatch, TellsWhatChangedSinceAnEarlierOne) {
+  write_clips(2);
+  mocapress(batch("old", {"--target-error", "0.1"}));
+  mocapress(batch("new", {"--target-error", "20"}));
+  const std::vector<std::string> both = {"diff", file("old"), file("new")};
+  const auto diff = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), both.begin(), both.end());
+    return mocapress(more);
+  };
+  const json found = json::parse(diff({"--json"}).out);
+  EXPECT_EQ(found["clips"], 2);
+  EXPECT_EQ(found["counts"]["worse"], 2);
+  EXPECT_EQ(found["counts"]["smaller"], 2);
+  EXPECT_EQ(found["counts"]["larger"], 0);
+  EXPECT_THAT(diff({}).out, HasSubstr("2 worse"));
+  EXPECT_EQ(diff({"--fail-on", "larger,failed"}).exit_code, 0);
+  EXPECT_EQ(diff({"--fail-on", "larger,worse"}).exit_code, 4);
+  EXPECT_EQ(diff({"--fail-on", "ugly"}).exit_code, 2);
+  EXPECT_EQ(mocapress({"diff", file("old"), file("old"), "--fail-on", "worse"}).exit_code, 0);
+  EXPECT_EQ(mocapress({"diff", file("old"), file("nowhere")}).exit_code, 3);
+}
+
 TEST_F(CliBatch, DoesAProjectOfTheStudio) {
   write_clips(2);
   const std::string project = write("hero.mocapress", R"({"format": "mocapress-project",

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "core/batch/batch_difference.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "core/report/json_value.h"
+
+namespace mocapress {
+namespace {
+
+ClipFigures figures_of(const BatchRow& row) {
+  ClipFigures figures{.done = row.done(), .reason = row.error};
+  if (!row.measured) return figures;
+  figures.bytes = row.measured->motion_bytes;
+  figures.eps_cm = row.measured->eps_cm(row.preset.weighting);
+  figures.max_cm = row.measured->max_error_cm;
+  if (!row.measured->seen) return figures;
+  figures.sight = row.measured->seen->sight();
+  figures.reason = row.measured->seen->reason;
+  return figures;
+}
+
+/// -1, 0 or 1: less, about the same, more.
+int compared(double before, double after, double share) {
+  if (after > before * (1 + share)) return 1;
+  return after < before * (1 - share) ? -1 : 0;
+}
+
+std::vector<ClipChange> changes_of(const std::optional<ClipFigures>& before,
+                                   const std::optional<ClipFigures>& after, double share) {
+  using enum ClipChange;
+  if (!after) return {Gone};
+  if (!before) return {Added};
+  if (before->done != after->done) return {after->done ? Done : Failed};
+  if (!after->done) return {};
+  std::vector<ClipChange> changes;
+  if (before->sight && after->sight && *after->sight != *before->sight)
+    changes.push_back(*after->sight > *before->sight ? NewlyVisible : NoLongerSeen);
+  const int mean = compared(before->eps_cm, after->eps_cm, share);
+  const int largest = compared(before->max_cm, after->max_cm, share);
+  if (mean > 0 || largest > 0)
+    changes.push_back(Worse);
+  else if (mean < 0 || largest < 0)
+    changes.push_back(Better);
+  const int bytes =
+      compared(static_cast<double>(before->bytes), static_cast<double>(after->bytes), share);
+  if (bytes != 0) changes.push_back(bytes > 0 ? Larger : Smaller);
+  std::sort(changes.begin(), changes.end());
+  return changes;
+}
+
+Json to_json(const std::optional<ClipFigures>& figures) {
+  if (!figures) return {};
+  return {{"done", figures->done},
+          {"motion_bytes", figures->bytes},
+          {"eps_x_cm", figures->eps_cm},
+          {"max_error_cm", figures->max_cm},
+          {"visibility", figures->sight ? Json(name(*figures->sight)) : Json()},
+          {"reason", text_or_null(figures->reason)}};
+}
+
+}  // namespace
+
+std::string_view name(ClipChange change) {
+  switch (change) {
+    case ClipChange::Failed:
+      return "failed";
+    case ClipChange::NewlyVisible:
+      return "newly-visible";
+    case ClipChange::Worse:
+      return "worse";
+    case ClipChange::Larger:
+      return "larger";
+    case ClipChange::Gone:
+      return "gone";
+    case ClipChange::Added:
+      return "added";
+    case ClipChange::Done:
+      return "done";
+    case ClipChange::NoLongerSeen:
+      return "no-longer-visible";
+    case ClipChange::Better:
+      return "better";
+    case ClipChange::Smaller:
+      return "smaller";
+  }
+  return "";
+}
+
+std::optional<ClipChange> clip_change_named(std::string_view word) {
+  for (const ClipChange change : kClipChanges)
+    if (name(change) == word) return change;
+  return std::nullopt;
+}
+
+std::size_t BatchDifference::count(ClipChange change) const {
+  return static_cast<std::size_t>(
+      std::count_if(changed.begin(), changed.end(), [change](const ClipDifference& clip) {
+        return std::find(clip.changes.begin(), clip.changes.end(), change) != clip.changes.end();
+      }));
+}
+
+BatchDifference difference_of(const BatchRows& before, const BatchRows& after, double share) {
+  std::map<std::string, ClipDifference> clips;
+  before([&](const BatchRow& row) { clips[row.output].before = figures_of(row); });
+  after([&](const BatchRow& row) { clips[row.output].after = figures_of(row); });
+  BatchDifference difference;
+  for (auto& [output, clip] : clips) {
+    if (clip.before && clip.after && clip.before->done && clip.after->done) {
+      ++difference.clips;
+      difference.bytes_before += clip.before->bytes;
+      difference.bytes_after += clip.after->bytes;
+    }
+    clip.output = output;
+    clip.changes = changes_of(clip.before, clip.after, share);
+    if (!clip.changes.empty()) difference.changed.push_back(std::move(clip));
+  }
+  std::stable_sort(difference.changed.begin(), difference.changed.end(),
+                   [](const ClipDifference& a, const ClipDifference& b) {
+                     return a.changes.front() < b.changes.front();
+                   });
+  return difference;
+}
+
+Json to_json(const BatchDifference& difference) {
+  Json counts = Json::object();
+  for (const ClipChange change : kClipChanges)
+    counts[std::string(name(change))] = difference.count(change);
+  Json changed = Json::array();
+  for (const ClipDifference& clip : difference.changed) {
+    Json changes = Json::array();
+    for (const ClipChange change : clip.changes) changes.push_back(name(change));
+    changed.push_back({{"output", clip.output},
+                       {"changes", changes},
+                       {"before", to_json(clip.before)},
+                       {"after", to_json(clip.after)}});
+  }
+  return {{"clips", difference.clips},
+          {"motion_bytes_before", difference.bytes_before},
+          {"motion_bytes_after", difference.bytes_after},
+          {"counts", counts},
+          {"changed", changed}};
+}
+
+}  // namespace mocapress

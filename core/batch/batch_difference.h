@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/json_text.h"
+#include "core/batch/report.h"
+
+namespace mocapress {
+
+/// A change of a clip from one batch to a later one, the gravest first.
+enum class ClipChange {
+  Failed,        // it was done, and failed in the later batch
+  NewlyVisible,  // the eye sees more: borderline or visible, and less than that before
+  Worse,         // mean or largest error
+  Larger,        // bytes of motion
+  Gone,          // the later batch does not have it
+  Added,         // the earlier batch did not have it
+  Done,          // it had failed
+  NoLongerSeen,  // the eye sees less
+  Better,        // mean and largest error
+  Smaller,
+};
+
+inline constexpr std::array kClipChanges = {
+    ClipChange::Failed, ClipChange::NewlyVisible, ClipChange::Worse, ClipChange::Larger,
+    ClipChange::Gone,   ClipChange::Added,        ClipChange::Done,  ClipChange::NoLongerSeen,
+    ClipChange::Better, ClipChange::Smaller};
+
+/// "failed", "newly-visible", "worse", "larger", "gone", "added", "done", "no-longer-visible",
+/// "better", "smaller".
+std::string_view name(ClipChange change);
+std::optional<ClipChange> clip_change_named(std::string_view word);
+
+/// What a batch says of a clip.
+struct ClipFigures {
+  bool done = false;
+  std::size_t bytes = 0;  // of motion
+  double eps_cm = 0;      // in the weighting it was compressed by
+  double max_cm = 0;
+  std::optional<Sight> sight;
+  std::string reason;  // of what is seen, or of the failure
+};
+
+/// A clip that changed.
+struct ClipDifference {
+  std::string output;
+  std::optional<ClipFigures> before;  // unset: not in the earlier batch
+  std::optional<ClipFigures> after;
+  std::vector<ClipChange> changes;  // the gravest first
+};
+
+struct BatchDifference {
+  std::size_t clips = 0;         // done in both
+  std::size_t bytes_before = 0;  // of these
+  std::size_t bytes_after = 0;
+  std::vector<ClipDifference> changed;  // the gravest change first, then by output
+
+  std::size_t count(ClipChange change) const;
+};
+
+/// Compares two batches, clip by clip of the same output. Bytes and errors that differ by less than
+/// `share` are the same.
+BatchDifference difference_of(const BatchRows& before, const BatchRows& after, double share);
+
+Json to_json(const BatchDifference& difference);
+
+}  // namespace mocapress
