@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/batch/format_options_json.h"
+#include "core/report/verdict.h"
 
 namespace mocapress {
 namespace {
@@ -26,6 +27,10 @@ std::optional<ReadOptions> reading_in(const std::string& text) {
   return format_options(parse_json("", text));
 }
 
+std::string notes_text(const std::vector<FrameNote>& notes) {
+  return notes.empty() ? std::string() : dumped(to_json(notes));
+}
+
 }  // namespace
 
 ItemList::ItemList(std::initializer_list<BatchItem> items) {
@@ -41,7 +46,7 @@ ItemList::Place ItemList::append(const BatchItem& item) {
         item.output.substr(folder_length(item.output)), std::to_string(item.preset), item.problem,
         std::string(name(item.review.verdict)), item.review.note, item.review.reviewer,
         item.review.time, item.review.source_hash, item.review.settings_hash,
-        reading_text(item.reading)}) {
+        notes_text(item.review.notes), reading_text(item.reading)}) {
     text_ += field.c_str();
     text_ += '\0';
   }
@@ -99,6 +104,8 @@ BatchItem ItemList::operator[](std::size_t index) const {
   item.review.time = next();
   item.review.source_hash = next();
   item.review.settings_hash = next();
+  if (const std::string notes = next(); !notes.empty())
+    item.review.notes = frame_notes_from(parse_json("", notes));
   item.reading = reading_in(next());
   return item;
 }

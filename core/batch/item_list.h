@@ -73,7 +73,7 @@ class ItemList {
   std::uint32_t index_of_folder(const std::string& path);
 
   // Texts of all items, each ended by 0: the last part of input, skeleton, the last part of output,
-  // preset, problem, the fields of its review and its options for reading.
+  // preset, problem, the fields of its review, the notes as JSON, and its options for reading.
   std::string text_;
   std::vector<std::string> folders_;  // each ends with / or is empty
   std::vector<Place> places_;

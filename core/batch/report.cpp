@@ -73,8 +73,11 @@ struct Totals {
   std::size_t visible = 0;
   std::size_t borderline = 0;
   std::size_t not_visible = 0;
-  std::size_t stale = 0;     // verdicts
-  std::size_t reviewed = 0;  // clips that the page can show
+  std::size_t approved = 0;  // by verdicts that are not stale
+  std::size_t rejected = 0;
+  std::size_t stale = 0;  // verdicts
+  std::size_t noted = 0;  // clips with notes on frames
+  std::size_t shown = 0;  // clips that the page can show
   double raw_bytes = 0;
   double motion_bytes = 0;
   double worst_eps_cm = 0;
@@ -84,13 +87,17 @@ struct Totals {
 
   void add(const BatchRow& row) {
     warned += !row.warnings.empty();
-    stale += stale_reason(row).has_value();
+    const bool is_stale = stale_reason(row).has_value();
+    stale += is_stale;
+    approved += !is_stale && row.review.verdict == Verdict::Approved;
+    rejected += !is_stale && row.review.verdict == Verdict::Rejected;
+    noted += !row.review.notes.empty();
     if (!row.done() || !row.measured) {
       failed += !row.done();
       return;
     }
     ++done;
-    reviewed += std::ranges::find(row.formats, OutputFormat::Review) != row.formats.end();
+    shown += std::ranges::find(row.formats, OutputFormat::Review) != row.formats.end();
     if (row.measured->seen) count(row);
     raw_bytes += static_cast<double>(row.measured->raw_bytes);
     motion_bytes += static_cast<double>(row.measured->motion_bytes);
@@ -126,6 +133,10 @@ std::string tiles(const Totals& totals, std::size_t waiting) {
           tile(std::to_string(totals.not_visible), "not visible");
   all += tile(std::to_string(totals.done), "clips done, each read back and measured");
   if (totals.failed > 0) all += tile(std::to_string(totals.failed), "failed");
+  if (const std::size_t reviewed = totals.approved + totals.rejected; reviewed > 0)
+    all += tile(std::to_string(reviewed) + " of " + std::to_string(totals.done + totals.failed),
+                "reviewed: " + std::to_string(totals.approved) + " approved, " +
+                    std::to_string(totals.rejected) + " rejected");
   if (totals.stale > 0) all += tile(std::to_string(totals.stale), "verdicts are stale");
   if (waiting > 0) all += tile(std::to_string(waiting), "still waiting");
   if (totals.motion_bytes > 0)
@@ -254,6 +265,24 @@ void write_clips(std::ostream& out, const BatchRows& rows) {
   out << "</tbody></table></div></section>\n";
 }
 
+/// Writes what reviewers noted on frames, clip by clip.
+void write_notes(std::ostream& out, const BatchRows& rows) {
+  const auto left = attribute("class", "name");
+  out << "<section><h2>Notes</h2>" << muted("Frames count from 0.")
+      << "<div class=\"scroll\"><table><thead>"
+      << line(head("Clip", left) + head("frame") + head("joint", left) + head("note", left) +
+              head("by", left) + head("when", left))
+      << "</thead><tbody>\n";
+  rows([&](const BatchRow& row) {
+    for (const FrameNote& note : row.review.notes)
+      out << line(row_head(row.output) + cell(std::to_string(note.frame)) +
+                  text_cell(note.joint, "name") + text_cell(note.text, "wrap") +
+                  text_cell(note.reviewer, "name") + text_cell(note.time, "name"))
+          << '\n';
+  });
+  out << "</tbody></table></div></section>\n";
+}
+
 /// Writes charts of the clips with the most visible errors.
 void write_sights(std::ostream& out, const Totals& totals) {
   const std::size_t seen = totals.visible + totals.borderline;
@@ -354,10 +383,11 @@ void write_batch_html(std::ostream& out, const BatchRows& rows, std::size_t wait
              element("h1", "", "Batch export") + muted(escaped(stamp.program + ", " + stamp.time)))
       << tiles(totals, waiting) << '\n';
   if (totals.failed > 0) write_failures(out, rows);
-  const bool has_viewer = totals.reviewed > 0 && !viewer.empty();
+  const bool has_viewer = totals.shown > 0 && !viewer.empty();
   if (has_viewer) out << review_section(viewer) << '\n';
   out << pictures(totals) << '\n';
   if (totals.done > 0) write_clips(out, rows);
+  if (totals.noted > 0) write_notes(out, rows);
   if (!totals.most_seen.empty()) write_sights(out, totals);
   if (totals.warned > 0) write_warnings(out, rows);
   out << notes() << "</main>";

@@ -253,6 +253,11 @@ std::string csv_text(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (!value.is_array()) return dumped(value);
   std::string all;
+  if (!value.empty() && value.front().is_object()) {
+    for (const FrameNote& note : frame_notes_from(value))
+      all += (all.empty() ? "" : "; ") + note_text(note);
+    return all;
+  }
   for (const Json& one : value) all += (all.empty() ? "" : "; ") + one.get<std::string>();
   return all;
 }

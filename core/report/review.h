@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace mocapress {
 
@@ -30,15 +31,27 @@ constexpr Verdict verdict_named(std::string_view word) {
   return Verdict::None;
 }
 
+/// A reviewer's note on a moment of a clip.
+struct FrameNote {
+  int frame = 0;           // the first is 0
+  std::string joint = {};  // by name; empty: the whole figure
+  std::string text = {};
+  std::string reviewer = {};
+  std::string time = {};  // ISO 8601, UTC
+
+  bool operator==(const FrameNote&) const = default;
+};
+
 /// A reviewer's verdict about a clip, and the hashes of what was reviewed. It goes with the clip
 /// into every report; stale_reason() in core/report/verdict.h tells if it still applies.
 struct ClipReview {
   Verdict verdict = Verdict::None;
   std::string note = {};
   std::string reviewer = {};
-  std::string time = {};           // ISO 8601, UTC: "2026-11-26T14:05:00Z"
-  std::string source_hash = {};    // hash of the reviewed bytes; empty: unknown
-  std::string settings_hash = {};  // hash of the settings used; empty: unknown
+  std::string time = {};              // ISO 8601, UTC: "2026-11-26T14:05:00Z"
+  std::string source_hash = {};       // hash of the reviewed bytes; empty: unknown
+  std::string settings_hash = {};     // hash of the settings used; empty: unknown
+  std::vector<FrameNote> notes = {};  // in the order of their frames
 
   bool operator==(const ClipReview&) const = default;
 };

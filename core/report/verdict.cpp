@@ -13,6 +13,37 @@ std::string text_at(const Json& json, const char* key) {
 
 }  // namespace
 
+Json to_json(const std::vector<FrameNote>& notes) {
+  Json json = Json::array();
+  for (const FrameNote& note : notes)
+    json.push_back({{"frame", note.frame},
+                    {"joint", text_or_null(note.joint)},
+                    {"text", note.text},
+                    {"reviewer", text_or_null(note.reviewer)},
+                    {"time", text_or_null(note.time)}});
+  return json;
+}
+
+std::vector<FrameNote> frame_notes_from(const Json& json) {
+  std::vector<FrameNote> notes;
+  for (const Json& one : json)
+    notes.push_back({.frame = one.at("frame").get<int>(),
+                     .joint = text_at(one, "joint"),
+                     .text = text_at(one, "text"),
+                     .reviewer = text_at(one, "reviewer"),
+                     .time = text_at(one, "time")});
+  return notes;
+}
+
+std::string note_text(const FrameNote& note) {
+  std::string text = "frame " + std::to_string(note.frame);
+  if (!note.joint.empty()) text += ", " + note.joint;
+  text += ": " + note.text;
+  if (note.reviewer.empty()) return text;
+  return text + " (" + note.reviewer + (note.time.empty() ? "" : ", " + note.time.substr(0, 10)) +
+         ")";
+}
+
 void put(Json& json, const ClipReview& review) {
   json["verdict"] = text_or_null(name(review.verdict));
   json["note"] = text_or_null(review.note);
@@ -20,6 +51,7 @@ void put(Json& json, const ClipReview& review) {
   json["reviewed"] = text_or_null(review.time);
   json["source_hash"] = text_or_null(review.source_hash);
   json["settings_hash"] = text_or_null(review.settings_hash);
+  json["notes"] = review.notes.empty() ? Json() : to_json(review.notes);
 }
 
 ClipReview review_from(const Json& json) {
@@ -28,7 +60,8 @@ ClipReview review_from(const Json& json) {
           .reviewer = text_at(json, "reviewer"),
           .time = text_at(json, "reviewed"),
           .source_hash = text_at(json, "source_hash"),
-          .settings_hash = text_at(json, "settings_hash")};
+          .settings_hash = text_at(json, "settings_hash"),
+          .notes = frame_notes_from(json.value("notes", Json()))};
 }
 
 std::optional<std::string> stale_reason(const ClipReview& review, std::string_view source_hash,

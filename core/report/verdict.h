@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/json_text.h"
 #include "core/report/review.h"
@@ -12,13 +13,20 @@
 namespace mocapress {
 
 /// Writes a review as JSON, the same in projects, queues, journals and reports: sets "verdict",
-/// "note", "reviewer", "reviewed" (the time), "source_hash" and "settings_hash" in `json`. Empty
-/// fields become null.
+/// "note", "reviewer", "reviewed" (the time), "source_hash", "settings_hash" and "notes" (objects
+/// of "frame", "joint", "text", "reviewer" and "time") in `json`. Empty fields become null.
 void put(Json& json, const ClipReview& review);
 
 /// The inverse of put(); missing keys give empty fields. Throws the JSON library's exceptions for a
-/// value that is not a text.
+/// value of another type.
 ClipReview review_from(const Json& json);
+
+/// The notes on frames as JSON, and back.
+Json to_json(const std::vector<FrameNote>& notes);
+std::vector<FrameNote> frame_notes_from(const Json& json);
+
+/// "frame 12, lfoot: slides (ana, 2026-11-27)".
+std::string note_text(const FrameNote& note);
 
 /// The reason why a verdict does not apply to a source file and settings with these hashes: "the
 /// clip's file changed", "the settings changed", or that it has no hashes. Unset: it applies, or
