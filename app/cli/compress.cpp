@@ -113,6 +113,8 @@ struct Compress {
     importance.require_names_of(skeleton);
     EncodeSettings options;
     or_usage_error([&] { options = encode_settings(asked, skeleton); });
+    or_usage_error(
+        [&] { frame_factors(options.ranges, encoder.wavelets().motion().clip.frames()); });
     options.effort = effort;
     options.contacts = contacts.spans(encoder.wavelets().motion());
     options.figures_only = true;
@@ -213,6 +215,7 @@ void add_compress(CLI::App& app) {
   call->correction.add_options(*command);
   call->contacts.add_options(*command);
   call->importance.add_options(*command);
+  add_range_option(*command, call->settings.ranges);
   command->add_option("--effort", call->effort, "Search effort of the closed loop [default]")
       ->transform(one_of({Effort::Draft, Effort::Default, Effort::Best}));
   command

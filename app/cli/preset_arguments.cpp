@@ -97,6 +97,41 @@ void ImportanceArguments::require_names_of(const Skeleton& skeleton) const {
       throw CLI::ValidationError(kOption, "the skeleton has no part or joint named " + name);
 }
 
+namespace {
+
+/// Reads "40-80=3". Throws CLI::ValidationError.
+ImportantRange range_from(const std::string& word) {
+  ImportantRange range;
+  const std::size_t dash = word.find('-');
+  const std::size_t equals = word.find('=');
+  using CLI::detail::lexical_cast;
+  if (dash == std::string::npos || equals == std::string::npos || equals < dash ||
+      !lexical_cast(word.substr(0, dash), range.first_frame) ||
+      !lexical_cast(word.substr(dash + 1, equals - dash - 1), range.last_frame) ||
+      !lexical_cast(word.substr(equals + 1), range.factor) || range.first_frame < 0 ||
+      range.last_frame < range.first_frame ||
+      !(range.factor >= 1 && range.factor <= kMostRangeFactor))
+    throw CLI::ValidationError(
+        "--importance-range",
+        "expects A-B=FACTOR, frames A to B from 0 on, FACTOR from 1 to 100: " + word);
+  return range;
+}
+
+}  // namespace
+
+void add_range_option(CLI::App& command, std::vector<ImportantRange>& ranges) {
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--importance-range",
+          [&ranges](const std::vector<std::string>& words) {
+            ranges.clear();
+            for (const std::string& word : words) ranges.push_back(range_from(word));
+          },
+          "Make the target stricter from frame A to B (the first is 0), FACTOR times: closed loop")
+      ->type_name("A-B=FACTOR,...")
+      ->delimiter(',');
+}
+
 void add_target_options(CLI::App& command, const std::string& title,
                         const std::function<void(const Target&)>& choose) {
   CLI::Option_group* const targets = command.add_option_group("target", title);
@@ -143,6 +178,7 @@ void PresetArguments::add_options(CLI::App& command) {
                      [this](const Target& asked) { target = asked; });
   correction.add_options(command);
   importance.add_options(command);
+  add_range_option(command, ranges);
   command.add_option("--effort", effort, "Search effort of the closed loop [default]")
       ->transform(one_of({Effort::Default, Effort::Best}));
   command.add_option("--ends", ends, "First and last pose of the closed loop [even]")
@@ -167,6 +203,7 @@ Settings PresetArguments::read() const {
   if (seed) read.seed = *seed;
   if (!correction.ratio.empty()) read.correction = correction.settings();
   if (!importance.words.empty()) read.importance = importance.named();
+  if (!ranges.empty()) read.ranges = ranges;
   if (effort) read.effort = *effort;
   if (ends) read.ends = *ends;
   if (loop) read.loop = *loop;

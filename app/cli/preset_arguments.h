@@ -38,6 +38,9 @@ struct ImportanceArguments {
   void require_names_of(const Skeleton& skeleton) const;
 };
 
+/// Adds --importance-range, whose ranges are stored in `ranges`.
+void add_range_option(CLI::App& command, std::vector<ImportantRange>& ranges);
+
 /// Adds the options that set a target, at most one of which may be given; `choose` receives it.
 void add_target_options(CLI::App& command, const std::string& title,
                         const std::function<void(const Target&)>& choose);
@@ -53,7 +56,8 @@ struct PresetArguments {
   std::optional<Effort> effort;
   std::optional<Ends> ends;
   std::optional<Loop> loop;
-  ImportanceArguments importance;  // replaces the preset's importances if any is named
+  ImportanceArguments importance;      // replaces the preset's importances if any is named
+  std::vector<ImportantRange> ranges;  // replace the preset's if any is given
   CorrectionArguments correction;
 
   void add_options(CLI::App& command);

@@ -30,6 +30,8 @@ std::string settingsKey(const EncodeSettings& options) {
         << ' ' << correction->ratio.value_or(0);
     for (const int joint : correction->joints) key << ' ' << joint;
   }
+  for (const ImportantRange& range : options.ranges)
+    key << " range " << range.first_frame << ' ' << range.last_frame << ' ' << range.factor;
   if (options.contacts) {
     key << " contacts";
     for (const ContactSpan& span : *options.contacts)

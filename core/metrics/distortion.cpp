@@ -154,9 +154,10 @@ constexpr std::size_t kSkinSet = 3;  // index after landmarks, surface and shell
 }  // namespace
 
 DistortionMeter::DistortionMeter(const Skeleton& skeleton, int frames, Detail detail,
-                                 Weighting weighting)
+                                 Weighting weighting, Eigen::VectorXd frame_factors)
     : skeleton_(skeleton),
       detail_(detail),
+      frame_factors_(std::move(frame_factors)),
       squared_turns_(Eigen::VectorXd::Zero(skeleton.joint_count())),
       greatest_turns_(squared_turns_),
       ends_(std::ssize(landmarks(skeleton))) {
@@ -234,7 +235,10 @@ void DistortionMeter::add_some(int first_frame, const TrackRows& original,
   frames_ += original.rows();
   JointErrors errors(skeleton_, original, decoded);
   for (Set& set : sets_) {
-    const Eigen::MatrixXd squared = set.errors.squared(original, decoded, errors);
+    Eigen::MatrixXd squared = set.errors.squared(original, decoded, errors);
+    if (frame_factors_.size() > 0)
+      squared.array().colwise() *=
+          frame_factors_.segment(first_frame, squared.rows()).array().square();
     add(set, first_frame, squared);
     if (detail_ != Detail::Means && set.errors.weighting() == Weighting::Surface)
       ends_.add(original, decoded, squared * set.errors.measured().weights);

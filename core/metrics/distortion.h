@@ -133,10 +133,11 @@ class PointErrors {
 /// its memory does not grow with them.
 class DistortionMeter {
  public:
-  /// Takes clips of `frames` frames. Detail::Means measures the given weighting; other details
-  /// measure all.
+  /// Takes clips of `frames` frames. Detail::Means measures the given weighting, and counts errors
+  /// of each frame `frame_factors` times unless that is empty; other details measure all
+  /// weightings.
   DistortionMeter(const Skeleton& skeleton, int frames, Detail detail,
-                  Weighting weighting = Weighting::BoneEnds);
+                  Weighting weighting = Weighting::BoneEnds, Eigen::VectorXd frame_factors = {});
 
   /// Adds rows of body_tracks() of both clips, starting at first_frame.
   void add(int first_frame, const TrackRows& original, const TrackRows& decoded);
@@ -168,6 +169,7 @@ class DistortionMeter {
 
   Skeleton skeleton_;
   Detail detail_;
+  Eigen::VectorXd frame_factors_;  // empty: all frames count alike
   // Landmarks, surface, shell and, if any, skin; one set alone for Detail::Means.
   std::vector<Set> sets_;
   Eigen::Index frames_ = 0;

@@ -32,6 +32,7 @@ EncodeSettings encode_settings(const Settings& settings, const Skeleton& skeleto
                          .seed = settings.seed,
                          .effort = settings.effort,
                          .importance = importance_for(settings.importance, skeleton),
+                         .ranges = settings.ranges,
                          .promises = settings.promises,
                          .ends = settings.ends,
                          .loop = settings.loop};

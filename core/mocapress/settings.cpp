@@ -104,6 +104,10 @@ void check(const Settings& settings) {
   };
   check_factor(settings.importance.contacts, "contacts");
   for (const auto& [name, factor] : settings.importance.factors) check_factor(factor, name);
+  for (const ImportantRange& range : settings.ranges)
+    if (!(range.factor >= 1 && range.factor <= kMostRangeFactor))
+      refuse("has an importance of frames that is not a number from 1 to " +
+             format_shortest(kMostRangeFactor));
   if (!settings.correction) return;
   if (!of_wavelets) refuse("has an IK correction, which can correct wavelet methods only");
   const double ratio = settings.correction->ratio.value_or(1);

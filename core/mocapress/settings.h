@@ -12,6 +12,7 @@
 
 #include "core/codec/encode/options/effort.h"
 #include "core/codec/encode/options/importance.h"
+#include "core/codec/encode/options/important_range.h"
 #include "core/codec/encode/options/promises.h"
 #include "core/codec/encode/options/target.h"
 #include "core/codec/format/coded_ends.h"
@@ -62,6 +63,7 @@ struct Settings {
   std::optional<CorrectionSettings> correction;         // unset: without IK correction
   std::optional<std::vector<ContactSetting>> contacts;  // edited ones, of the one clip they are
                                                         // for; unset: found
+  std::vector<ImportantRange> ranges;  // frames with more care, of the one clip they are for
 
   bool operator==(const Settings&) const = default;
 };
@@ -78,7 +80,8 @@ void check(const Settings& settings);
 ///    "promises": {"head_degrees": 2.5, "hand_degrees": 4, "finger_degrees": 6, "root_cm": 0.2,
 ///    "root_degrees": 0.3}, "ends": "even",
 ///    "loop": "none", "track_error": 0.001, "contacts": [{"joint": "lfoot", "first_frame": 10,
-///    "last_frame": 25}]}
+///    "last_frame": 25}], "importance_ranges": [{"first_frame": 40, "last_frame": 80, "factor":
+///    2}]}
 std::string settings_to_json(const Settings& settings);
 
 /// The inverse. Keys that are left out have the values of Settings{}; "ik": null is no correction.

@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::string_view kFound = "auto";
 constexpr const char* kContacts = "contacts";  // among the names of importance
+constexpr const char* kRanges = "importance_ranges";
 
 /// The keys of one object, each taken once; what is left over is a mistake.
 class Keys {
@@ -165,6 +166,30 @@ std::vector<ContactSetting> contacts_from(const Json& json, const Keys& keys,
   return contacts;
 }
 
+Json to_json(const std::vector<ImportantRange>& ranges) {
+  Json json = Json::array();
+  for (const ImportantRange& range : ranges)
+    json.push_back({{"first_frame", range.first_frame},
+                    {"last_frame", range.last_frame},
+                    {"factor", range.factor}});
+  return json;
+}
+
+std::vector<ImportantRange> ranges_from(const Json& json, const Keys& keys, const std::string& of) {
+  std::vector<ImportantRange> ranges;
+  if (!json.is_array()) keys.refuse(kRanges, "is not a list of ranges");
+  for (const Json& one : json) {
+    Keys range(one, of + ": a range");
+    const ImportantRange read{range.frame("first_frame"), range.frame("last_frame"),
+                              range.number("factor", 0)};
+    range.end();
+    if (read.first_frame < 0 || read.last_frame < read.first_frame)
+      keys.refuse(kRanges, "is not a list of ranges with a first and a last frame");
+    ranges.push_back(read);
+  }
+  return ranges;
+}
+
 Json to_json(const Promises& promises) {
   Json json = Json::object();
   for (const PromiseKey& promise : kPromiseKeys)
@@ -216,6 +241,7 @@ Settings read_settings(const Json& json) {
     settings.promises = promises_from(*promises, of);
   if (const Json* contacts = keys.take(kContacts))
     settings.contacts = contacts_from(*contacts, keys, of);
+  if (const Json* ranges = keys.take(kRanges)) settings.ranges = ranges_from(*ranges, keys, of);
   keys.end();
   return settings;
 }
@@ -237,6 +263,7 @@ Json to_json(const Settings& settings) {
   if (settings.loop) json["loop"] = name(*settings.loop);
   if (settings.track_error != kUsualTrackError) json["track_error"] = settings.track_error;
   if (settings.contacts) json[kContacts] = to_json(*settings.contacts);
+  if (!settings.ranges.empty()) json[kRanges] = to_json(settings.ranges);
   return json;
 }
 

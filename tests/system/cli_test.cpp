@@ -554,6 +554,24 @@ TEST_F(Cli, TakesMoreCareOfWhatIsImportant) {
   }
 }
 
+TEST_F(Cli, TakesMoreCareOfARange) {
+  const std::string walk = std::string(MOCAPRESS_SOURCE_DIR) + "/resources/samples/human_walk.amc";
+  const auto bytes = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"compress", walk, "--target-error", "0.5", "--json"});
+    return json_of(words)["motion_bytes"].get<int>();
+  };
+  const int plain = bytes({});
+  EXPECT_GT(bytes({"--importance-range", "40-80=4"}), plain);
+  EXPECT_GT(bytes({"--importance-range", "0-9=2,40-80=4"}),
+            bytes({"--importance-range", "40-80=4"}));
+  EXPECT_EQ(bytes({"--importance-range", "40-80=1"}), plain);
+  for (const char* wrong : {"40", "40-80", "80-40=2", "-1-5=2", "0-100000=2", "0-5=0.5", "0-5=x"}) {
+    const auto refused = mocapress({"compress", walk, std::string("--importance-range=") + wrong});
+    EXPECT_EQ(refused.exit_code, 2) << wrong;
+    EXPECT_FALSE(refused.err.empty()) << wrong;
+  }
+}
+
 TEST_F(Cli, InfoDescribesEveryKindOfFile) {
   compress({});
   ASSERT_EQ(mocapress({"decompress", packed_, "-o", file("back.amc")}).exit_code, 0);

@@ -104,9 +104,9 @@ Trial LoopEncode::attempt(double scale, ClosedLoopWork work, const Eigen::Vector
                           Effort effort) {
   const EncodeSettings& settings = coder_.settings();
   const bool is_rough = work == ClosedLoopWork::Rounding;  // its bytes are not needed
-  const bool model_will_do = (effort == Effort::Draft || is_rough) &&
-                             settings.target.kind == Target::Kind::Error &&
-                             settings.importance.is_even() && !coder_.has_correction();
+  const bool model_will_do =
+      (effort == Effort::Draft || is_rough) && settings.target.kind == Target::Kind::Error &&
+      settings.importance.is_even() && settings.ranges.empty() && !coder_.has_correction();
   ClosedLoop::Result result = quantise(scale, work, frame_weights);
   Trial trial = model_will_do && is_rough ? coder_.without_bytes(result)
                                           : coder_.code(std::move(result), bytes_);

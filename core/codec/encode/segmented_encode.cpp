@@ -37,7 +37,8 @@ class SegmentedEncode {
         settings_(settings),
         layout_(layout),
         observer_(observer),
-        goal_(Original(motion_), settings.target, settings.weighting, contacts_) {
+        goal_(Original(motion_), settings.target, settings.weighting, contacts_,
+              frame_factors(settings.ranges, layout.frames)) {
     if (settings_.target.kind == Target::Kind::Size)
       share_of_size_ = static_cast<double>(layout.length) / std::max(layout.frames, 1);
     if (settings_.correction && !settings_.correction->ratio)
@@ -107,6 +108,8 @@ class SegmentedEncode {
     EncodeSettings settings = settings_;
     settings.target.value *= share_of_size_;
     settings.contacts = contacts_of(segment);
+    settings.ranges =
+        frames_of(settings_.ranges, layout_.first(segment), layout_.frames_of(segment));
     return settings;
   }
 
@@ -206,7 +209,8 @@ class SegmentedEncode {
   void weigh(ClosedLoopWork work, Trial& trial) const {
     const bool is_guess = settings_.effort == Effort::Draft || work == ClosedLoopWork::Rounding;
     const bool by_model = is_guess && settings_.target.kind == Target::Kind::Error &&
-                          !settings_.correction && settings_.importance.is_even();
+                          !settings_.correction && settings_.importance.is_even() &&
+                          settings_.ranges.empty();
     if (by_model)
       trial.achieved = trial.eps_cm;  // the model's estimate is close enough
     else if (settings_.target.kind == Target::Kind::CoefficientRatio)

@@ -72,11 +72,12 @@ class TrialCoder {
   const EncodeSettings& settings_;
   const Coefficients& coefficients_;
   const std::vector<ContactSpan> contacts_;
+  const Eigen::VectorXd frame_factors_;  // empty: all frames count alike
   const Goal goal_;
   std::optional<CorrectionEncoder> correction_;
   double correction_ratio_ = 0;
   std::optional<ErrorModel> own_model_;  // where importance or a correction change it
-  std::optional<ClosedLoop> own_loop_;   // by that
+  std::optional<ClosedLoop> own_loop_;   // by that, or by factors of frames
 };
 
 /// Counts the passes of an encode, for its progress.

@@ -33,7 +33,8 @@ Settings unusual_preset() {
                                            .effectors = {"lhand", "rhand"},
                                            .solver = IkSolver::CyclicDescent,
                                            .at = CorrectAt::Contacts},
-          .contacts = std::vector<ContactSetting>{{"lhand", 3, 9}, {"rhand end", 0, 1}}};
+          .contacts = std::vector<ContactSetting>{{"lhand", 3, 9}, {"rhand end", 0, 1}},
+          .ranges = {{3, 9, 2.5}, {20, 20, 100}}};
 }
 
 std::string complaint(const std::string& text) {
@@ -128,6 +129,11 @@ TEST(Settings, AFileThatIsWrongIsRefusedWithThePlaceOrTheKey) {
               HasSubstr("wavelet methods only"));
   EXPECT_THAT(complaint(R"({"name": "a", "coding": "deflate"})"), HasSubstr("closed loop"));
   EXPECT_THAT(complaint(R"({"name": "a", "ik": {"ratio": "some"}})"), HasSubstr("auto"));
+  EXPECT_THAT(complaint(R"({"name": "a", "importance_ranges": [{"first_frame": 3}]})"),
+              HasSubstr("a first and a last frame"));
+  EXPECT_THAT(complaint(R"({"name": "a", "importance_ranges":
+                            [{"first_frame": 3, "last_frame": 5, "factor": 0.5}]})"),
+              HasSubstr("from 1 to 100"));
   EXPECT_THROW(find_preset("no-such-preset"), InputError);
 }
 
@@ -147,6 +153,7 @@ TEST(Settings, HaveOneSetOfDefaultsForAnyClipAndForOne) {
   EXPECT_EQ(asked.loop, plain.loop);
   EXPECT_EQ(asked.correction.has_value(), plain.correction.has_value());
   EXPECT_EQ(asked.contacts.has_value(), plain.contacts.has_value());
+  EXPECT_EQ(asked.ranges, plain.ranges);
 }
 
 TEST(Settings, BecomeThoseOfAClip) {
@@ -158,6 +165,7 @@ TEST(Settings, BecomeThoseOfAClip) {
   EXPECT_EQ(options.correction->joints,
             (std::vector{skeleton.find("lhand"), skeleton.find("rhand")}));
   EXPECT_EQ(options.correction->ratio, 12.5);
+  EXPECT_EQ(options.ranges, unusual_preset().ranges);
   EXPECT_EQ(encode_settings({}, skeleton).coding, Coding::Adaptive);
   Settings other = unusual_preset();
   other.correction->effectors = {"tail"};

@@ -15,10 +15,12 @@ constexpr double kLeastMoved = 1e-4;  // least curvature, as a share of the mean
 
 }  // namespace
 
-ClosedLoop::ClosedLoop(const Coefficients& transform, const Clip& original, const ErrorModel& model)
+ClosedLoop::ClosedLoop(const Coefficients& transform, const Clip& original, const ErrorModel& model,
+                       const Eigen::VectorXd& frame_weights)
     : transform_(transform),
       original_(original),
       model_(model),
+      frame_weights_(frame_weights),
       functions_(transform.lifting),
       still_(still_channels(original)),
       curvature_(Eigen::MatrixXf::Zero(original.frames() + ShortFunction::kVector,
@@ -37,6 +39,12 @@ ClosedLoop::ClosedLoop(const Coefficients& transform, const Clip& original, cons
   }
   mean_curvature_ = mean_curvature_.cwiseMax(1e-12).eval();
   coefficient_curvature_ = coefficient_curvature(curvature_);
+}
+
+Eigen::ArrayXf ClosedLoop::weights_with(const Eigen::VectorXd& further) const {
+  if (frame_weights_.size() == 0) return further.cast<float>();
+  if (further.size() == 0) return frame_weights_.cast<float>();
+  return frame_weights_.cwiseProduct(further).cast<float>();
 }
 
 Eigen::MatrixXf ClosedLoop::coefficient_curvature(const Eigen::MatrixXf& curvature) const {

@@ -29,8 +29,11 @@ struct ClosedLoopProgress {
 /// several threads at a time; the result is deterministic.
 class ClosedLoop {
  public:
-  /// The arguments must outlive this.
-  ClosedLoop(const Coefficients& transform, const Clip& original, const ErrorModel& model);
+  /// The references to the transform, the clip and the model must outlive this. Squared errors of
+  /// each frame count by its weight, in all runs; without weights all frames count alike. Bits have
+  /// their usual price where the weight is largest, and are dearer elsewhere.
+  ClosedLoop(const Coefficients& transform, const Clip& original, const ErrorModel& model,
+             const Eigen::VectorXd& frame_weights = {});
 
   struct Result {
     QuantisedSignals coded;
@@ -45,19 +48,19 @@ class ClosedLoop {
   };
 
   /// Quantises in steps that move the landmarks by about `scale` cm. Each frame's errors count by
-  /// its weight; without weights all frames count alike.
+  /// its weight times that of this loop; without weights all frames count alike.
   Result quantise(double scale, ClosedLoopWork work = ClosedLoopWork::Sweeps,
                   const Eigen::VectorXd& frame_weights = {},
                   const Observer<ClosedLoopProgress>& observer = {}) const;
 
-  /// Drops more and more coefficients, the cheapest first, while the bound holds. All frames count
-  /// alike. Ends near the bound, when a sweep saves little more. An input that was coarsened before
-  /// starts at a fraction of its last price.
+  /// Drops more and more coefficients, the cheapest first, while the bound holds. Ends near the
+  /// bound, when a sweep saves little more. An input that was coarsened before starts at a fraction
+  /// of its last price.
   Result coarsen(Result quantised, ErrorBound& bound,
                  const Observer<ClosedLoopProgress>& observer = {}) const;
 
   /// Finds an encoding whose eps_x, by the quadratic model, is `eps_cm` or up to kSettled less. It
-  /// starts from `scale`, and then adjusts the price of a bit. All frames count alike.
+  /// starts from `scale`, and then adjusts the price of a bit.
   Result quantise_to(double eps_cm, double scale,
                      const Observer<ClosedLoopProgress>& observer = {}) const;
 
@@ -73,12 +76,16 @@ class ClosedLoop {
  private:
   friend class ClosedLoopRun;
 
+  /// The weights of this loop times further ones; either may be empty.
+  Eigen::ArrayXf weights_with(const Eigen::VectorXd& further) const;
+
   /// |synthesis function|^2 weighted by a curvature, coefficients x channels.
   Eigen::MatrixXf coefficient_curvature(const Eigen::MatrixXf& curvature) const;
 
   const Coefficients& transform_;
   const Clip& original_;
   const ErrorModel& model_;
+  Eigen::VectorXd frame_weights_;  // empty: all alike
   ShortFunctions functions_;
   std::vector<bool> still_;  // channels that stand still in the original
   Eigen::VectorXd gains_;

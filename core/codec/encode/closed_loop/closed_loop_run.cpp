@@ -39,7 +39,7 @@ std::span<float> span_of(Eigen::ArrayXf& values) {
 ClosedLoopRun::ClosedLoopRun(const ClosedLoop& loop, const Eigen::VectorXd& frame_weights)
     : loop_(loop),
       bands_(loop.transform_.lifting.bands()),
-      frame_weights_(frame_weights.cast<float>()),
+      frame_weights_(loop.weights_with(frame_weights)),
       rates_(bands_),
       magnitudes_(static_cast<std::size_t>(channels()), Magnitudes(bands_)),
       significant_(static_cast<std::size_t>(channels()), Significant(bands_.size())),
@@ -48,6 +48,7 @@ ClosedLoopRun::ClosedLoopRun(const ClosedLoop& loop, const Eigen::VectorXd& fram
       gradient_(Eigen::ArrayXf::Zero(errors_.rows() + ShortFunction::kVector)),
       delta_(gradient_),
       slopes_(errors_.rows()) {
+  if (loop.frame_weights_.size() > 0) largest_weight_ = loop.frame_weights_.maxCoeff();
   if (!weighted()) return;
   weighted_curvature_ = loop.curvature_;
   weighted_curvature_.topRows(errors_.rows()).array().colwise() *= frame_weights_;

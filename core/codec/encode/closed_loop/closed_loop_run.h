@@ -108,7 +108,8 @@ class ClosedLoopRun {
 
   int channels() const { return loop_.transform_.channels(); }
   bool is_still(int j) const { return loop_.still_[static_cast<std::size_t>(j)]; }
-  double lambda() const { return bit_price_ * coded_.scale * coded_.scale; }  // cm^2 for a bit
+  // cm^2 for a bit, in errors as they are weighted
+  double lambda() const { return bit_price_ * coded_.scale * coded_.scale * largest_weight_; }
 
   /// Like lambda(), for one coefficient (any channel): cheaper near the ends.
   double lambda_of(int coefficient) const;
@@ -201,6 +202,7 @@ class ClosedLoopRun {
   const ClosedLoop& loop_;
   const std::vector<Band>& bands_;
   Eigen::ArrayXf frame_weights_;  // empty: all alike
+  double largest_weight_ = 1;     // of the loop's
   Eigen::MatrixXf weighted_curvature_;
   Eigen::MatrixXf weighted_coefficient_curvature_;
   RateTable rates_;

@@ -9,6 +9,7 @@
 
 #include "core/codec/encode/options/effort.h"
 #include "core/codec/encode/options/importance.h"
+#include "core/codec/encode/options/important_range.h"
 #include "core/codec/encode/options/promises.h"
 #include "core/codec/encode/options/target.h"
 #include "core/codec/format/compressed_clip.h"
@@ -45,6 +46,7 @@ struct EncodeSettings {
   std::uint64_t seed = 1;                   // of the annealing; the same seed gives the same bytes
   Effort effort = Effort::Default;
   Importance importance;                             // used by annealing and the closed loop
+  std::vector<ImportantRange> ranges;                // heeded by the closed loop
   Promises promises;                                 // kept beside a target that is an error
   std::optional<EncodeCorrection> correction;        // its size counts in ratio and size
   std::optional<std::vector<ContactSpan>> contacts;  // edited ones; unset: Encoder::contacts()

@@ -41,7 +41,8 @@ constexpr double kTolerance = 0.02;
 double Goal::achieved(std::size_t motion_bytes, const Comparison& compare) const {
   const Motion& motion = original_.motion();
   const auto measured = [&] {
-    DistortionMeter meter(motion.skeleton, motion.clip.frames(), Detail::Means, weighting_);
+    DistortionMeter meter(motion.skeleton, motion.clip.frames(), Detail::Means, weighting_,
+                          frame_factors_);
     compare([&](int first, const TrackRows& original, const TrackRows& decoded) {
       meter.add(first, original, decoded);
     });
@@ -59,9 +60,20 @@ double Goal::achieved(std::size_t motion_bytes, const Comparison& compare) const
     case Target::Kind::MaxError:
       return measured().worst().cm;
     case Target::Kind::Visibility:
-      return seen(compare).worst().times_noticed();
+      return most_noticed(seen(compare));
   }
   return 0;
+}
+
+double Goal::most_noticed(const Visibility& seen) const {
+  if (frame_factors_.size() == 0) return seen.worst().times_noticed();
+  const Eigen::VectorXf worst = seen.table.times_noticed.rowwise().maxCoeff();
+  double most = 0;
+  for (Eigen::Index t = 0; t < frame_factors_.size(); ++t) {
+    const float in_window = worst(seen.table.window_of(static_cast<int>(t)));
+    most = std::max(most, frame_factors_(t) * static_cast<double>(in_window));
+  }
+  return most;
 }
 
 Visibility Goal::seen(const Comparison& compare) const {
@@ -125,7 +137,8 @@ void Goal::raise_where_exceeded(const CompressedClip& compressed, Eigen::VectorX
     const SightTable table = seen(compressed).table;
     const Eigen::VectorXf worst = table.times_noticed.rowwise().maxCoeff();
     for (Eigen::Index t = 0; t < weights.size(); ++t)
-      raise(t, worst(table.window_of(static_cast<int>(t))) / (kNear * target_.value));
+      raise(t, factor_at(t) * static_cast<double>(worst(table.window_of(static_cast<int>(t)))) /
+                   (kNear * target_.value));
     return;
   }
   const Eigen::VectorXd worst = worst_of_frames(compressed);
@@ -150,7 +163,14 @@ Eigen::VectorXd Goal::worst_of_frames(const CompressedClip& compressed) const {
                       worst.segment(first, original.rows()) =
                           errors.squared(original, decoded).rowwise().maxCoeff().cwiseSqrt();
                     });
+  if (frame_factors_.size() > 0) worst.array() *= frame_factors_.array();
   return worst;
+}
+
+Eigen::VectorXd Goal::bounds(int frames) const {
+  Eigen::VectorXd bounds = Eigen::VectorXd::Constant(frames, target_.value);
+  if (frame_factors_.size() > 0) bounds.array() /= frame_factors_.array();
+  return bounds;
 }
 
 bool Goal::better(double excess, double other) const {

@@ -66,13 +66,15 @@ struct Trial {
 /// the number of coefficients.
 class Goal {
  public:
-  /// `contacts` of the feet count in visibility.
+  /// `contacts` of the feet count in visibility. Errors of each frame count `frame_factors` times:
+  /// see frame_factors(); empty for all alike.
   Goal(Original original, const Target& target, Weighting weighting,
-       std::vector<ContactSpan> contacts)
+       std::vector<ContactSpan> contacts, Eigen::VectorXd frame_factors = {})
       : original_(std::move(original)),
         target_(target),
         weighting_(weighting),
-        contacts_(std::move(contacts)) {}
+        contacts_(std::move(contacts)),
+        frame_factors_(std::move(frame_factors)) {}
 
   /// The target's quantity for a coded clip, which is decoded only if the target is an error.
   double achieved(const CompressedClip& compressed) const;
@@ -92,7 +94,10 @@ class Goal {
   /// Errors of the first and the last pose, and of the seam between them.
   EndErrors ends(const CompressedClip& compressed) const;
 
-  /// Error of the worst point at each frame, in cm.
+  /// A hard maximum at each of `frames` frames, in cm.
+  Eigen::VectorXd bounds(int frames) const;
+
+  /// Error of the worst point at each frame, in cm, times the frame's factor.
   Eigen::VectorXd worst_of_frames(const CompressedClip& compressed) const;
 
   /// Raises the weights of frames at which a clip exceeds a hard maximum or is noticed.
@@ -113,11 +118,16 @@ class Goal {
   using Comparison = std::function<void(const Original::Visit&)>;
   double achieved(std::size_t motion_bytes, const Comparison& compare) const;
   Visibility seen(const Comparison& compare) const;
+  double most_noticed(const Visibility& seen) const;
+  double factor_at(Eigen::Index frame) const {
+    return frame_factors_.size() > 0 ? frame_factors_(frame) : 1;
+  }
 
   Original original_;
   Target target_;
   Weighting weighting_;
   std::vector<ContactSpan> contacts_;
+  Eigen::VectorXd frame_factors_;  // empty: all alike
 };
 
 }  // namespace mocapress

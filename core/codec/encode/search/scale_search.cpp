@@ -239,7 +239,8 @@ void approach_bound(const Goal& goal, const Target& target, int frames, const Co
       0.012;  // limit of that tightening once the bound has held: the rest lies in few frames
   constexpr double kWidest = 2;         // times the target
   constexpr Eigen::Index kBeside = 16;  // frames reached by a change at one of them
-  Eigen::VectorXd bound_cm = Eigen::VectorXd::Constant(frames, (1 - kRounding) * target.value);
+  const Eigen::VectorXd asked_cm = goal.bounds(frames);
+  Eigen::VectorXd bound_cm = (1 - kRounding) * asked_cm;
   int in_vain = 0;  // rounds without a gain
   bool has_held = false;
   for (int i = 0; i < kMost && in_vain < kMostInVain; ++i) {
@@ -259,7 +260,7 @@ void approach_bound(const Goal& goal, const Target& target, int frames, const Co
     const double tighter = kTighter * std::min(coarser.excess, 0.0);
     bound_cm *= std::exp(has_held ? std::max(tighter, -kMostTighter) : tighter);
     has_held = has_held || met;
-    bound_cm = bound_cm.cwiseMin(kWidest * target.value);
+    bound_cm = bound_cm.cwiseMin(kWidest * asked_cm);
     const double bytes = static_cast<double>(coarser.compressed.motion_bytes()) /
                          static_cast<double>(best.compressed.motion_bytes());
     const bool gets_near = is_near && best.excess > kNear;
