@@ -113,15 +113,15 @@ struct BankFilling {
     command.add_option("bank", bank, "A .mcpk file")->required()->type_name("BANK.mcpk");
     command
         .add_option("input", inputs,
-                    ".mcpr files, folders of them, or packed banks; later ones do not replace "
-                    "earlier ones of the same name")
+                    ".mcpr files, folders of them, or packed banks. If several inputs have a clip "
+                    "of one name, the first counts")
         ->required()
         ->type_name("INPUT...");
-    command.add_option("--tag", tags, "A tag of all these clips; may be given again")
+    command.add_option("--tag", tags, "Tag for all clips of INPUT; may be repeated")
         ->type_name("TAG")
         ->expected(1)
         ->take_all();
-    command.add_option("--meta", texts, "A text of the bank; may be given again")
+    command.add_option("--meta", texts, "Text to keep in the bank under a key; may be repeated")
         ->type_name("KEY=VALUE")
         ->expected(1)
         ->take_all()
@@ -130,12 +130,11 @@ struct BankFilling {
         command
             .add_option(
                 "--ik-error", ik_error,
-                "In a cooked bank: how far cooking an IK correction may move a joint at any "
-                "frame, 0 for not at all [the error that each clip was encoded with]")
+                "Cooked banks: largest distance by which cooking an IK correction may move a joint "
+                "at any frame, 0 for exact [the error that each clip was encoded with]")
             ->type_name("CM")
             ->check(wrong_distance);
-    command.add_flag("--no-ik", no_ik, "In a cooked bank: leave IK corrections out")
-        ->excludes(error);
+    command.add_flag("--no-ik", no_ik, "Cooked banks: leave IK corrections out")->excludes(error);
   }
 
   void run(bool make) const {
@@ -275,7 +274,7 @@ struct Extraction {
     count.end();
     if (written == clips.size()) return;
     std::fprintf(stderr,
-                 "Stopped. %s are written, each whole. For all, run the same command with "
+                 "Stopped. %s are written, each whole. To write all, run the same command with "
                  "--overwrite.\n",
                  count.text().c_str());
     throw EndedWith{128 + stop_signal};
@@ -343,7 +342,7 @@ void verify_bank(const std::string& path) {
   std::fprintf(stderr, "%s: %u clips are whole and play\n", printable(path).c_str(),
                bank.clips() - unplayed);
   if (unplayed > 0)
-    std::fprintf(stderr, "%u are whole, but of a coding that no engine plays\n", unplayed);
+    std::fprintf(stderr, "%u are whole, but use a coding that engines cannot play\n", unplayed);
 }
 
 void add_bank_argument(CLI::App& command, std::string& bank) {
@@ -358,12 +357,13 @@ void add_bank(CLI::App& app) {
   CLI::App* make = command->add_subcommand("make", "Make a bank of .mcpr files");
   const auto making = std::make_shared<BankFilling>();
   making->add_options(*make);
-  CLI::Option* const cooked = make->add_flag(
-      "--cooked", making->cooked,
-      "Lay clips out to be sampled as they lie in the file, with their IK correction");
+  CLI::Option* const cooked =
+      make->add_flag("--cooked", making->cooked,
+                     "Make a cooked bank, which engines sample without unpacking, with IK "
+                     "corrections applied; packed banks are smaller");
   make->add_flag("--learn", making->learn,
-                 "Code motions by what the clips teach of each other: some seconds, and 1 to 2 % "
-                 "fewer bytes where there are some hundred")
+                 "Fit the statistics of the coder to these clips. This takes some seconds and "
+                 "saves 1 to 2 % of the bytes of some hundred clips")
       ->excludes(cooked);
   make->callback([making] { making->run(true); });
   CLI::App* add = command->add_subcommand("add", "Add clips to a bank, or replace them by name");
@@ -374,7 +374,9 @@ void add_bank(CLI::App& app) {
   CLI::App* remove = command->add_subcommand("remove", "Take clips out of a bank");
   const auto removal = std::make_shared<BankRemoval>();
   add_bank_argument(*remove, removal->bank);
-  remove->add_option("name", removal->names, "Clips")->required()->type_name("NAME...");
+  remove->add_option("name", removal->names, "Names of the clips")
+      ->required()
+      ->type_name("NAME...");
   remove->callback([removal] { removal->run(); });
 
   struct Stripping {
@@ -397,23 +399,24 @@ void add_bank(CLI::App& app) {
     std::string bank;
     bool json = false;
   };
-  CLI::App* list = command->add_subcommand("list", "Say what a bank holds");
+  CLI::App* list = command->add_subcommand("list", "List the clips of a bank");
   const auto listing = std::make_shared<Listing>();
   add_bank_argument(*list, listing->bank);
   list->add_flag("--json", listing->json, "Print one JSON object");
   list->callback([listing] { list_bank(listing->bank, listing->json); });
 
   CLI::App* extract =
-      command->add_subcommand("extract", "Write clips of a packed bank as the files they were");
+      command->add_subcommand("extract", "Write clips of a packed bank as .mcpr files");
   const auto extraction = std::make_shared<Extraction>();
   add_bank_argument(*extract, extraction->bank);
-  extract->add_option("name", extraction->names, "Clips [all]")->type_name("NAME...");
-  extract->add_option("-o,--output", extraction->folder, "Where files go [.]")->type_name("DIR");
-  extract->add_flag("--overwrite", extraction->overwrite, "Replace files that are there");
+  extract->add_option("name", extraction->names, "Names of the clips [all]")->type_name("NAME...");
+  extract->add_option("-o,--output", extraction->folder, "Folder to write to [.]")
+      ->type_name("DIR");
+  extract->add_flag("--overwrite", extraction->overwrite, "Replace existing files");
   extract->callback([extraction] { extraction->run(); });
 
   CLI::App* verify =
-      command->add_subcommand("verify", "Check every byte of a bank, play each clip");
+      command->add_subcommand("verify", "Check every byte of a bank, and play each clip");
   const auto verified = std::make_shared<std::string>();
   add_bank_argument(*verify, *verified);
   verify->callback([verified] { verify_bank(*verified); });

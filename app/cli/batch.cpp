@@ -269,33 +269,37 @@ void add_batch(CLI::App& app) {
   const auto call = std::make_shared<BatchCommand>();
   command
       ->add_option("input", call->inputs,
-                   "Clips, folders of clips, a project (.mocapress) or a queue file (.json); "
-                   "with --merge folders of batches")
+                   "Clips and folders of clips, one project (.mocapress) or one queue file "
+                   "(.json); with --merge, output folders of batches")
       ->required()
       ->type_name("INPUT...");
-  command->add_option("-o,--output", call->folder, "Where files and reports go")->type_name("DIR");
+  command->add_option("-o,--output", call->folder, "Folder for compressed files and reports")
+      ->type_name("DIR");
   call->preset.add_options(*command);
-  command->add_option("--format", call->formats, "Output formats, comma-separated [mcpr]")
+  command
+      ->add_option("--format", call->formats,
+                   "Formats to write each clip in, comma-separated [mcpr]")
       ->delimiter(',')
       ->check(CLI::IsMember({"mcpr", "bvh", "amc", "csv", "glb", "fbx"}));
   command->add_flag("--review", call->review,
-                    "Also write NAME.review.js of each clip, which report.html shows in three "
-                    "dimensions: original and compressed");
+                    "Let report.html show original and compressed motion of each clip in 3D; "
+                    "writes NAME.review.js for each");
   CLI::Option* const bank =
       command
           ->add_option("--bank", call->bank,
-                       "Also put all .mcpr files into DIR/bank.mcpk: packed, the smallest form, or "
-                       "cooked, which engines sample as it lies")
+                       "Also put all .mcpr files into DIR/bank.mcpk: packed (the smallest form) or "
+                       "cooked (engines sample it without unpacking)")
           ->type_name("FORM")
           ->check(CLI::IsMember({"packed", "cooked"}));
   command
       ->add_flag("--learn", call->learn,
-                 "Code motions of a packed bank by what the clips teach of each other: up to a "
-                 "minute, and 1 to 2 % fewer bytes where there are some hundred")
+                 "Fit the statistics of the coder to the clips of a packed bank. This takes up to "
+                 "a minute and saves 1 to 2 % of the bytes of some hundred clips")
       ->needs(bank);
   command
       ->add_option("--name", call->names,
-                   "Output names: {folder}, {stem}, {type}, {preset}, {method} [{folder}/{stem}]")
+                   "Pattern of output names, made of {folder}, {stem}, {type}, {preset} and "
+                   "{method} [{folder}/{stem}]")
       ->type_name("PATTERN");
   call->source.add_options(*command);
   call->source.add_character_option(*command);
@@ -304,38 +308,47 @@ void add_batch(CLI::App& app) {
     if (const std::string name = option->get_name();
         name != "input" && name != "--output" && name != "--help")
       call->of_queue.push_back(option);
-  command->add_option("--jobs", call->jobs, "Clips at a time [as many as processors]")
+  command
+      ->add_option("--jobs", call->jobs,
+                   "Number of clips compressed at the same time [one for each processor]")
       ->type_name("N")
       ->check(CLI::PositiveNumber);
-  command->add_option("--shard", call->shard, "Do only the i-th of n parts")
+  command->add_option("--shard", call->shard, "Compress only part i of n parts of the clips")
       ->type_name("i/n")
       ->excludes(bank)
       ->check(parsed_by(&parse_shard));
-  command->add_flag("--resume", call->resume, "Continue DIR's batch; redo what failed or changed");
-  command->add_flag("--overwrite", call->overwrite, "Replace files that are there");
+  command->add_flag(
+      "--resume", call->resume,
+      "Continue the batch in DIR: clips that failed or whose source changed are compressed again");
+  command->add_flag("--overwrite", call->overwrite,
+                    "Replace existing files that are not from this batch");
   command->add_flag("--take-over", call->take_over,
-                    "Continue the batch of a run on another computer that is gone");
+                    "Continue a batch that another computer has locked but no longer works on");
   command
       ->add_option("--clip-timeout", call->clip_seconds,
-                   "Give up a clip that takes longer: it failed, others go on")
+                   "Give up clips that take longer: they count as failed, others continue")
       ->type_name("SECONDS")
       ->check(CLI::PositiveNumber);
   command
       ->add_option("--fail-on", call->fail_on,
-                   "Exit code 4 where a clip that is done is one of these, comma-separated; "
-                   "borderline includes visible, rejected includes stale verdicts")
+                   "Exit with code 4 if a finished clip is one of these, comma-separated; "
+                   "borderline includes visible, rejected includes outdated verdicts")
       ->delimiter(',')
       ->check(CLI::IsMember({"visible", "borderline", "rejected", "warning"}));
   command->add_flag("--keep-going,!--stop-at-failure", call->keep_going,
-                    "Continue after a failure (default)");
+                    "After a clip that failed, continue with the others (default) or stop");
   command->add_flag("--json-progress", call->json_progress, "Print progress as lines of JSON");
-  command->add_flag("--merge", call->merge, "Merge the reports of the shards in INPUT...");
+  command->add_flag("--merge", call->merge,
+                    "Merge the reports of the shards in the folders INPUT into one");
   command
       ->add_option("--write-slurm", call->slurm_file,
-                   "Write a script for sbatch instead, and DIR/queue.json for it")
+                   "Instead of compressing, write a job script for Slurm's sbatch, and the "
+                   "DIR/queue.json that it needs")
       ->excludes(bank)
       ->type_name("FILE");
-  command->add_option("--slurm-tasks", call->slurm_tasks, "Shards of that script [8]")
+  command
+      ->add_option("--slurm-tasks", call->slurm_tasks,
+                   "Number of shards (array tasks) of that script [8]")
       ->type_name("N")
       ->check(CLI::PositiveNumber);
   command->callback([call] { call->run(); });

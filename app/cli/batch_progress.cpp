@@ -135,7 +135,7 @@ void BatchReporter::end(const BatchOutcome& outcome, const std::filesystem::path
     return;
   }
   std::fprintf(stderr, "%zu of %zu clips done", counts.done - counts.failed, counts.clips);
-  if (counts.kept > 0) std::fprintf(stderr, ", %zu of them before", counts.kept);
+  if (counts.kept > 0) std::fprintf(stderr, ", %zu of them by an earlier run", counts.kept);
   if (warned_ > 0) std::fprintf(stderr, ", %zu of them with warnings", warned_);
   if (counts.failed > 0) std::fprintf(stderr, "; %zu failed", counts.failed);
   std::fprintf(stderr, "\n");

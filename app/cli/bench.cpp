@@ -263,9 +263,9 @@ void add_bench(CLI::App& app) {
     bool json = false;
   };
   CLI::App* command =
-      app.add_subcommand("bench", "Time each stage on a clip, on one thread, beside a reference");
+      app.add_subcommand("bench", "Time each stage of encoding and decoding a clip on one thread");
   const auto call = std::make_shared<Bench>();
-  command->add_option("clip", call->clip, "A .bvh, .amc, .fbx, .gltf or .glb file")
+  command->add_option("clip", call->clip, "Clip to time (.bvh, .amc, .fbx, .gltf or .glb)")
       ->required()
       ->type_name("CLIP");
   call->source.add_options(*command);

@@ -187,51 +187,61 @@ void add_compress(CLI::App& app) {
   const auto call = std::make_shared<Compress>();
   command
       ->add_option("input", call->input,
-                   "A .bvh, .amc, .fbx, .gltf or .glb file; - is standard input")
+                   "Clip to compress (.bvh, .amc, .fbx, .gltf or .glb), or - for standard input")
       ->required()
       ->type_name("INPUT");
-  command->add_option("--format", call->input_format, "Format of standard input")
+  command->add_option("--format", call->input_format, "Format of a clip on standard input")
       ->check(CLI::IsMember({"bvh", "amc", "fbx", "gltf", "glb"}));
   call->source.add_options(*command);
   call->source.add_character_option(*command);
   call->source.add_tracks_option(*command);
   command
       ->add_option("-o,--output", call->output,
-                   "Where to write, - for standard output; without it, only measure")
+                   "File to write, or - for standard output; without -o the clip is only measured")
       ->type_name("OUT.mcpr");
   command
       ->add_option("--method", call->settings.method,
-                   "Wavelets, or a method they are compared with")
+                   "Compression method; all but closed-loop are for comparison")
       ->transform(one_of_the_methods())
       ->capture_default_str();
   command
       ->add_option("--coding", call->settings.coding,
                    "Coding of the coefficients [closed-loop: adaptive, others: deflate]")
       ->transform(one_of({Coding::Rle16, Coding::Deflate, Coding::Adaptive}));
-  command->add_option("--weighting", call->settings.weighting, "Error weighting [surface]")
+  command
+      ->add_option("--weighting", call->settings.weighting,
+                   "Points on which errors are measured [surface]")
       ->transform(one_of(kWeightings));
-  add_target_options(*command, "At most one [--ratio 25]",
+  add_target_options(*command, "One target at most [--ratio 25]",
                      [call](const Target& asked) { call->settings.target = asked; });
   call->correction.add_options(*command);
   call->contacts.add_options(*command);
   call->importance.add_options(*command);
   add_range_option(*command, call->settings.ranges);
-  command->add_option("--effort", call->effort, "Search effort of the closed loop [default]")
+  command
+      ->add_option("--effort", call->effort,
+                   "Search effort of the closed loop: draft is quick and only near the target, "
+                   "best is a little smaller and slower [default]")
       ->transform(one_of({Effort::Draft, Effort::Default, Effort::Best}));
   command
-      ->add_option("--ends", call->settings.ends, "First and last pose of the closed loop [even]")
+      ->add_option("--ends", call->settings.ends,
+                   "First and last pose of the closed loop: free of bounds, even (within the "
+                   "target), or exact (within a tenth of it) [even]")
       ->transform(one_of({Ends::Free, Ends::Even, Ends::Exact}));
-  command->add_option("--loop", call->settings.loop, "Whether the clip is a loop [found]")
+  command
+      ->add_option("--loop", call->settings.loop,
+                   "Treat the clip as a loop: repeats (the last frame shows the first pose again), "
+                   "follows (the first frame follows the last), or none [detected]")
       ->transform(one_of({Loop::None, Loop::Repeats, Loop::Follows}));
   command
       ->add_option("--track-error", call->settings.track_error,
-                   "How far values of morph weights, properties and scales may be off")
+                   "Largest error allowed for values of morph weights, properties and scales")
       ->capture_default_str();
   command->add_option("--seed", call->settings.seed,
-                      "Seed of the annealing: same seed, same bytes");
+                      "Seed of the annealing; the same seed gives the same bytes");
   command
       ->add_option("--review", call->review,
-                   "Write a page that shows original and compressed motion in a browser")
+                   "Also write a web page that shows original and compressed motion")
       ->type_name("PAGE.html");
   command
       ->add_option("--tiers", call->tiers,

@@ -68,12 +68,15 @@ void ContactInput::add_options(CLI::App& command) {
         ->check(CLI::PositiveNumber)
         ->type_name(unit);
   };
-  CLI::Option* of_height =
-      add("--contact-height", height, "BEGIN,END",
-          "A contact begins below BEGIN and ends above END, cm over the foot's lowest [2.5,4]");
-  CLI::Option* of_speed = add("--contact-speed", speed, "BEGIN,END",
-                              "A contact begins below BEGIN and ends above END, cm/s [30,50]");
-  command.add_option("--contacts", file, "Take contacts from this file, as `contacts` writes it")
+  CLI::Option* of_height = add("--contact-height", height, "BEGIN,END",
+                               "Heights in cm above the foot's lowest point: a contact begins "
+                               "below BEGIN and ends above END [2.5,4]");
+  CLI::Option* of_speed =
+      add("--contact-speed", speed, "BEGIN,END",
+          "Speeds in cm/s: a contact begins below BEGIN and ends above END [30,50]");
+  command
+      .add_option("--contacts", file,
+                  "Contacts to use, from a file that the contacts command has written")
       ->type_name("FILE.json")
       ->excludes(of_height)
       ->excludes(of_speed);
@@ -167,17 +170,18 @@ struct Contacts {
 
 void add_contacts(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
-      "contacts", "Say when the feet of a clip stand, and how far they slide in its .mcpr");
+      "contacts", "List when the feet of a clip stand, and how far they slide in its .mcpr");
   const auto call = std::make_shared<Contacts>();
-  command->add_option("clip", call->clip, "A .bvh, .amc, .fbx, .gltf or .glb file")
+  command->add_option("clip", call->clip, "Original clip (.bvh, .amc, .fbx, .gltf or .glb)")
       ->required()
       ->type_name("CLIP");
-  command->add_option("compressed", call->compressed, "Its .mcpr")->type_name("COMPRESSED");
+  command->add_option("compressed", call->compressed, "The same clip compressed (.mcpr)")
+      ->type_name("COMPRESSED");
   call->source.add_options(*command);
   call->contacts.add_options(*command);
   command
       ->add_option("-o,--output", call->output,
-                   "Write the contacts to a file, to be edited for --contacts")
+                   "Write the contacts to a file that can be edited and given to --contacts")
       ->type_name("OUT.json");
   command->add_flag("--json", call->json, "Print one JSON array");
   command->callback([call] { call->run(); });

@@ -181,28 +181,31 @@ void add_decompress(CLI::App& app) {
   const auto call = std::make_shared<Decompress>();
   command
       ->add_option("input", call->inputs,
-                   "A .mcpr file, or for an .fbx several of one rig, each a take of its name")
+                   "A .mcpr file. An .fbx can hold several of one rig, each as a take with the "
+                   "name of its file")
       ->required()
       ->type_name("IN.mcpr...");
   command
       ->add_option("-o,--output", call->output,
-                   "A .bvh, .fbx, .glb, .gltf, .amc or .csv file, by its extension; - is standard "
-                   "output")
+                   "File to write; its extension sets the format (.bvh, .fbx, .glb, .gltf, .amc or "
+                   ".csv). - for standard output")
       ->required()
       ->type_name("OUT");
-  command->add_option("--format", call->output_format, "Format of standard output")
+  command->add_option("--format", call->output_format, "Format of a clip on standard output")
       ->check(CLI::IsMember({"bvh", "fbx", "glb", "gltf", "csv"}));
-  command->add_flag("--no-clobber", call->no_clobber, "Replace no file that is there");
-  command->add_option("--skeleton-out", call->skeleton_output, "The .asf that goes with an .amc")
+  command->add_flag("--no-clobber", call->no_clobber, "Fail instead of replacing an existing file");
+  command
+      ->add_option("--skeleton-out", call->skeleton_output,
+                   "Skeleton file to write with an .amc [OUT with the extension .asf]")
       ->type_name("S.asf");
   command
-      ->add_option(
-          "--onto", call->onto,
-          "The .fbx, .glb or .gltf it came from: written with this motion, its meshes kept")
+      ->add_option("--onto", call->onto,
+                   "Source of the clip (.fbx, .glb or .gltf): OUT is a copy of it, with meshes and "
+                   "all else, whose animation is this motion")
       ->type_name("SOURCE");
   command
       ->add_option("--take", call->target.options.take,
-                   "Its animation to replace, by name or number [the first that moves]")
+                   "Name or number of the animation of SOURCE to replace [the first that moves]")
       ->type_name("TAKE");
   command
       ->add_option("--tiers", call->tiers,

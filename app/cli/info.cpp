@@ -167,7 +167,7 @@ void add_info(CLI::App& app) {
     MotionInput source;
     bool json = false;
   };
-  CLI::App* command = app.add_subcommand("info", "Say what files hold");
+  CLI::App* command = app.add_subcommand("info", "Describe the contents of files");
   const auto call = std::make_shared<Info>();
   command->add_option("files", call->files, ".bvh, .amc, .fbx, .gltf, .glb or .mcpr files")
       ->required()

@@ -53,14 +53,15 @@ ExitCode run(int argc, char** argv) {
   app.set_version_flag("--version", MOCAPRESS_VERSION);
   app.require_subcommand(1);
   app.footer(
-      "--memory SIZE [2GiB], with any command: the most memory that a file's contents may take.\n"
-      "Exit codes: 0 done, 1 internal error, 2 usage, 3 bad input, 4 quality target missed or "
-      "--fail-on, "
-      "5 cannot write, 7 some clips failed; 128 + signal when stopped.");
+      "Every command accepts --memory SIZE: files whose contents would take more are refused "
+      "[2GiB].\n"
+      "Exit codes: 0 done, 1 internal error, 2 wrong usage, 3 bad input, 4 quality target missed "
+      "or clips that --fail-on names, 5 cannot write, 7 some clips failed, 128 + signal when "
+      "stopped by it.");
   app.fallthrough();
   app.add_option_function<std::uint64_t>(
          "--memory", set_memory_limit,
-         "The most memory that reading a file may take, as 512MiB or 8GiB [2GiB]")
+         "Most memory that the contents of a file may take, such as 512MiB or 8GiB [2GiB]")
       ->type_name("SIZE")
       ->transform(CLI::AsSizeValue(false));
   add_info(app);

@@ -63,10 +63,10 @@ struct Measure {
 void add_measure(CLI::App& app) {
   CLI::App* command = app.add_subcommand("measure", "Compare a .mcpr with its original");
   const auto call = std::make_shared<Measure>();
-  command->add_option("original", call->original, "A .bvh, .amc, .fbx, .gltf or .glb file")
+  command->add_option("original", call->original, "Original clip (.bvh, .amc, .fbx, .gltf or .glb)")
       ->required()
       ->type_name("ORIGINAL");
-  command->add_option("compressed", call->compressed, "A .mcpr file")
+  command->add_option("compressed", call->compressed, "The same clip compressed (.mcpr)")
       ->required()
       ->type_name("COMPRESSED");
   call->source.add_options(*command);

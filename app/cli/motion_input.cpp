@@ -26,17 +26,19 @@ CLI::Validator possible_size() {
 void add_format_options(CLI::App& command, const std::string& prefix, const std::string& of_file,
                         ReadOptions& options) {
   const auto flag = [&](const char* name) { return "--" + prefix + name; };
-  command.add_option(flag("rate"), options.sample_rate_hz, "Sample rate" + of_file)
+  command.add_option(flag("rate"), options.sample_rate_hz, "Frames per second" + of_file)
       ->type_name("HZ")
       ->check(possible_size());
-  command.add_option(flag("cm-per-unit"), options.cm_per_unit, "Length unit in cm" + of_file)
+  command
+      .add_option(flag("cm-per-unit"), options.cm_per_unit,
+                  "Centimetres in one length unit" + of_file)
       ->type_name("CM")
       ->check(possible_size());
   command.add_option(flag("up"), options.up, "Axis that points up" + of_file)
       ->transform(one_of({UpAxis::Y, UpAxis::Z}));
   command
       .add_option(flag("bvh-root"), options.bvh_root,
-                  "Whether a BVH root's positions add to its OFFSET or replace it" + of_file)
+                  "Position channels of a BVH root: add to its OFFSET, or replace it" + of_file)
       ->transform(one_of({TranslationConvention::Adds, TranslationConvention::Replaces}));
 }
 
@@ -47,31 +49,32 @@ void MotionInput::add_options(CLI::App& command) {
       ->type_name("S.asf");
   command
       .add_option("--take", options.take,
-                  "Take of an .fbx or glTF that has several, by name or number")
+                  "Name or number of the take to read from an .fbx or glTF with several [the first "
+                  "that moves]")
       ->type_name("TAKE");
-  add_format_options(command, "", ", whatever the file says", options);
+  add_format_options(command, "", "; overrides the input file", options);
 }
 
 void MotionInput::add_character_option(CLI::App& command) {
   command
       .add_option("--character", options.character,
-                  "An .fbx or glTF whose mesh the clip's joints carry, of the same names: what "
-                  "--weighting skin measures")
+                  "Character (.fbx or glTF) whose joints have the clip's joint names; --weighting "
+                  "skin measures errors on its mesh")
       ->type_name("FILE");
 }
 
 void MotionInput::add_tracks_option(CLI::App& command) {
   command
       .add_option("--tracks", options.tracks,
-                  "Curves beside those of INPUT: a line of names, then one of numbers a frame "
-                  "[INPUT's name with .tracks.csv, where it is there]")
+                  "More curves to keep with the clip: a line of names, then a line of numbers for "
+                  "each frame [INPUT with the extension .tracks.csv, if that file exists]")
       ->type_name("T.csv");
 }
 
 void MotionOutput::add_options(CLI::App& command) {
-  add_format_options(command, "out-", " of what is written [as its source had it]", options);
+  add_format_options(command, "out-", ", in written motion files [as in the source]", options);
   command
-      .add_option("--fbx-version", options.fbx_version, "Version of an .fbx that is written [7.4]")
+      .add_option("--fbx-version", options.fbx_version, "FBX version of written .fbx files [7.4]")
       ->type_name("7.4|7.7")
       ->transform(
           CLI::CheckedTransformer(std::map<std::string, int>{{"7.4", 7400}, {"7.7", 7700}}));

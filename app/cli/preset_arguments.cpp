@@ -23,20 +23,21 @@ std::string check_ratio(const std::string& text) {
 }  // namespace
 
 void CorrectionArguments::add_options(CLI::App& command) {
-  CLI::Option* ik = command
-                        .add_option("--ik", ratio,
-                                    "Hold the feet by inverse kinematics: all coefficients of "
-                                    "the correction over those kept, or auto")
-                        ->type_name("R_IK|auto")
-                        ->check(check_ratio);
-  command.add_option("--effectors", effectors, "Joints to hold [the feet]")
+  CLI::Option* ik =
+      command
+          .add_option("--ik", ratio,
+                      "Hold the feet by inverse kinematics. R_IK is the coefficient ratio of the "
+                      "correction: all coefficients over those kept; auto searches for it")
+          ->type_name("R_IK|auto")
+          ->check(check_ratio);
+  command.add_option("--effectors", effectors, "Joints that --ik holds [the feet]")
       ->type_name("NAME,...")
       ->delimiter(',')
       ->needs(ik);
-  command.add_option("--ik-solver", solver, "How joints are turned [nearest-pose]")
+  command.add_option("--ik-solver", solver, "Solver that turns the joints [nearest-pose]")
       ->transform(one_of({IkSolver::CyclicDescent, IkSolver::NearestPose}))
       ->needs(ik);
-  command.add_option("--ik-at", at, "When they are held [every-frame]")
+  command.add_option("--ik-at", at, "Frames at which --ik holds the joints [every-frame]")
       ->transform(one_of({CorrectAt::EveryFrame, CorrectAt::Contacts}))
       ->needs(ik);
 }
@@ -70,10 +71,9 @@ Wish parse(const std::string& word) {
 
 void ImportanceArguments::add_options(CLI::App& command) {
   command
-      .add_option(
-          kOption, words,
-          "Take more care of feet, hands, fingers, head, a joint, or of contacts (feet while "
-          "they stand), at the cost of the rest")
+      .add_option(kOption, words,
+                  "Weight errors of a part by FACTOR, at the cost of the rest. Parts: feet, hands, "
+                  "fingers, head, a joint's name, or contacts (feet while they stand)")
       ->type_name("NAME=FACTOR,...")
       ->delimiter(',');
 }
@@ -147,20 +147,24 @@ void add_target_options(CLI::App& command, const std::string& title,
         ->type_name(unit)
         ->check(CLI::PositiveNumber);
   };
-  add("--ratio", Target::Kind::Ratio, "R", "Float32 bytes over motion bytes, met within 2 %");
+  add("--ratio", Target::Kind::Ratio, "R",
+      "Compression ratio: bytes of the channels as 32-bit floats over bytes of the coded motion, "
+      "met within 2 %");
   add("--coefficient-ratio", Target::Kind::CoefficientRatio, "r",
-      "The paper's r: all coefficients over those kept");
-  add("--target-error", Target::Kind::Error, "CM", "eps_x at most this");
-  add("--target-size", Target::Kind::Size, "BYTES", "Motion bytes at most this");
+      "Coefficient ratio (r in the paper): all coefficients over those kept");
+  add("--target-error", Target::Kind::Error, "CM",
+      "Largest eps_x allowed: the weighted RMS error of points on the body");
+  add("--target-size", Target::Kind::Size, "BYTES",
+      "Most bytes that the coded motion may take, without the skeleton");
   add("--max-error", Target::Kind::MaxError, "CM",
-      "No point of the weighting further off, at any frame");
+      "Largest error allowed for any point of the weighting at any frame");
   targets
       ->add_option_function<Sight>(
           "--target",
           [choose](const Sight&) {
             choose({Target::Kind::Visibility, 1});
           },
-          "The smallest file with nothing off that people notice")
+          "Smallest file whose errors people do not notice")
       ->transform(one_of({Sight::NotVisible}));
 }
 
@@ -168,24 +172,37 @@ void PresetArguments::add_options(CLI::App& command) {
   std::string known;
   for (const Settings& one : built_in_presets())
     known += (known.empty() ? "" : ", ") + slug(one.name);
-  command.add_option("--preset", preset, known + ", or a file [gameplay]")->type_name("P|FILE");
-  command.add_option("--method", method, "Method, instead of the preset's")
+  command
+      .add_option("--preset", preset, "Preset: " + known + ", or a preset file (.json) [gameplay]")
+      ->type_name("P|FILE");
+  command.add_option("--method", method, "Compression method; replaces the preset's")
       ->transform(one_of_the_methods());
-  command.add_option("--coding", coding, "Coding of the coefficients")
+  command.add_option("--coding", coding, "Coding of the coefficients; replaces the preset's")
       ->transform(one_of({Coding::Rle16, Coding::Deflate, Coding::Adaptive}));
-  command.add_option("--weighting", weighting, "Error weighting")->transform(one_of(kWeightings));
-  add_target_options(command, "At most one, instead of the preset's and its promises",
+  command
+      .add_option("--weighting", weighting,
+                  "Points on which errors are measured; replaces the preset's")
+      ->transform(one_of(kWeightings));
+  add_target_options(command, "One target at most; it replaces the preset's target and promises",
                      [this](const Target& asked) { target = asked; });
   correction.add_options(command);
   importance.add_options(command);
   add_range_option(command, ranges);
-  command.add_option("--effort", effort, "Search effort of the closed loop [default]")
+  command
+      .add_option("--effort", effort,
+                  "Search effort of the closed loop: best is a little smaller and slower [default]")
       ->transform(one_of({Effort::Default, Effort::Best}));
-  command.add_option("--ends", ends, "First and last pose of the closed loop [even]")
+  command
+      .add_option("--ends", ends,
+                  "First and last pose of the closed loop: free of bounds, even (within the "
+                  "target), or exact (within a tenth of it) [even]")
       ->transform(one_of({Ends::Free, Ends::Even, Ends::Exact}));
-  command.add_option("--loop", loop, "Whether clips are loops [found]")
+  command
+      .add_option("--loop", loop,
+                  "Treat clips as loops: repeats (the last frame shows the first pose again), "
+                  "follows (the first frame follows the last), or none [detected]")
       ->transform(one_of({Loop::None, Loop::Repeats, Loop::Follows}));
-  command.add_option("--seed", seed, "Seed of the annealing: same seed, same bytes");
+  command.add_option("--seed", seed, "Seed of the annealing; the same seed gives the same bytes");
 }
 
 Settings PresetArguments::read() const {

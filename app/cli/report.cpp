@@ -31,10 +31,10 @@ void print(const char* of, const Spread& spread) {
 
 void print(const Visibility& seen, const Skeleton& skeleton) {
   const std::string why = printable(reason(seen.worst(), skeleton));
-  std::cerr << "  to the eye "
+  std::cerr << "  visibility: "
             << (seen.sight() == Sight::NotVisible ? "not visible" : name(seen.sight()))
             << (why.empty() ? "" : ": ") << why << '\n'
-            << "  velocities off by " << fixed_text(seen.velocity_error, 2) << " cm/s (RMS)";
+            << "  velocity error " << fixed_text(seen.velocity_error, 2) << " cm/s (RMS)";
   if (seen.jitter_ratio)
     std::cerr << ", jitter " << fixed_text(*seen.jitter_ratio, 2) << " of the original's";
   if (seen.visible_share > 0)
@@ -64,17 +64,17 @@ void add_visibility(const Visibility& seen, Json& json) {
 
 void print(const CorrectionResult& correction) {
   if (correction.slide_without_cm)
-    std::cerr << "  r_IK found: " << significant_text(correction.ratio, 3) << ", against "
-              << fixed_text(*correction.slide_without_cm, 2)
-              << " cm of footskate without a correction\n";
+    std::cerr << "  r_IK found: " << significant_text(correction.ratio, 3)
+              << "; footskate without it " << fixed_text(*correction.slide_without_cm, 2)
+              << " cm\n";
   else
     std::cerr << "  r_IK " << significant_text(correction.ratio, 3) << "\n";
-  std::cerr << "  knees turn at up to " << fixed_text(correction.fastest_knee * kDegrees, 0)
+  std::cerr << "  fastest knee " << fixed_text(correction.fastest_knee * kDegrees, 0)
             << " degrees/s (original "
             << fixed_text(correction.fastest_knee_of_original * kDegrees, 0) << ")\n";
   if (correction.report.unreached > 0)
-    std::cerr << "  out of reach of " << correction.report.unreached
-              << " limbs and frames, by up to " << fixed_text(correction.report.worst_miss_cm, 2)
+    std::cerr << "  effector out of reach for " << correction.report.unreached
+              << " limbs and frames, by at most " << fixed_text(correction.report.worst_miss_cm, 2)
               << " cm\n";
 }
 
@@ -161,24 +161,24 @@ void print(const Report& report) {
   print("surface", body.surface);
   print("shell", body.shell);
   if (body.skin) print("skin", *body.skin);
-  std::cerr << "  joints turned by " << degrees(body.angle_rms_degrees);
-  if (body.head) std::cerr << ", the head by " << degrees(body.head->rms_degrees);
-  if (body.hand) std::cerr << ", the worse hand by " << degrees(body.hand->rms_degrees);
-  std::cerr << " (RMS); the root off by " << cm(body.root_max_cm) << " and "
-            << degrees(body.root_max_degrees) << " at most\n";
+  std::cerr << "  rotation error of joints " << degrees(body.angle_rms_degrees);
+  if (body.head) std::cerr << ", head " << degrees(body.head->rms_degrees);
+  if (body.hand) std::cerr << ", worse hand " << degrees(body.hand->rms_degrees);
+  std::cerr << " (RMS); largest error of the root " << cm(body.root_max_cm) << " and "
+            << degrees(body.root_max_degrees) << "\n";
   const EndErrors& ends = body.ends;
-  std::cerr << "  first pose " << cm(ends.first_cm) << ", last " << cm(ends.last_cm)
-            << " off on the surface";
+  std::cerr << "  surface error of the first pose " << cm(ends.first_cm) << ", last "
+            << cm(ends.last_cm);
   if (report.loop != Loop::None)
-    std::cerr << "; a loop, whose seam is " << cm(ends.seam_cm) << " and "
-              << cm(ends.seam_cm_per_frame) << " a frame off, frames in a row up to "
-              << cm(ends.worst_neighbours_cm) << " and " << cm(ends.worst_neighbours_cm_per_frame);
+    std::cerr << "; loop: seam error " << cm(ends.seam_cm) << " and " << cm(ends.seam_cm_per_frame)
+              << " a frame, largest between neighbouring frames " << cm(ends.worst_neighbours_cm)
+              << " and " << cm(ends.worst_neighbours_cm_per_frame) << " a frame";
   std::cerr << '\n';
   print(report.visibility, report.original->skeleton);
   if (const auto slide = slide_per_contact(report.footskate, report.contacts))
     std::cerr << "  footskate " << fixed_text(report.footskate.total_cm, 2) << " cm in "
               << report.contacts << " contacts: mean " << cm(slide->mean_cm) << ", worst "
-              << cm(slide->worst_cm) << " of way; feet drift by " << cm(slide->drift_mean_cm)
+              << cm(slide->worst_cm) << " of path; drift mean " << cm(slide->drift_mean_cm)
               << ", worst " << cm(slide->drift_worst_cm) << '\n';
   if (report.correction_bytes)
     std::cerr << "  IK correction: " << *report.correction_bytes << " bytes\n";
@@ -186,7 +186,7 @@ void print(const Report& report) {
   if (report.tracks.count > 0)
     std::cerr << "  " << report.tracks.count
               << " tracks of weights, properties and scales: " << report.tracks.bytes
-              << " bytes, off by " << significant_text(report.tracks.max_error, 3) << " at most\n";
+              << " bytes, largest error " << significant_text(report.tracks.max_error, 3) << "\n";
 }
 
 void print(const Json& json) {

@@ -117,8 +117,8 @@ struct Study {
     print_warnings(outcome.warnings);
     if (!outcome.complete) {
       std::fprintf(stderr,
-                   "Stopped after %zu of %d. What is done is kept in %s: to continue, run the same "
-                   "command.\n",
+                   "Stopped after %zu of %d. Finished measurements are kept in %s: to continue, "
+                   "run the same command.\n",
                    outcome.rows.size(), last.jobs, printable(folder).c_str());
       throw EndedWith{128 + stop_signal};
     }
@@ -135,7 +135,7 @@ struct Study {
         last_unread = row.clip;
         ++unread;
       }
-    std::fprintf(stderr, "%zu compressions of %zu clips, %d of them from before\n",
+    std::fprintf(stderr, "%zu compressions of %zu clips, %d of them made by an earlier run\n",
                  outcome.rows.size(), results.clips().size(), kept);
     std::fprintf(stderr, "%s\n", printable((fs::path(folder) / kReport).string()).c_str());
     if (unread > 0) throw EndedWith{kSomeFailed};
@@ -148,10 +148,10 @@ void add_study(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "study", "Compress clips by many methods at many targets: tables and a report");
   const auto call = std::make_shared<Study>();
-  command->add_option("input", call->inputs, "Clips, and folders of clips")
+  command->add_option("input", call->inputs, "Clips and folders of clips")
       ->required()
       ->type_name("INPUT...");
-  command->add_option("-o,--output", call->folder, "Where report.html, rows.csv, rows.json go")
+  command->add_option("-o,--output", call->folder, "Folder for report.html, rows.csv and rows.json")
       ->required()
       ->type_name("DIR");
   command->add_option("--methods", call->methods, "Methods, comma-separated [all]")
@@ -165,27 +165,34 @@ void add_study(CLI::App& app) {
         ->check(CLI::PositiveNumber)
         ->type_name(unit);
   };
-  add_targets("--ratios", call->ratios, "r,r,...", "Float32 bytes over motion bytes");
-  add_targets("--errors", call->errors, "CM,CM,...", "eps_x at most these");
+  add_targets("--ratios", call->ratios, "r,r,...",
+              "Compression ratios to compress to, comma-separated");
+  add_targets("--errors", call->errors, "CM,CM,...",
+              "Largest eps_x allowed (weighted RMS error) to compress to, comma-separated");
   command
       ->add_option("--ik", call->ik_ratios,
-                   "IK ratios at which annealed also holds the feet [16, unless targets are named]")
+                   "Coefficient ratios of the IK correction at which the annealed method also "
+                   "holds the feet [16; none if targets are given]")
       ->delimiter(',')
       ->check(CLI::PositiveNumber)
       ->type_name("r,r,...");
   command->add_flag("--paper", call->paper,
-                    "The paper's evaluation: its weighting, ratios and errors, with its figures");
+                    "Repeat the paper's evaluation with its weighting, ratios and errors, and "
+                    "print its figures beside ours");
   command
       ->add_option("--weighting", call->weighting,
-                   "Error weighting [surface; with --paper joint-origins]")
+                   "Points on which errors are measured [surface; with --paper joint-origins]")
       ->transform(one_of(kWeightings));
   command->add_option("--coding", call->coding, "Coding of the coefficients [deflate]")
       ->transform(one_of({Coding::Rle16, Coding::Deflate, Coding::Adaptive}));
-  command->add_option("--seed", call->seed, "Seed of the annealing: same seed, same figures");
-  command->add_option("--jobs", call->jobs, "Compressions at a time [as many as processors]")
+  command->add_option("--seed", call->seed,
+                      "Seed of the annealing; the same seed gives the same figures");
+  command
+      ->add_option("--jobs", call->jobs,
+                   "Number of compressions at the same time [one for each processor]")
       ->type_name("N")
       ->check(CLI::PositiveNumber);
-  command->add_flag("--again", call->again, "Measure again what DIR already holds");
+  command->add_flag("--again", call->again, "Repeat the measurements that DIR already holds");
   command->add_flag("--json-progress", call->json_progress,
                     "Print each finished row as a line of JSON");
   call->source.add_options(*command);

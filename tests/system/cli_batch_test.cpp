@@ -247,7 +247,7 @@ TEST_F(CliBatch, PutsItsFilesIntoABank) {
   EXPECT_THAT(listed.out, HasSubstr(R"("name": "in/clip_100")"));
   const Outcome cooked = mocapress(batch("out", {"--bank", "cooked", "--resume"}));
   ASSERT_EQ(cooked.exit_code, 0) << cooked.err;
-  EXPECT_THAT(cooked.err, HasSubstr("2 of 2 clips done, 2 of them before"));
+  EXPECT_THAT(cooked.err, HasSubstr("2 of 2 clips done, 2 of them by an earlier run"));
   EXPECT_THAT(mocapress({"bank", "list", file("out/bank.mcpk"), "--json"}).out,
               HasSubstr(R"("form": "cooked")"));
 }
@@ -278,14 +278,14 @@ TEST_F(CliBatch, MeasuresOnTheSkinOfACharacterThatFits) {
   EXPECT_EQ(bare.exit_code, 7);
   // Rows measured on a character that was edited since are done again.
   more.insert(more.end(), {"--resume", "--overwrite"});
-  EXPECT_THAT(mocapress(batch("out", more)).err, HasSubstr("1 of them before"));
+  EXPECT_THAT(mocapress(batch("out", more)).err, HasSubstr("1 of them by an earlier run"));
   write("hero.glb", hero + '\0');
-  EXPECT_THAT(mocapress(batch("out", more)).err, testing::Not(HasSubstr("of them before")));
+  EXPECT_THAT(mocapress(batch("out", more)).err, testing::Not(HasSubstr("of them by an earlier run")));
   // A different character makes a different batch.
   const Outcome other =
       mocapress(batch("out", {"--target-error", "0.3", "--resume", "--overwrite"}));
   ASSERT_EQ(other.exit_code, 0) << other.err;
-  EXPECT_THAT(other.err, testing::Not(HasSubstr("of them before")));
+  EXPECT_THAT(other.err, testing::Not(HasSubstr("of them by an earlier run")));
 }
 
 TEST_F(CliBatch, KeepsTheCurvesBesideAClip) {
@@ -300,7 +300,7 @@ TEST_F(CliBatch, KeepsTheCurvesBesideAClip) {
   write("in/clip_100.tracks.csv", table);
   const Outcome made = mocapress(batch("out", {"--resume", "--overwrite"}));
   ASSERT_EQ(made.exit_code, 0) << made.err;
-  EXPECT_THAT(made.err, HasSubstr("1 of them before"));
+  EXPECT_THAT(made.err, HasSubstr("1 of them by an earlier run"));
   const Outcome info = mocapress({"info", file("out/in/clip_100.mcpr"), "--json"});
   EXPECT_EQ(json::parse(info.out)[0]["tracks"][0]["name"], "step");
 }

@@ -70,7 +70,7 @@ TEST_F(CliStudy, RunAgainKeepsWhatIsThere) {
   const std::string first = read_text(file("out") / "rows.csv");
   const Outcome again = mocapress(study());
   EXPECT_EQ(again.exit_code, 0);
-  EXPECT_THAT(again.err, HasSubstr("12 of them from before"));
+  EXPECT_THAT(again.err, HasSubstr("12 of them made by an earlier run"));
   EXPECT_EQ(read_text(file("out") / "rows.csv"), first);
 }
 
@@ -91,7 +91,7 @@ TEST_F(CliStudy, StoppedByASignalGoesOnWithTheSameCommand) {
   EXPECT_FALSE(std::filesystem::exists(file("out") / "report.html"));
   const Outcome outcome = mocapress(study());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.err, Not(HasSubstr(" 0 of them from before")));
+  EXPECT_THAT(outcome.err, Not(HasSubstr(" 0 of them made by an earlier run")));
   EXPECT_EQ(rows().size(), 12u);
 }
 
