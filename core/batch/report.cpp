@@ -128,25 +128,25 @@ std::string tile(const std::string& value, const std::string& text) {
 std::string tiles(const Totals& totals, std::size_t waiting) {
   std::string all;
   if (totals.visible + totals.borderline + totals.not_visible > 0)
-    all = tile(std::to_string(totals.visible), "visible to the eye") +
-          tile(std::to_string(totals.borderline), "borderline") +
-          tile(std::to_string(totals.not_visible), "not visible");
+    all = tile(std::to_string(totals.visible), "clips with visible errors") +
+          tile(std::to_string(totals.borderline), "clips with borderline errors") +
+          tile(std::to_string(totals.not_visible), "without visible errors");
   all += tile(std::to_string(totals.done), "clips done, each read back and measured");
   if (totals.failed > 0) all += tile(std::to_string(totals.failed), "failed");
   if (const std::size_t reviewed = totals.approved + totals.rejected; reviewed > 0)
     all += tile(std::to_string(reviewed) + " of " + std::to_string(totals.done + totals.failed),
                 "reviewed: " + std::to_string(totals.approved) + " approved, " +
                     std::to_string(totals.rejected) + " rejected");
-  if (totals.stale > 0) all += tile(std::to_string(totals.stale), "verdicts are stale");
+  if (totals.stale > 0) all += tile(std::to_string(totals.stale), "stale verdicts");
   if (waiting > 0) all += tile(std::to_string(waiting), "still waiting");
   if (totals.motion_bytes > 0)
-    all += tile(ratio_text(totals.raw_bytes / totals.motion_bytes),
-                "all channels as 32-bit floats over all coded motion: " +
-                    format_significant(totals.raw_bytes / 1024) + " KB to " +
-                    format_significant(totals.motion_bytes / 1024) + " KB");
+    all += tile(
+        ratio_text(totals.raw_bytes / totals.motion_bytes),
+        "compression ratio of all clips together: " + format_significant(totals.raw_bytes / 1024) +
+            " KB to " + format_significant(totals.motion_bytes / 1024) + " KB");
   if (totals.done > 0)
     all += tile(format_significant(totals.worst_cm) + " cm",
-                "the furthest any point is off at any frame; &#949;<sub>x</sub> at most " +
+                "largest error of any point at any frame; largest &#949;<sub>x</sub> " +
                     format_significant(totals.worst_eps_cm) + " cm");
   return element("div", attribute("class", "tiles"), all);
 }
@@ -162,18 +162,17 @@ std::string pictures(const Totals& totals) {
         scene + element("figcaption", "",
                         element("b", "", escaped(row.output)) + ", frame " +
                             std::to_string(pose.frame) + ", " +
-                            fixed(pose.frame / row.measured->sample_rate_hz, 2) + " s: the " +
-                            escaped(pose.landmark) + " is " + format_significant(pose.off_cm) +
-                            " cm off. " + escaped(row.preset.name) + ", " +
+                            fixed(pose.frame / row.measured->sample_rate_hz, 2) + " s: error of " +
+                            format_significant(pose.off_cm) + " cm at the " +
+                            escaped(pose.landmark) + ". " + escaped(row.preset.name) + ", " +
                             ratio_text(row.measured->ratio) + "."));
   }
   if (figures.empty()) return "";
-  return element(
-      "section", "",
-      element("h2", "", "Worst frames") +
-          muted("The frame at which one point is furthest off, of the clips of which the "
-                "eye sees most: grey as captured, red as compressed.") +
-          element("div", attribute("class", "multiples"), figures));
+  return element("section", "",
+                 element("h2", "", "Worst frames") +
+                     muted("The frame with the largest error of each of the clips whose errors are "
+                           "most visible: original in grey, compressed in red.") +
+                     element("div", attribute("class", "multiples"), figures));
 }
 
 std::string figure_cell(const std::optional<double>& value) {
@@ -210,9 +209,9 @@ std::string review_cells(const BatchRow& row) {
 void write_failures(std::ostream& out, const BatchRows& rows) {
   const auto left = attribute("class", "name");
   out << "<section><h2>Failed</h2>"
-      << muted("Nothing was put in place for these; files that were there before still are.")
+      << muted("No file was written for these clips; older files of theirs are unchanged.")
       << "<div class=\"scroll\"><table><thead>"
-      << line(head("Clip", left) + head("preset", left) + head("why", left) +
+      << line(head("Clip", left) + head("preset", left) + head("reason", left) +
               head("verdict", left) + head("note", left))
       << "</thead><tbody>";
   rows([&](const BatchRow& row) {
@@ -249,10 +248,10 @@ void write_clips(std::ostream& out, const BatchRows& rows) {
   const auto left = attribute("class", "name");
   out << "<section>" << element("script", "", kHidingScript) << "<h2>Every clip</h2>"
       << muted(
-             "Errors of the file as it was read back, against the original: distances in "
-             "centimetres, what joints, head and hands are turned by in degrees.")
+             "Errors of the file as read back from the disk, against the original: distances in "
+             "centimetres, rotation errors of joints, head and hands in degrees.")
       << "<div class=\"scroll\"><table id=\"clips\"><thead>"
-      << line(head("Clip", left) + head("to the eye", left) + head("verdict", left) +
+      << line(head("Clip", left) + head("visibility", left) + head("verdict", left) +
               head("note", left) + head("warnings") + head("ratio") + head("max") +
               head("at frame") + head("&#949;<sub>x</sub>") + head("p95") + head("p99") +
               head("joints") + head("head") + head("hands") + head("foot drift") +
@@ -288,16 +287,17 @@ void write_sights(std::ostream& out, const Totals& totals) {
   const std::size_t seen = totals.visible + totals.borderline;
   std::string legend = kSightLegend;
   if (seen > totals.most_seen.size())
-    legend += " Of " + std::to_string(seen) + " clips the " +
-              std::to_string(totals.most_seen.size()) + " of which most is seen.";
-  out << "<section><h2>What the eye sees</h2>" << muted(legend) << "<div class=\"multiples\">\n";
+    legend += " The charts show the " + std::to_string(totals.most_seen.size()) +
+              " clips with the most visible errors, out of " + std::to_string(seen) + ".";
+  out << "<section><h2>Visible errors over time</h2>" << muted(legend)
+      << "<div class=\"multiples\">\n";
   for (const BatchRow& row : totals.most_seen) {
     if (row.sights.empty()) continue;
     const Measurement& m = *row.measured;
     out << element(
                "figure", "",
                draw(row.sights, m.frames / m.sample_rate_hz,
-                    row.output + ": what the eye sees over time") +
+                    row.output + ": visible errors over time") +
                    element("figcaption", "",
                            element("b", "", escaped(row.output)) + ": " + escaped(m.seen->reason)))
         << '\n';
@@ -327,9 +327,9 @@ void write_warnings(std::ostream& out, const BatchRows& rows) {
   });
   const auto left = attribute("class", "name");
   out << "<section><h2>Repaired or guessed on reading</h2>"
-      << muted("report.csv has each with its file and line.")
+      << muted("report.csv lists each warning with its file and line.")
       << "<div class=\"scroll\"><table><thead>"
-      << line(head("what", left) + head("times") + head("clips", left)) << "</thead><tbody>\n";
+      << line(head("warning", left) + head("count") + head("clips", left)) << "</thead><tbody>\n";
   for (const auto& [warning, clips] : warnings)
     out << line(cell(escaped(warning), "wrap") + cell(std::to_string(clips.count)) +
                 cell(escaped(clips.named + (clips.count > kNamed ? ", ..." : "")), "wrap"))
@@ -343,28 +343,34 @@ std::string notes() {
     all += element("dt", "", term) + element("dd", "", text);
   };
   add("Verified",
-      "Each file was read back, opened by the runtime decoder within its default limits, as an "
-      "engine would, and measured from what that gives; files of the paper's codings and of the "
-      "comparison methods, which no engine plays, by the library. report.csv says which.");
+      "Each file was read back and decoded as an engine would, by the runtime decoder within its "
+      "default limits; errors are those of the decoded motion. Engines cannot play files in the "
+      "paper's codings and of comparison methods: the library decodes these. The column "
+      "verified_by of report.csv names the decoder of each clip.");
   add("Ratio",
-      "The channels as 32-bit floats over the coded motion, the skeleton left out on both sides. "
-      "1 KB = 1024 bytes.");
+      "Bytes of the channels as 32-bit floats, divided by the bytes of the coded motion. The "
+      "skeleton counts on neither side. 1 KB = 1024 bytes.");
   add("&#949;<sub>x</sub>",
-      "Weighted root mean square distance of points of the body from where they should be; "
-      "report.csv has both weightings.");
-  add("p95, p99, max", "Over all points and frames, unweighted.");
+      "Weighted root mean square distance between points of the body and the same points of the "
+      "original. report.csv has it in two more weightings.");
+  add("p95, p99, max",
+      "Percentiles and maximum of these distances over all points and frames, unweighted.");
   add("Joints, head, hands",
-      "Angle in the world between a joint&#8217;s rotation and the original&#8217;s, root mean "
-      "square over frames and joints. Head and hands are known by their names.");
+      "Angle between a joint&#8217;s world-space rotation and the original&#8217;s, root mean "
+      "square over frames and joints. Head and hands are recognised by their names.");
   add("Foot drift, foot path",
-      "While a foot stands in the original. Drift is how far it gets from where it should stand, "
-      "over a contact on average and in the worst one. Path is the length of its way beyond the "
-      "original&#8217;s, over all contacts: the trembling of a foot in its place sums up in it.");
+      "Both are measured while a foot stands in the original. Drift is the distance between a foot "
+      "and its place in the original, as the mean over contacts and in the worst contact. Path is "
+      "the length of the foot&#8217;s path beyond the original&#8217;s, summed over all contacts; "
+      "a foot that trembles in place has a long path.");
   add("Verdict, note",
-      "What the reviewer of the clip said about it, who and when. Stale: the clip&#8217;s file or "
-      "the settings are not those that were reviewed, so that the verdict does not count.");
-  add("Warnings", "How many places its reader repaired or guessed: they are listed below.");
-  return element("section", "", element("h2", "", "How it was measured") + element("dl", "", all));
+      "The reviewer&#8217;s verdict and note, with name and date. A verdict is stale, and does not "
+      "count, if the clip&#8217;s file or its settings have changed since.");
+  add("Warnings",
+      "Number of places that were repaired or guessed when the clip was read; they are listed "
+      "below.");
+  return element("section", "",
+                 element("h2", "", "How clips were measured") + element("dl", "", all));
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ function input(type, hint, test) {
   add(field, test);
 }
 choice("any visibility", ["visible", "borderline", "not visible"],
-  (row, word) => text(row, "to the eye").startsWith(word));
+  (row, word) => text(row, "visibility").startsWith(word));
 choice("any verdict", ["approved", "rejected", "stale", "none"],
   (row, word) => word === "none" ? text(row, "verdict").length === 1
     : text(row, "verdict").includes(word));
@@ -94,7 +94,7 @@ for (const head of heads) {
   head.style.cursor = "pointer";
   head.onclick = () => sort(head.cellIndex);
 }
-sort(column("to the eye"));
+sort(column("visibility"));
 table.closest("section").hidden = false;
 )";
 

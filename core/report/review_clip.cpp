@@ -34,9 +34,9 @@ std::vector<std::string> review_facts(std::string_view method, double ratio,
                                       const Distortion& distortion, const Visibility& visibility) {
   const Sight sight = visibility.sight();
   return {std::string(method_title(method)), ratio_text(ratio),
-          "at most " + format_significant(distortion.max.cm) + " cm off",
-          (sight == Sight::NotVisible ? "not visible" : std::string(mocapress::name(sight))) +
-              " to the eye"};
+          "largest error " + format_significant(distortion.max.cm) + " cm",
+          "errors " + (sight == Sight::NotVisible ? std::string("not visible")
+                                                  : std::string(mocapress::name(sight)))};
 }
 
 }  // namespace mocapress

@@ -56,7 +56,7 @@ async function showClip(name, facts) {
 /// Adds a button to each row of the clips. It runs after kReportScript, which defines the rows and
 /// finds their columns. Facts from the row go with the clip.
 inline constexpr const char* kReviewButtons = R"(
-const told = ["preset", "ratio", "max", "to the eye", "verdict", "note"];
+const told = ["preset", "ratio", "max", "visibility", "verdict", "note"];
 for (const row of rows) {
   const name = row.cells[0].textContent;
   const button = document.createElement("button");

@@ -24,8 +24,8 @@ SightChart sight_chart(const SightTable& table, const Skeleton& skeleton);
 
 /// Legend for its colours and heights.
 inline constexpr const char* kSightLegend =
-    "Over time, any joint and those seen most: nothing where an error is not visible, half a bar "
-    "where it is borderline, a whole one where it is visible.";
+    "Rows are joints, the first row is any joint. A full bar marks times with visible errors, half "
+    "a bar borderline ones, no bar errors that nobody sees.";
 
 /// Returns an inline <svg>, coloured by the classes of report_style.h. `label` is for screen
 /// readers.

@@ -144,7 +144,7 @@ std::string tiles(const Results& results) {
     const auto other_ratio = results.mean_ratio_at(*other, eps_cm);
     if (other_ratio && other_ratio->clips == ratio->clips)
       all += tile(fixed(ratio->ratio / other_ratio->ratio, 2) + "&#215;",
-                  "smaller than " + escaped(other->title) + " at the same error");
+                  "smaller than " + escaped(other->title) + " at equal error");
   }
   std::vector<double> ms;
   for (const StudyRow& row : results.rows())
@@ -152,8 +152,8 @@ std::string tiles(const Results& results) {
       ms.push_back(row.measured->ms_per_frame());
   if (const auto mean = geometric_mean(ms))
     all +=
-        tile(format_significant(*mean) + " ms",
-             "a frame to compress by " + escaped(first.title) + ", search for the target included");
+        tile(format_significant(*mean) + " ms", "to compress a frame by " + escaped(first.title) +
+                                                    ", including the search for the target");
   return element("div", attribute("class", "tiles"), all);
 }
 
@@ -179,9 +179,10 @@ std::string recommendation(const Results& results) {
   const Series* best = smallest_at(results, eps_cm);
   if (!best) return "";
   const Series& shipped = *results.leading_series();
-  std::string text = "Take " + element("b", "", escaped(best->title)) +
-                     ": the smallest at &#949;<sub>x</sub> = " + format_shortest(eps_cm) +
-                     " cm over all clips.";
+  std::string text =
+      "Use " + element("b", "", escaped(best->title)) +
+      ": it has the smallest files at &#949;<sub>x</sub> = " + format_shortest(eps_cm) +
+      " cm over all clips.";
   std::string lines;
   for (const Settings& preset : built_in_presets()) {
     if (preset.method != shipped.method || preset.target.kind != Target::Kind::Error ||
@@ -193,11 +194,11 @@ std::string recommendation(const Results& results) {
                   cell(ratio ? ratio_text(ratio->ratio) : std::string(kNothing)) +
                   cell(ratio ? std::to_string(ratio->clips) : std::string(kNothing)));
   }
-  if (lines.empty()) return section("What to take", paragraph(text));
+  if (lines.empty()) return section("Recommended method", paragraph(text));
   text += " The presets use " + escaped(shipped.title) +
-          "; what each asks for came to this, without its promises about heads, hands and roots, "
-          "which cost some bytes more.";
-  return section("What to take",
+          ". The table shows the ratio at the error of each preset. Presets also bound the errors "
+          "of heads, hands and roots, which costs some more bytes.";
+  return section("Recommended method",
                  paragraph(text) + table(line(head("Preset") + head("&#949;<sub>x</sub>, cm") +
                                               head("mean ratio") + head("clips")),
                                          lines));
@@ -206,8 +207,8 @@ std::string recommendation(const Results& results) {
 std::string subtitle(const Results& results) {
   return counted(results.clips().size(), "clip") + ", " +
          counted(results.series().size(), "method") + ", " +
-         counted(results.rows().size(), "compression") + ". Errors weighted by " +
-         std::string(name(results.weighting())) + ".";
+         counted(results.rows().size(), "compression") +
+         ". Error weighting: " + std::string(name(results.weighting())) + ".";
 }
 
 std::string coding_text(const Results& results) {
@@ -224,31 +225,30 @@ std::string measuring_notes(const Results& results) {
     notes += element("dt", "", term) + element("dd", "", text);
   };
   add("Ratio",
-      "The channels as 32-bit floats over the coded motion, the skeleton left out on both "
-      "sides, as in the paper. 1 KB = 1024 bytes.");
+      "Bytes of the channels as 32-bit floats, divided by the bytes of the coded motion. The "
+      "skeleton counts on neither side, as in the paper. 1 KB = 1024 bytes.");
   add("&#949;<sub>x</sub>",
       "The paper&#8217;s positional distortion (section 3.1), weighted by " +
           std::string(name(results.weighting())) +
-          ": the weighted root mean square distance of points of the body from where they should "
-          "be. The paper&#8217;s own figures are joint-origins.");
+          ": the weighted root mean square distance between points of the body and the same points "
+          "of the original. The paper&#8217;s own figures use the weighting joint-origins.");
   add("Mean",
-      "Geometric mean over the clips of the ratio at equal &#949;<sub>x</sub>, read from "
-      "each clip&#8217;s curve, straight between measured points in the logarithms of "
-      "both; only over the errors that every clip has. &#8776; marks a figure read from a "
-      "curve, others were measured at that very error.");
+      "Geometric mean over the clips of the ratio at equal &#949;<sub>x</sub>, at errors within "
+      "the measured range of every clip. Ratios between measured points are interpolated, linearly "
+      "in the logarithms of ratio and error, and marked &#8776;.");
   add("Coding", coding_text(results) + ", seed " + std::to_string(row.settings.seed));
   int jobs = 0;
   for (const StudyRow& one : results.rows()) jobs = std::max(jobs, one.jobs);
-  add("Time", "Wall time of the compression, search for the target included, with up to " +
+  add("Time", "Wall time of a compression, including the search for the target, with up to " +
                   counted(static_cast<std::size_t>(jobs), "compression") +
-                  " at a time; what compressions of a clip share counts where it was first needed. "
-                  "The paper&#8217;s: a 2 GHz Athlon 64.");
+                  " at the same time. Work that the compressions of a clip share counts in the "
+                  "first of them. The paper used a 2 GHz Athlon 64.");
   for (const Series& series : results.series())
     if (const CompressionMethod* compression_method = find_compression_method(series.method))
       add(escaped(series.title), escaped(compression_method->note));
   add("The paper",
-      "Figures marked as the paper&#8217;s are those it published: Adapting Wavelet "
-      "Compression to Human Motion Capture Clips, Tables 1 and 2.");
+      "Figures marked as the paper&#8217;s are from Tables 1 and 2 of Adapting Wavelet Compression "
+      "to Human Motion Capture Clips.");
   return element("dl", "", notes);
 }
 
@@ -259,11 +259,13 @@ std::string curves_section(const Results& results) {
     if (results.mean_curve(series).empty())
       missing += (missing.empty() ? "" : ", ") + escaped(series.title);
   if (!missing.empty())
-    drawn += paragraph("Without a mean, for no error is common to all clips: " + missing + ".");
-  return section("How small, at what error",
-                 paragraph("Further right is smaller, further down is better. Geometric mean of "
-                           "the ratio at equal error; the dotted line is 0.5 cm, up to which the "
-                           "paper saw no artifact.") +
+    drawn += paragraph(
+        "These methods have no mean, since no error is within the range of all clips: " + missing +
+        ".");
+  return section("Error against compression ratio",
+                 paragraph("Files are smaller to the right, errors smaller to the bottom. Curves "
+                           "are geometric means of the ratio at equal error. The dotted line is "
+                           "0.5 cm: the paper saw no artifacts below it.") +
                      drawn + mean_size_table(results));
 }
 
@@ -336,7 +338,7 @@ std::string review_of(const Picture& picture, const PicturedMethod& method) {
   return element("script", "", method.review) +
          review_button(review_name(picture, method.method),
                        {title_of(method), ratio_text(method.ratio),
-                        "at most " + format_significant(method.max_error_cm) + " cm off"});
+                        "largest error " + format_significant(method.max_error_cm) + " cm"});
 }
 
 bool are_reviewed(const std::vector<Picture>& pictures) {
@@ -361,9 +363,10 @@ std::string worst_scene(const Picture& picture, std::size_t m, const SceneView& 
   return captioned(scene.finish(title_of(method) + " over the original at its worst frame"),
                    element("b", "", escaped(title_of(method))) + " at " + ratio_text(method.ratio) +
                        ": &#949;<sub>x</sub> " + format_significant(method.eps_cm) +
-                       " cm over the clip, at most " + format_significant(method.max_error_cm) +
-                       " cm. Here the " + escaped(picture.landmark_names[worst]) +
-                       " is furthest off. " + review_of(picture, method));
+                       " cm over the clip, largest error " +
+                       format_significant(method.max_error_cm) + " cm; at this frame it is the " +
+                       escaped(picture.landmark_names[worst]) + "'s. " +
+                       review_of(picture, method));
 }
 
 std::string strip(const Picture& picture, std::size_t m, double height_cm) {
@@ -403,7 +406,7 @@ std::string foot_scene(const Picture& picture, std::size_t m) {
   scene.add_figure(foot.pose.decoded[m], "figure");
   scene.add_trail(foot.original_trail, "trail was");
   scene.add_trail(foot.trails[m], "trail is");
-  return captioned(scene.finish(title_of(picture.methods[m]) + ": the foot that slides most"),
+  return captioned(scene.finish(title_of(picture.methods[m]) + ": foot that slides most"),
                    element("b", "", escaped(title_of(picture.methods[m]))) + ": the " +
                        escaped(picture.landmark_names[landmark]) + " slides " +
                        fixed(foot.slid_cm[m], 1) + " cm while planted.");
@@ -412,7 +415,7 @@ std::string foot_scene(const Picture& picture, std::size_t m) {
 std::string sights(const Picture& picture, std::size_t m) {
   const std::string title = title_of(picture.methods[m]);
   return captioned(draw(picture.methods[m].sights, picture.frames / picture.sample_rate_hz,
-                        title + ": what the eye sees over time"),
+                        title + ": visible errors over time"),
                    element("b", "", escaped(title)));
 }
 
@@ -436,20 +439,20 @@ std::string picture_section(const Picture& picture) {
   std::string content =
       element("h2", "", escaped(clip) + " at " + format_shortest(picture.ratio) + ":1") +
       element("p", attribute("class", "muted"),
-              "Compressed in red over the original in grey, all at the same ratio. " +
-                  std::string("First the frame where ") +
-                  escaped(title_of(picture.methods.front())) +
-                  " is furthest off: " + seconds_text(picture, picture.worst.frame) +
+              "Compressed motion in red over the original in grey, all at the same ratio. " +
+                  std::string("The first pictures show the frame with the largest error of ") +
+                  escaped(title_of(picture.methods.front())) + ": " +
+                  seconds_text(picture, picture.worst.frame) +
                   ". Lines on the floor are half a metre apart.") +
       element("div", attribute("class", "pair"), pair) + strips +
-      element("h3", "", "What the eye sees") +
+      element("h3", "", "Visible errors over time") +
       element("p", attribute("class", "muted"), kSightLegend) +
       element("div", attribute("class", "pair"), seen);
   if (picture.foot)
     content += element("h3", "", "The foot that slides most") +
                element("p", attribute("class", "muted"),
-                       "The path of the foot over the floor during one contact: grey as captured, "
-                       "dark as compressed.") +
+                       "Path of the foot over the floor during one contact: original in grey, "
+                       "compressed dark.") +
                element("div", attribute("class", "pair"), feet);
   return element("section", "", content);
 }
@@ -467,14 +470,15 @@ std::string report_html(const Results& results, const std::vector<Picture>& pict
     if (are_reviewed(pictures)) body += review_section(viewer);
     for (const Picture& picture : pictures) body += picture_section(picture);
     body += section("Size at equal error", size_table(results));
-    body += section("Time to anneal", time_table(results));
+    body += section("Time of the annealing", time_table(results));
     body += section("Feet held by inverse kinematics", held_feet_table(results));
     body += section("Sliding feet", footskate_table(results));
-    body += section("Turned joints", angle_table(results));
+    body += section("Rotation errors", angle_table(results));
     body += clips_section(results);
   }
-  body += section("Not reached", failure_table(results));
-  if (!results.clips().empty()) body += section("How it was measured", measuring_notes(results));
+  body += section("Missed targets", failure_table(results));
+  if (!results.clips().empty())
+    body += section("How clips were measured", measuring_notes(results));
   return "<!DOCTYPE html>\n" +
          element("html", attribute("lang", "en"),
                  "<head><meta charset=\"utf-8\"/><meta name=\"viewport\" "

@@ -201,7 +201,7 @@ std::string footskate_at(const Results& results, const Target& target) {
     body += line(cells);
   }
   if (all_contacts == 0) return "";
-  std::string cells = row_head("a contact") + cell(std::to_string(all_contacts));
+  std::string cells = row_head("mean of a contact") + cell(std::to_string(all_contacts));
   for (const Series* one : series)
     cells += cell(std::isnan(sums[one]) ? kNothing : fixed(sums[one] / all_contacts, 2) + " cm");
   body += line(cells, attribute("class", "sum"));
@@ -316,13 +316,13 @@ std::string footskate_table(const Results& results) {
   for (const Target::Kind kind : {Target::Kind::CoefficientRatio, Target::Kind::Ratio})
     if (const auto target = footskate_target(results, kind))
       tables += footskate_at(results, *target);
-  return tables.empty() ? ""
-                        : element("p", attribute("class", "muted"),
-                                  "Horizontal distance of the feet while planted, beyond the "
-                                  "original&#8217;s own; in brackets the mean of a contact and the "
-                                  "worst contact. Contacts are found on the original; clips "
-                                  "without any are left out.") +
-                              tables;
+  return tables.empty()
+             ? ""
+             : element("p", attribute("class", "muted"),
+                       "Horizontal path of the feet during contacts, beyond the original&#8217;s; "
+                       "in brackets the mean contact and the worst contact. Contacts are detected "
+                       "in the original; clips without contacts are not listed.") +
+                   tables;
 }
 
 std::string clip_table(const Results& results) {
@@ -411,9 +411,9 @@ std::string angle_table(const Results& results) {
     body += line(cells);
   }
   return element("p", attribute("class", "muted"),
-                 "Angle in the world between a joint&#8217;s rotation and the original&#8217;s, "
-                 "root mean square over frames and all joints; in brackets of the head and of the "
-                 "hands, where they are known by their names. At " +
+                 "Angle between a joint&#8217;s world-space rotation and the original&#8217;s, "
+                 "root mean square over frames and joints; in brackets that of the head and of the "
+                 "worse hand, if they are recognised by their names. Measured at " +
                      angle_target_text(*target) + ".") +
          table(line(heads), body);
 }
@@ -489,8 +489,9 @@ std::string held_feet_table(const Results& results) {
   }
   if (body.empty()) return "";
   return element("p", attribute("class", "muted"),
-                 "Both at the same compression ratio: what the correction takes is missing "
-                 "elsewhere. Knee: its greatest speed over that of the original.") +
+                 "Clips with and without IK have the same compression ratio, so bytes of the "
+                 "correction are missing elsewhere. Knee: its highest speed, divided by that of "
+                 "the original.") +
          table(line(groups) + line(heads), body);
 }
 
@@ -534,10 +535,11 @@ std::string failure_table(const Results& results) {
   const auto left = attribute("class", "name");
   return element(
       "details", "",
-      element("summary", "",
-              std::to_string(failures.size()) + " pairs of clip and method missed a target") +
-          table(line(head("Clip", left) + head("method", left) + head("out of reach", left) +
-                     head("why (the first)", left) + head("nearest step", left)),
+      element(
+          "summary", "",
+          std::to_string(failures.size()) + " combinations of clip and method missed a target") +
+          table(line(head("Clip", left) + head("method", left) + head("missed target", left) +
+                     head("first reason", left) + head("nearest result", left)),
                 body));
 }
 

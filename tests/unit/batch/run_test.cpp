@@ -220,7 +220,7 @@ TEST(BatchReport, ThousandsOfClipsMakeASmallPageMostVisibleErrorsFirst) {
   write_batch_html(out, rows, 0, {"Mocapress 1", "2026-11-26T14:05:00Z"});
   const std::string page = out.str();
   EXPECT_LT(page.size(), 2'000'000u);
-  EXPECT_LT(page.find("visible to the eye"), page.find("clips done"));
+  EXPECT_LT(page.find("clips with visible errors"), page.find("clips done"));
   const auto count = [&](const std::string& text) {
     std::size_t found = 0;
     for (std::size_t at = 0; (at = page.find(text, at)) != page.npos; ++at) ++found;
@@ -228,12 +228,12 @@ TEST(BatchReport, ThousandsOfClipsMakeASmallPageMostVisibleErrorsFirst) {
   };
   EXPECT_EQ(count("the unit is guessed"), 1u);
   for (const char* filter : {"any visibility", "any verdict", "with warnings", "max over, cm",
-                             "ratio below", "show all", "sort(column(\"to the eye\"))"})
+                             "ratio below", "show all", "sort(column(\"visibility\"))"})
     EXPECT_GT(count(filter), 0u) << filter;
   if (const char* folder = std::getenv("MOCAPRESS_PICTURES"))  // for those who look at pages
     write_text(std::filesystem::path(folder) / "batch-3000.html", page);
   EXPECT_EQ(count("what the eye sees over time"), 24u);
-  EXPECT_LT(page.find("take_2234: what the eye sees"), page.find("take_1000: what the eye sees"));
+  EXPECT_LT(page.find("take_2234: visible errors"), page.find("take_1000: visible errors"));
 }
 
 TEST(BatchReport, ThousandsOfClipsAndTheLargestViewerStayBelowThreeMegabytes) {
@@ -583,8 +583,8 @@ TEST_F(BatchRun, PicturesSayWhatTheirCaptionsAndTheBoundSay) {
     EXPECT_EQ(row.worst->off_cm, row.measured->max_error_cm);
     EXPECT_THAT(page,
                 HasSubstr(">" + format_significant(row.measured->max_error_cm) + " cm</text>"));
-    EXPECT_THAT(page,
-                HasSubstr("is " + format_significant(row.measured->max_error_cm) + " cm off"));
+    EXPECT_THAT(page, HasSubstr("error of " + format_significant(row.measured->max_error_cm) +
+                                " cm at the "));
   }
 }
 

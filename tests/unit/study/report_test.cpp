@@ -218,10 +218,9 @@ TEST(Report, LeadsWithTheMethodThatShipsAndRecommendsWithPresets) {
   const std::string html = report_html(Results(rows), {});
   EXPECT_EQ(imbalance(html), "");
   EXPECT_THAT(html, HasSubstr("</b><span>Closed-loop wavelets at "));
-  EXPECT_THAT(html,
-              HasSubstr("1.50&#215;</b><span>smaller than Annealed wavelets at the same error"));
-  EXPECT_THAT(html, HasSubstr("Take <b>Closed-loop wavelets</b>"));
-  EXPECT_LT(html.find("What to take"), html.find("How small, at what error"));
+  EXPECT_THAT(html, HasSubstr("1.50&#215;</b><span>smaller than Annealed wavelets at equal error"));
+  EXPECT_THAT(html, HasSubstr("Use <b>Closed-loop wavelets</b>"));
+  EXPECT_LT(html.find("Recommended method"), html.find("Error against compression ratio"));
   EXPECT_THAT(html, HasSubstr(">Gameplay<"));
 }
 
@@ -232,7 +231,7 @@ TEST(Report, RecommendsNoMethodWhereTheLeadingOneWasNotMeasured) {
     rows.push_back(point("a.bvh", "closed-loop", {Target::Kind::Ratio, ratio}, ratio, ratio / 500));
   }
   const std::string html = report_html(Results(rows), {});
-  EXPECT_THAT(html, HasSubstr("Take <b>Closed-loop wavelets</b>"));
+  EXPECT_THAT(html, HasSubstr("Use <b>Closed-loop wavelets</b>"));
 }
 
 TEST(Report, FailuresAloneMakeAPage) {
@@ -263,7 +262,7 @@ TEST(Report, ShowsTheWorstFrameOfTheFirstMethod) {
   EXPECT_THAT(html, Not(HasSubstr("nan ")));
   EXPECT_THAT(html, HasSubstr("frame " + std::to_string(picture->worst.frame)));
   EXPECT_FALSE(picture->methods[1].sights.empty());
-  EXPECT_THAT(html, HasSubstr("Annealed wavelets: what the eye sees over time"));
+  EXPECT_THAT(html, HasSubstr("Annealed wavelets: visible errors over time"));
 }
 
 TEST(Report, ShowsAPicturedClipInTheViewerWhereThePageHasIt) {
