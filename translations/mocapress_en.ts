@@ -86,10 +86,10 @@
 <context>
     <name>mocapress::Figures</name>
     <message numerus="yes">
-        <source>%Ln contact(s): feet drift by %1 in the mean, by %2 at worst; their path is %3 longer than the original&apos;s</source>
+        <source>%Ln contact(s): mean drift of the feet %1, worst %2; their path is %3 longer than the original&apos;s</source>
         <translation>
-            <numerusform>%Ln contact: the foot drifts by %1 in the mean, by %2 at worst; its path is %3 longer than the original&apos;s</numerusform>
-            <numerusform>%Ln contacts: feet drift by %1 in the mean, by %2 at worst; their path is %3 longer than the original&apos;s</numerusform>
+            <numerusform>%Ln contact: mean drift of the foot %1, worst %2; its path is %3 longer than the original&apos;s</numerusform>
+            <numerusform>%Ln contacts: mean drift of the feet %1, worst %2; their path is %3 longer than the original&apos;s</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -190,10 +190,10 @@
 <context>
     <name>mocapress::Notices</name>
     <message numerus="yes">
-        <source>The last session ended unexpectedly. Its project is here again: %Ln clip(s).</source>
+        <source>The last session ended unexpectedly. Its project was restored: %Ln clip(s).</source>
         <translation>
-            <numerusform>The last session ended unexpectedly. Its project is here again: %Ln clip.</numerusform>
-            <numerusform>The last session ended unexpectedly. Its project is here again: %Ln clips.</numerusform>
+            <numerusform>The last session ended unexpectedly. Its project was restored: %Ln clip.</numerusform>
+            <numerusform>The last session ended unexpectedly. Its project was restored: %Ln clips.</numerusform>
         </translation>
     </message>
 </context>

@@ -72,7 +72,7 @@
         <translation>Pire image &amp;suivante</translation>
     </message>
     <message>
-        <source>Go to the frame with the greatest error; again for the next worst (N)</source>
+        <source>Go to the frame with the largest error, then to the next largest (N)</source>
         <translation>Aller à l&apos;image de plus grande erreur, encore : à la suivante (N)</translation>
     </message>
     <message>
@@ -92,7 +92,7 @@
         <translation>Sans &amp;IK</translation>
     </message>
     <message>
-        <source>See the compressed figure before its feet are held (B)</source>
+        <source>Show the compressed figure without the IK correction of its feet (B)</source>
         <translation>Voir la figure compressée avant que ses pieds soient tenus (B)</translation>
     </message>
     <message>
@@ -104,7 +104,7 @@
         <translation>&amp;Étude…</translation>
     </message>
     <message>
-        <source>Compare methods on many clips: size against error</source>
+        <source>Compare the file sizes and errors of methods on many clips</source>
         <translation>Comparer les méthodes sur beaucoup de clips : taille contre erreur</translation>
     </message>
     <message>
@@ -116,7 +116,7 @@
         <translation>&amp;Raccourcis clavier</translation>
     </message>
     <message>
-        <source>As the &amp;System</source>
+        <source>Like the &amp;System</source>
         <translation>Comme le &amp;système</translation>
     </message>
     <message>
@@ -172,7 +172,7 @@
         <translation>Exportation par &amp;lot…</translation>
     </message>
     <message>
-        <source>Compress many clips, verify each, and report on all</source>
+        <source>Compress many clips, verify each of them and write a report</source>
         <translation>Compresser de nombreux clips, vérifier chacun et rendre compte de tous</translation>
     </message>
     <message>
@@ -180,7 +180,7 @@
         <translation>Exportation par lot de la &amp;bibliothèque…</translation>
     </message>
     <message>
-        <source>Export all clips of the library, each by its own settings</source>
+        <source>Export all clips of the library, each with its own settings</source>
         <translation>Exporter tous les clips de la bibliothèque, chacun avec ses propres réglages</translation>
     </message>
     <message>
@@ -192,7 +192,7 @@
         <translation>É&amp;pingler ce résultat</translation>
     </message>
     <message>
-        <source>Keep this result in view beside those of other settings (D)</source>
+        <source>Keep this result in the view beside results of other settings (D)</source>
         <translation>Garder ce résultat en vue à côté de ceux d&apos;autres réglages (D)</translation>
     </message>
     <message>
@@ -212,7 +212,7 @@
         <translation>E&amp;xporter le mouvement…</translation>
     </message>
     <message>
-        <source>Write the decompressed motion, by the conventions of its source</source>
+        <source>Write the decompressed motion with the unit, axes and rate of its source</source>
         <translation>Écrire le mouvement issu du clip compressé, sous la forme de sa source</translation>
     </message>
     <message>
@@ -220,7 +220,7 @@
         <translation>Exporter la page de re&amp;vue…</translation>
     </message>
     <message>
-        <source>Write a page that shows original and compressed clip in a browser</source>
+        <source>Write a web page that shows original and compressed clip</source>
         <translation>Écrire une page qui montre l’original et le clip compressé dans un navigateur</translation>
     </message>
     <message>
@@ -228,7 +228,7 @@
         <translation>Options d’&amp;importation…</translation>
     </message>
     <message>
-        <source>Read the open motion again with another unit, up axis, rate or root</source>
+        <source>Read the open motion again with another length unit, up axis, frame rate or root convention</source>
         <translation>Relire le mouvement ouvert avec une autre unité, un autre axe vertical, une autre cadence ou une autre racine</translation>
     </message>
     <message>
@@ -236,7 +236,7 @@
         <translation>&amp;Habiller d’un personnage…</translation>
     </message>
     <message>
-        <source>Show the clip, and all clips of its rig, with the skin of an FBX or glTF that has joints of its names</source>
+        <source>Show the clip, and all clips with the same rig, on the mesh of an FBX or glTF whose joints have the same names</source>
         <translation>Montrer le clip, et tous les clips de son squelette, avec la peau d’un FBX ou glTF dont les articulations portent les mêmes noms</translation>
     </message>
     <message>
@@ -244,7 +244,7 @@
         <translation>Retirer son personn&amp;age</translation>
     </message>
     <message>
-        <source>Show the clip, and all clips of its rig, as their files say</source>
+        <source>Show the clip, and all clips with the same rig, as in their files</source>
         <translation>Montrer le clip, et tous les clips de son squelette, comme leurs fichiers le disent</translation>
     </message>
     <message>
@@ -271,7 +271,7 @@
         <translation>Avancement de l&apos;affinage</translation>
     </message>
     <message>
-        <source>Stop refining. The best so far is kept where it beats the draft.</source>
+        <source>Stop refining. The best result so far is kept if it is better than the draft.</source>
         <translation>Arrêter l&apos;affinage. Le meilleur résultat obtenu est gardé s&apos;il vaut mieux que l&apos;ébauche.</translation>
     </message>
     <message>
@@ -283,7 +283,7 @@
         <translation>encore %L1 min</translation>
     </message>
     <message>
-        <source>The draft is refined: annealing moves fewer and fewer coefficients at a time, a closed loop sweeps over all of them, until nothing helps. Most targets take several passes; how many is a guess until the last.</source>
+        <source>Progress of refining the draft. Annealing moves fewer and fewer coefficients at a time; the closed loop sweeps over all coefficients until no change helps. Most targets need several passes, whose number is an estimate.</source>
         <translation>L&apos;ébauche est affinée : le recuit déplace de moins en moins de coefficients à la fois, une boucle fermée les parcourt tous, jusqu&apos;à ce que plus rien n&apos;aide. La plupart des cibles demandent plusieurs passes ; leur nombre reste une estimation jusqu&apos;à la dernière.</translation>
     </message>
     <message>
@@ -294,15 +294,15 @@
 <context>
     <name>mocapress::BatchOutput</name>
     <message>
-        <source>Replace files that are there</source>
+        <source>Replace existing files</source>
         <translation>Remplacer les fichiers présents</translation>
     </message>
     <message>
-        <source>Pattern of the names</source>
+        <source>Pattern of file names</source>
         <translation>Modèle des noms</translation>
     </message>
     <message>
-        <source>Otherwise a clip fails, and says so, if its file exists and is not this batch&apos;s. Either way a file is only replaced after the new one was read back and measured.</source>
+        <source>If this is off, a clip fails when its file exists and is not from this batch. A file is replaced only after the new one was read back and measured.</source>
         <translation>Sinon, un clip dont le fichier existe déjà sans être de ce lot échoue et le dit. Dans tous les cas, un fichier n&apos;est remplacé qu&apos;après relecture et mesure du nouveau.</translation>
     </message>
     <message>
@@ -310,7 +310,7 @@
         <translation>Compressé (.mcpr)</translation>
     </message>
     <message>
-        <source>What is shipped.</source>
+        <source>The compressed file, to be shipped.</source>
         <translation>Ce qui est livré.</translation>
     </message>
     <message>
@@ -374,12 +374,12 @@
         <translation>Dossier du lot : %1</translation>
     </message>
     <message>
-        <source>Where files and report go. A batch that the folder holds is resumed.</source>
+        <source>Folder for files and report. If it holds a batch, that batch is resumed.</source>
         <translation>Où vont les fichiers et le rapport. Un dossier qui contient un lot reprend là où il en était.</translation>
     </message>
     <message>
-        <source>&lt;p&gt;{folder}: the folder the clip was found by, and those between&lt;br&gt;{stem}: the clip&apos;s name&lt;br&gt;{type}: bvh or amc&lt;br&gt;{preset}, {method}: what it is compressed by&lt;/p&gt;</source>
-        <translation>&lt;p&gt;{folder} : le dossier par lequel le clip a été trouvé, et ceux entre les deux&lt;br&gt;{stem} : le nom du clip&lt;br&gt;{type} : bvh ou amc&lt;br&gt;{preset}, {method} : ce par quoi il est compressé&lt;/p&gt;</translation>
+        <source>&lt;p&gt;{folder}: the folder that was added, and its subfolders down to the clip&lt;br&gt;{stem}: the clip&apos;s name&lt;br&gt;{type}: the source&apos;s format, such as bvh&lt;br&gt;{preset}, {method}: the preset and method of the clip&lt;/p&gt;</source>
+        <translation>&lt;p&gt;{folder} : le dossier par lequel le clip a été trouvé, et ceux entre les deux&lt;br&gt;{stem} : le nom du clip&lt;br&gt;{type} : le format de la source, comme bvh&lt;br&gt;{preset}, {method} : ce par quoi il est compressé&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Bank of all clips</source>
@@ -398,7 +398,7 @@
         <translation>Préparée</translation>
     </message>
     <message>
-        <source>&lt;p&gt;All compressed files in one, bank.mcpk, beside them.&lt;br&gt;Packed: the smallest, for shipping.&lt;br&gt;Cooked: engines sample clips as they lie in it.&lt;/p&gt;</source>
+        <source>&lt;p&gt;One more file, bank.mcpk, with all compressed clips.&lt;br&gt;Packed: the smallest, for shipping.&lt;br&gt;Cooked: engines sample its clips without unpacking them.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Tous les fichiers compressés en un seul, bank.mcpk, à côté d&apos;eux.&lt;br&gt;Compacte : la plus petite, pour livrer.&lt;br&gt;Préparée : les moteurs y lisent les clips tels quels.&lt;/p&gt;</translation>
     </message>
     <message>
@@ -406,11 +406,11 @@
         <translation>Banque</translation>
     </message>
     <message>
-        <source>Learn from its clips</source>
+        <source>Fit the coder to the clips</source>
         <translation>Apprendre de ses clips</translation>
     </message>
     <message>
-        <source>Codes the motions of a packed bank by what its clips teach of each other: 1 to 2 % fewer bytes where there are some hundred, for up to a minute more. A few clips teach nothing, and their bank stays as it is.</source>
+        <source>Fits the statistics of the coder to the clips of a packed bank. This takes up to a minute and saves 1 to 2 % of the bytes of some hundred clips. A bank of a few clips is not changed.</source>
         <translation>Code les mouvements d&apos;une banque compacte d&apos;après ce que ses clips apprennent les uns des autres : 1 à 2 % d&apos;octets en moins à partir de quelques centaines, pour une minute de plus tout au plus. Quelques clips n&apos;apprennent rien, et leur banque reste telle quelle.</translation>
     </message>
 </context>
@@ -461,11 +461,11 @@
         <translation>✗ %1</translation>
     </message>
     <message>
-        <source>Locked: keeps its own settings. Click to give it those all clips share.</source>
+        <source>Locked: the clip keeps its own settings. Click to give it the settings shared by all clips.</source>
         <translation>Verrouillé : garde ses propres réglages. Cliquez pour lui donner ceux que tous partagent.</translation>
     </message>
     <message>
-        <source>Click to lock its settings: a change for all clips leaves it alone.</source>
+        <source>Click to lock the clip&apos;s settings, so that changes for all clips do not apply to it.</source>
         <translation>Cliquez pour verrouiller ses réglages : un changement pour tous les clips ne le touche plus.</translation>
     </message>
     <message>
@@ -509,7 +509,7 @@
         <translation>Rapport</translation>
     </message>
     <message>
-        <source>Bytes of the channels as 32-bit floats over compressed bytes.</source>
+        <source>Bytes of the channels as 32-bit floats, divided by compressed bytes.</source>
         <translation>Octets des canaux en flottants 32 bits sur octets compressés.</translation>
     </message>
     <message>
@@ -544,11 +544,11 @@
         <translation>%1 : %2</translation>
     </message>
     <message>
-        <source>It is not exported. Tick the clip to export it too.</source>
+        <source>The clip is not exported. Tick it to export it too.</source>
         <translation>Il n&apos;est pas exporté. Cochez le clip pour l&apos;exporter aussi.</translation>
     </message>
     <message>
-        <source>Only clips that are ticked are exported.</source>
+        <source>Only ticked clips are exported.</source>
         <translation>Seuls les clips cochés sont exportés.</translation>
     </message>
     <message>
@@ -560,11 +560,11 @@
         <translation>invisible</translation>
     </message>
     <message>
-        <source>%1 times noticed</source>
+        <source>%1 times the noticeable error</source>
         <translation>%1 fois le perceptible</translation>
     </message>
     <message>
-        <source>What the library says about the clip. A rejected clip is left out until it is ticked. Stale: it is not about these files and settings.</source>
+        <source>The clip&apos;s verdict in the library. Rejected clips are exported only if they are ticked. A verdict is stale if files or settings have changed since.</source>
         <translation>Ce que la bibliothèque dit du clip. Un clip rejeté reste à l&apos;écart tant qu&apos;il n&apos;est pas coché. Périmé : ce n&apos;est pas à propos de ces fichiers et réglages.</translation>
     </message>
 </context>
@@ -583,7 +583,7 @@
         <translation>Déposez ici des clips ou des dossiers de clips</translation>
     </message>
     <message>
-        <source>An .amc finds its .asf beside it</source>
+        <source>The .asf beside an .amc is found</source>
         <translation>Un .amc trouve son .asf à côté de lui</translation>
     </message>
     <message>
@@ -602,11 +602,11 @@
         <translation>Ajoutez des clips pour commencer.</translation>
     </message>
     <message>
-        <source>Choose the folder the files go to.</source>
+        <source>Choose a folder for the files.</source>
         <translation>Choisissez le dossier de destination.</translation>
     </message>
     <message>
-        <source>Choose at least one kind of file.</source>
+        <source>Choose at least one file format.</source>
         <translation>Choisissez au moins un type de fichier.</translation>
     </message>
     <message>
@@ -614,7 +614,7 @@
         <translation>%1 écrit : soumettez-le avec sbatch.</translation>
     </message>
     <message>
-        <source>Clips can be added when the batch has ended.</source>
+        <source>Clips can be added after the batch has ended.</source>
         <translation>Des clips peuvent être ajoutés quand le lot est terminé.</translation>
     </message>
     <message>
@@ -642,15 +642,15 @@
         <translation>Exporter aussi des clips</translation>
     </message>
     <message>
-        <source>Every clip is left out. Tick those to export.</source>
+        <source>Every clip is left out. Tick the clips to export.</source>
         <translation>Tous les clips sont à l&apos;écart. Cochez ceux à exporter.</translation>
     </message>
     <message>
-        <source>A bank is made of compressed files: choose these too.</source>
+        <source>A bank needs compressed files: choose Compressed (.mcpr) too.</source>
         <translation>Une banque est faite de fichiers compressés : choisissez-les aussi.</translation>
     </message>
     <message>
-        <source>No task has all clips of a bank: choose none to write a script.</source>
+        <source>A cluster&apos;s tasks cannot make a bank, since none has all clips: set Bank to None to write a script.</source>
         <translation>Aucune tâche n&apos;a tous les clips d&apos;une banque : choisissez « Aucune » pour écrire un script.</translation>
     </message>
     <message>
@@ -739,11 +739,11 @@
         </translation>
     </message>
     <message>
-        <source>Waiting: another program is changing the bank…</source>
+        <source>Waiting for another program that is changing the bank…</source>
         <translation>En attente : un autre programme modifie la banque…</translation>
     </message>
     <message>
-        <source>Learning from the clips for their bank…</source>
+        <source>Fitting the coder to the clips of the bank…</source>
         <translation>Apprentissage sur les clips pour leur banque…</translation>
     </message>
     <message>
@@ -761,7 +761,7 @@
 <context>
     <name>mocapress::BatchWindow</name>
     <message>
-        <source>Give Them the Shared Settings</source>
+        <source>Use Shared Settings for Selection</source>
         <translation>Leur donner les réglages partagés</translation>
     </message>
     <message>
@@ -805,23 +805,23 @@
         <translation>Avancement du lot</translation>
     </message>
     <message>
-        <source>Compress, read back, measure and put in place. What is done and unchanged is kept.</source>
+        <source>Compress each clip, read the file back, measure it and put it in place. Finished clips that have not changed are kept.</source>
         <translation>Compresser, relire, mesurer et mettre en place. Ce qui est fait et inchangé est gardé.</translation>
     </message>
     <message>
-        <source>Finish the clips that are being worked on and begin no other</source>
+        <source>Finish the clips in progress and start no others</source>
         <translation>Finir les clips en cours et ne pas en commencer d’autres</translation>
     </message>
     <message>
-        <source>Drop the clips that are being worked on: they are waiting again</source>
+        <source>Stop the clips in progress and put them back in the queue</source>
         <translation>Abandonner les clips en cours : ils attendent de nouveau</translation>
     </message>
     <message>
-        <source>Every clip with its figures, and the worst frames drawn</source>
+        <source>Open a page with the measurements of every clip and pictures of the worst frames</source>
         <translation>Chaque clip avec ses chiffres, et les pires images dessinées</translation>
     </message>
     <message>
-        <source>Have a cluster do this queue: a script for sbatch</source>
+        <source>Write a script for Slurm&apos;s sbatch that compresses this queue on a cluster</source>
         <translation>Faire traiter cette file par une grappe : un script pour sbatch</translation>
     </message>
     <message>
@@ -864,7 +864,7 @@
         </translation>
     </message>
     <message>
-        <source>A change while clips are selected applies to them alone, and locks them.</source>
+        <source>Changes made while clips are selected apply to these clips only, and lock them.</source>
         <translation>Un changement fait pendant une sélection ne vaut que pour ces clips, et les verrouille.</translation>
     </message>
     <message>
@@ -895,7 +895,7 @@
         <translation>Canal</translation>
     </message>
     <message>
-        <source>One degree of freedom of the chosen joint.</source>
+        <source>One degree of freedom of the selected joint.</source>
         <translation>Un degré de liberté de l&apos;articulation choisie.</translation>
     </message>
     <message>
@@ -903,7 +903,7 @@
         <translation>Canal au cours du temps</translation>
     </message>
     <message>
-        <source>The channel as recorded and as compressed; below, the difference. Click to seek.</source>
+        <source>The recorded and the compressed channel; below, their difference. Click to go to a frame.</source>
         <translation>Le canal enregistré et le canal compressé, et dessous ce qui les sépare. Cliquer pour s&apos;y rendre.</translation>
     </message>
     <message>
@@ -911,7 +911,7 @@
         <translation>Coefficients gardés par échelle</translation>
     </message>
     <message>
-        <source>Wavelet coefficients of this channel that are kept, of all there are, from the coarsest scale to the finest. Compression keeps the few that matter.</source>
+        <source>Share of this channel&apos;s wavelet coefficients that are kept, from the coarsest scale to the finest.</source>
         <translation>Coefficients d&apos;ondelettes de ce canal qui sont gardés, parmi tous, de l&apos;échelle la plus grossière à la plus fine. La compression garde les quelques-uns qui comptent.</translation>
     </message>
     <message>
@@ -927,7 +927,7 @@
         <translation>Gardés (%)</translation>
     </message>
     <message>
-        <source>The chosen joint does not move by itself.</source>
+        <source>The selected joint has no motion of its own.</source>
         <translation>L&apos;articulation choisie ne bouge pas d&apos;elle-même.</translation>
     </message>
     <message>
@@ -946,11 +946,11 @@
         <translation>Retirer le personnage</translation>
     </message>
     <message>
-        <source>Take the character off: each clip has its own mesh, if it has one</source>
+        <source>Remove the character; clips with a mesh of their own use that</source>
         <translation>Retirer le personnage : chaque clip a son propre maillage, s’il en a un</translation>
     </message>
     <message>
-        <source>Each clip&apos;s own</source>
+        <source>Own mesh of each clip</source>
         <translation>Celui de chaque clip</translation>
     </message>
     <message>
@@ -958,7 +958,7 @@
         <translation>Personnage sur tous les clips : %1</translation>
     </message>
     <message>
-        <source>The mesh of an FBX or glTF that is put on every clip that it fits: errors are measured on it, and the weighting Skin compresses by it. Other clips keep what they have, and the report says so.</source>
+        <source>Character (FBX or glTF) for every clip whose joints it fits. Errors are measured on its mesh, and the weighting Skin uses it. Other clips are unchanged, and the report lists them.</source>
         <translation>Le maillage d’un FBX ou d’un glTF, mis sur chaque clip auquel il va : les erreurs y sont mesurées, et la pondération Peau compresse d’après lui. Les autres clips gardent ce qu’ils ont, et le rapport le dit.</translation>
     </message>
 </context>
@@ -1025,7 +1025,7 @@
         <translation>%1 avec ce mouvement (*.%2)</translation>
     </message>
     <message>
-        <source>%1 is the character. Replace it by one that moves so?</source>
+        <source>%1 is the file of the character. Replace it with a file that also has this motion?</source>
         <translation>%1 est le personnage. Le remplacer par un qui bouge ainsi ?</translation>
     </message>
     <message>
@@ -1053,11 +1053,11 @@
         <translation>Exporter la page de revue</translation>
     </message>
     <message>
-        <source>The skeleton goes into %1, which is there already. Replace it?</source>
+        <source>The skeleton is written to %1, which exists already. Replace it?</source>
         <translation>Le squelette est écrit dans %1, qui existe déjà. Le remplacer ?</translation>
     </message>
     <message>
-        <source>%1 is the original that is open. Replace it by its compressed motion?</source>
+        <source>%1 is the original that is open. Replace it with the compressed motion?</source>
         <translation>%1 est l&apos;original ouvert. Le remplacer par son mouvement compressé ?</translation>
     </message>
 </context>
@@ -1084,35 +1084,35 @@
         <translation>Importance</translation>
     </message>
     <message>
-        <source>The closed loop rounds every coefficient by what it does to the error in the world, and is much the smallest. The others are the paper&apos;s, which choose coefficients to keep: annealed moves them to the channels where they lower the error most, standard keeps the largest of all, per channel keeps as many of each.</source>
+        <source>Closed loop gives by far the smallest files: it rounds every coefficient by its effect on world-space error. The others are the paper&apos;s methods, which choose the coefficients to keep. Annealed searches for the channels where coefficients lower the error most, Standard keeps the largest of all channels, Per channel keeps as many in each.</source>
         <translation>La boucle fermée arrondit chaque coefficient selon son effet sur l&apos;erreur dans le monde, et donne de loin les plus petits fichiers. Les autres sont celles de l&apos;article, qui choisissent les coefficients à garder : le recuit les déplace vers les canaux où ils réduisent le plus l&apos;erreur, standard garde les plus grands de tous, par canal en garde autant de chacun.</translation>
     </message>
     <message>
-        <source>Best looks longer for something smaller: a few per cent, for some ten times the time.</source>
+        <source>Best searches longer for a smaller result: it saves a few per cent and takes some ten times as long.</source>
         <translation>Le meilleur cherche plus longtemps plus petit : quelques pour cent, pour une dizaine de fois le temps.</translation>
     </message>
     <message>
-        <source>Only the closed loop can try harder; the paper&apos;s methods have one result.</source>
+        <source>Effort applies only to the closed loop; the paper&apos;s methods have one result.</source>
         <translation>Seule la boucle fermée peut s&apos;efforcer davantage : les méthodes de l&apos;article n&apos;ont qu&apos;un résultat.</translation>
     </message>
     <message>
-        <source>The closed loop weighs the bytes of its own adaptive coding and has no other.</source>
+        <source>The closed loop always uses adaptive coding, whose bytes it counts while it searches.</source>
         <translation>La boucle fermée pèse les octets de son propre codage adaptatif et n&apos;en a pas d&apos;autre.</translation>
     </message>
     <message>
-        <source>How kept coefficients become bytes: 16-bit words with runs of zeros, optionally packed further by DEFLATE, or an adaptive range coder.</source>
+        <source>Coding of kept coefficients as bytes: 16-bit words with runs of zeros, with or without DEFLATE on top, or an adaptive range coder.</source>
         <translation>Comment les coefficients gardés deviennent des octets : mots de 16 bits avec plages de zéros, au besoin compactés par DEFLATE, ou un codeur par intervalle adaptatif.</translation>
     </message>
     <message>
-        <source>Not heeded</source>
+        <source>Not used</source>
         <translation>Sans effet</translation>
     </message>
     <message>
-        <source>All alike</source>
+        <source>All equal</source>
         <translation>Toutes égales</translation>
     </message>
     <message>
-        <source>Take more care of feet, hands, the head, contacts or any joint.</source>
+        <source>Give errors of feet, hands, the head, contacts or any joint more weight.</source>
         <translation>Prendre plus soin des pieds, des mains, de la tête, des contacts ou d&apos;une articulation.</translation>
     </message>
     <message>
@@ -1124,7 +1124,7 @@
         <translation>Cette méthode ignore l&apos;importance : choisissez %1 ou %2.</translation>
     </message>
     <message>
-        <source>Weighting of the error, ends of the clip, and coding: seldom changed.</source>
+        <source>Rarely changed settings: error weighting, ends of the clip, and coding.</source>
         <translation>Pondération de l&apos;erreur, extrémités du clip et codage : rarement changés.</translation>
     </message>
     <message>
@@ -1132,11 +1132,11 @@
         <translation>Extrémités</translation>
     </message>
     <message>
-        <source>Only the closed loop codes the first and the last pose once more.</source>
+        <source>Only the closed loop corrects the first and last pose.</source>
         <translation>Seule la boucle fermée code une fois de plus la première et la dernière pose.</translation>
     </message>
     <message>
-        <source>The first and the last pose, where clips are blended and looped. Even: no further off than the target, and those of a loop alike. Exact: a tenth of it, which takes some 4 % more. Free: whatever comes out.</source>
+        <source>Errors of the first and last pose, where clips are blended and looped. Even: no larger than the target, and equal at both ends of a loop. Exact: at most a tenth of the target, for some 4 % more bytes. Free: no bound.</source>
         <translation>La première et la dernière pose, où les clips sont fondus et bouclés. Égales : pas plus loin que la cible, et celles d&apos;une boucle pareilles. Exactes : un dixième de celle-ci, pour environ 4 % d&apos;octets de plus. Libres : ce qui vient.</translation>
     </message>
     <message>
@@ -1144,11 +1144,11 @@
         <translation>Pistes à moins de</translation>
     </message>
     <message>
-        <source>How far values of morph weights and scales may be off, whatever the target of the motion is. A weight goes from 0 to 1; switches and constants are kept exactly.</source>
+        <source>Largest error allowed for values of morph weights and scales, independent of the target of the motion. Weights range from 0 to 1; switches and constants are kept exactly.</source>
         <translation>De combien les valeurs des poids de morphing et des échelles peuvent s&apos;écarter, quelle que soit la cible du mouvement. Un poids va de 0 à 1 ; les interrupteurs et les constantes sont gardés exactement.</translation>
     </message>
     <message>
-        <source>Which points the error eps_x counts. Surface: the body&apos;s skin, so that turned heads and hands count. Skin: points on the mesh of the clip or of the character put on it. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint origins: points on the bones, by bone length; the latter are the paper&apos;s.</source>
+        <source>Points on which the error eps_x is measured. Surface: the body&apos;s skin, so that turned heads and hands count. Skin: the mesh of the clip or of the character put on it. Shell: three points 3 cm from every joint, as in ACL. Bone ends and joint origins: points on the bones, weighted by bone length; joint origins are the paper&apos;s.</source>
         <translation>Les points que compte l&apos;erreur eps_x. Surface : la peau du corps, si bien que la tête et les mains tournées comptent. Peau : des points du maillage du clip ou du personnage qui l&apos;habille. Coque : trois points à 3 cm de chaque articulation, comme ACL. Extrémités des os et origines des articulations : des points sur les os, selon leur longueur ; les dernières sont celles de l&apos;article.</translation>
     </message>
 </context>
@@ -1167,7 +1167,7 @@
         <translation>Ajouter un contact ici</translation>
     </message>
     <message>
-        <source>%1 on the ground, frames %L2–%L3; drifts by %4 against the original. Drag an end to move it.</source>
+        <source>%1 stands in frames %L2–%L3 and drifts by %4 from the original. Drag an end to move it.</source>
         <translation>%1 au sol, images %L2–%L3 ; dérive de %4 par rapport à l&apos;original. Faites glisser un bout pour le déplacer.</translation>
     </message>
 </context>
@@ -1186,7 +1186,7 @@
         <translation>Erreur pendant l&apos;affinage</translation>
     </message>
     <message>
-        <source>How the error falls while the answer is refined.</source>
+        <source>Error after each iteration of the refinement.</source>
         <translation>Comment l&apos;erreur baisse pendant que le résultat est affiné.</translation>
     </message>
 </context>
@@ -1197,11 +1197,11 @@
         <translation>Auto</translation>
     </message>
     <message>
-        <source>Stores where the feet are in the original and brings them there by inverse kinematics, so that planted feet do not slide. What this takes counts in the compression ratio.</source>
+        <source>Stores the places of the feet and moves the feet there by inverse kinematics, so that planted feet do not slide. The bytes of this correction count in the compression ratio.</source>
         <translation>Enregistre où sont les pieds dans l&apos;original et les y ramène par cinématique inverse, pour que les pieds posés ne glissent pas. Ce que cela prend compte dans le taux de compression.</translation>
     </message>
     <message>
-        <source>Let the encoder find how much to spend on the feet: at least nine tenths of the sliding gone, or no foot sliding more than a millimetre, for the fewest bytes.</source>
+        <source>Searches for the smallest correction that removes at least nine tenths of the sliding, or leaves no foot sliding more than a millimetre.</source>
         <translation>Laisser l&apos;encodeur trouver combien dépenser pour les pieds : au moins neuf dixièmes du glissement en moins, ou aucun pied qui glisse de plus d&apos;un millimètre, pour le moins d&apos;octets.</translation>
     </message>
     <message>
@@ -1209,7 +1209,7 @@
         <translation>Taux IK</translation>
     </message>
     <message>
-        <source>The paper&apos;s r_IK: coefficients of the correction over kept ones. Lower holds the feet better and costs more.</source>
+        <source>Coefficients of the correction over those kept (r_IK in the paper). Lower values hold the feet better and take more bytes.</source>
         <translation>Le r_IK de l&apos;article : coefficients de la correction sur ceux qui sont gardés. Plus bas, les pieds tiennent mieux et cela coûte plus.</translation>
     </message>
     <message>
@@ -1221,23 +1221,23 @@
         <translation>Taux IK au curseur</translation>
     </message>
     <message>
-        <source>Where feet are held</source>
+        <source>When feet are held</source>
         <translation>Où les pieds sont tenus</translation>
     </message>
     <message>
-        <source>At every frame as in the paper, or only where they stand on the ground, blended in and out.</source>
+        <source>Hold the feet at every frame, as in the paper, or only while they stand on the ground, blended in and out.</source>
         <translation>À chaque image comme dans l&apos;article, ou seulement là où ils sont au sol, en fondu.</translation>
     </message>
     <message>
-        <source>Joints that are held</source>
+        <source>Held joints</source>
         <translation>Articulations tenues</translation>
     </message>
     <message>
-        <source>Joints other than the feet can be held too.</source>
+        <source>Joints to hold; the feet by default.</source>
         <translation>D&apos;autres articulations que les pieds peuvent être tenues aussi.</translation>
     </message>
     <message>
-        <source>Held at</source>
+        <source>Hold at</source>
         <translation>Tenus à</translation>
     </message>
     <message>
@@ -1271,7 +1271,7 @@
         <translation>Suspendre la compression en arrière-plan</translation>
     </message>
     <message>
-        <source>Compress all clips in the background, each by its settings. The clip that is open comes first.</source>
+        <source>Compress all clips in the background with their own settings, the open clip first.</source>
         <translation>Compresser tous les clips en arrière-plan, chacun selon ses réglages. Le clip ouvert passe d’abord.</translation>
     </message>
     <message>
@@ -1294,11 +1294,11 @@
         <translation>Degrés</translation>
     </message>
     <message>
-        <source>Heat map and error graph: by how many degrees joints are turned in the world, instead of how far they are off (%1)</source>
+        <source>Show rotation errors of joints (in degrees, world space) instead of distances in heat map and error graph (%1)</source>
         <translation>Carte de chaleur et graphique d&apos;erreur : de combien de degrés les articulations sont tournées dans l&apos;espace, au lieu de leur écart (%1)</translation>
     </message>
     <message>
-        <source>What the Eye Sees</source>
+        <source>Visible Errors</source>
         <translation>Ce que l&apos;œil voit</translation>
     </message>
     <message>
@@ -1306,7 +1306,7 @@
         <translation>Vu</translation>
     </message>
     <message>
-        <source>Heat map: where people notice that joints are off, instead of how far they are off (%1)</source>
+        <source>Show visible errors of joints instead of distances in the heat map (%1)</source>
         <translation>Carte de chaleur : où l&apos;on remarque l&apos;écart des articulations, au lieu de sa valeur (%1)</translation>
     </message>
 </context>
@@ -1329,7 +1329,7 @@
         <translation>la pire articulation</translation>
     </message>
     <message>
-        <source>How far joints are from the original in the world, or by how much they are turned. Click to seek, wheel to zoom, double click to see all.</source>
+        <source>World-space distance or angle between joints and the original. Click to go to a frame, turn the wheel to zoom, double-click to show all.</source>
         <translation>Distance des articulations à l&apos;original dans l&apos;espace, ou angle dont elles sont tournées. Clic pour s&apos;y rendre, molette pour agrandir, double-clic pour tout voir.</translation>
     </message>
     <message>
@@ -1359,7 +1359,7 @@
         <translation>Bande d&apos;erreur</translation>
     </message>
     <message>
-        <source>Greatest and mean error at every frame. The table of joints has the numbers.</source>
+        <source>Largest and mean error at every frame. The table of joints has the numbers.</source>
         <translation>Erreur maximale et moyenne à chaque image. Le tableau des articulations a les nombres.</translation>
     </message>
     <message>
@@ -1367,11 +1367,11 @@
         <translation>Erreur</translation>
     </message>
     <message>
-        <source>Errors of this size and more are drawn at full height and lightest. Click to choose another scale.</source>
+        <source>Errors of this size or more have full height and the lightest colour. Click to choose another scale.</source>
         <translation>Les erreurs de cette taille et plus sont les plus hautes et les plus claires. Cliquez pour choisir une autre échelle.</translation>
     </message>
     <message>
-        <source>Greatest error at every frame as a column, the mean as a line. The wheel zooms, with Shift it moves along; Shift and drag chooses the range that is played.</source>
+        <source>Largest error at every frame as a column, mean error as a line. Turn the wheel to zoom, with Shift to scroll; drag with Shift to choose the range to play.</source>
         <translation>L&apos;erreur maximale de chaque image en colonne, la moyenne en ligne. La molette agrandit, avec Maj elle fait défiler ; Maj et glisser choisit la plage lue.</translation>
     </message>
     <message>
@@ -1409,11 +1409,11 @@
         <translation>Tel qu&apos;enregistré dans le fichier</translation>
     </message>
     <message>
-        <source>%1, as in the study</source>
+        <source>%1, with the settings of the study</source>
         <translation>%1, comme dans l&apos;étude</translation>
     </message>
     <message>
-        <source>%1, from the file, measured against the original</source>
+        <source>%1, read from the file and measured against the original</source>
         <translation>%1, du fichier, mesuré contre l&apos;original</translation>
     </message>
     <message>
@@ -1433,7 +1433,7 @@
         <translation>%1, sans IK</translation>
     </message>
     <message>
-        <source>Draft; the refined answer is on its way</source>
+        <source>Draft; the refined result follows</source>
         <translation>Ébauche ; le résultat affiné arrive</translation>
     </message>
     <message>
@@ -1445,11 +1445,11 @@
         <translation>Affinage annulé ; l&apos;ébauche est gardée</translation>
     </message>
     <message>
-        <source>No answer to these settings; the draft is kept</source>
+        <source>No result for these settings; the draft is kept</source>
         <translation>Pas de réponse à ces réglages ; l&apos;ébauche est gardée</translation>
     </message>
     <message>
-        <source>No answer to these settings; the last one is kept</source>
+        <source>No result for these settings; the last one is kept</source>
         <translation>Pas de réponse à ces réglages ; la précédente est gardée</translation>
     </message>
     <message numerus="yes">
@@ -1460,7 +1460,7 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%Ln contact(s): feet drift by %1 in the mean, by %2 at worst; their path is %3 longer than the original&apos;s</source>
+        <source>%Ln contact(s): mean drift of the feet %1, worst %2; their path is %3 longer than the original&apos;s</source>
         <translation>
             <numerusform>%Ln contact : le pied dérive de %1 en moyenne, de %2 au pire ; son chemin est plus long de %3 que dans l&apos;original</numerusform>
             <numerusform>%Ln contacts : les pieds dérivent de %1 en moyenne, de %2 au pire ; leur chemin est plus long de %3 que dans l&apos;original</numerusform>
@@ -1482,7 +1482,7 @@
         <translation>p95</translation>
     </message>
     <message>
-        <source>95 % of all points at all frames are nearer to the original.</source>
+        <source>95 % of all points at all frames have a smaller error.</source>
         <translation>95 % de tous les points à toutes les images sont plus proches de l&apos;original.</translation>
     </message>
     <message>
@@ -1490,7 +1490,7 @@
         <translation>p99</translation>
     </message>
     <message>
-        <source>99 % of all points at all frames are nearer to the original.</source>
+        <source>99 % of all points at all frames have a smaller error.</source>
         <translation>99 % de tous les points à toutes les images sont plus proches de l&apos;original.</translation>
     </message>
     <message>
@@ -1498,7 +1498,7 @@
         <translation>max</translation>
     </message>
     <message>
-        <source>Greatest distance of any joint at any frame.</source>
+        <source>Largest error of any joint at any frame.</source>
         <translation>Plus grande distance d&apos;une articulation à une image.</translation>
     </message>
     <message>
@@ -1506,7 +1506,7 @@
         <translation>taux</translation>
     </message>
     <message>
-        <source>Channels as 32-bit floats over the compressed motion bytes, as in the paper.</source>
+        <source>Bytes of the channels as 32-bit floats, divided by the compressed motion bytes, as in the paper.</source>
         <translation>Canaux en flottants de 32 bits sur les octets du mouvement compressé, comme dans l&apos;article.</translation>
     </message>
     <message>
@@ -1514,7 +1514,7 @@
         <translation>bits par échantillon d&apos;articulation</translation>
     </message>
     <message>
-        <source>Motion bits for one joint at one frame: does not depend on a baseline.</source>
+        <source>Motion bits for one joint at one frame; unlike a ratio it needs no baseline.</source>
         <translation>Bits du mouvement pour une articulation à une image : ne dépend d&apos;aucune référence.</translation>
     </message>
     <message>
@@ -1534,7 +1534,7 @@
         <translation>dérive du pied</translation>
     </message>
     <message>
-        <source>The furthest that a foot gets from where it should stand.</source>
+        <source>Largest distance between a standing foot and its place in the original.</source>
         <translation>Le plus loin qu&apos;un pied s&apos;éloigne de l&apos;endroit où il devrait se tenir.</translation>
     </message>
     <message>
@@ -1542,7 +1542,7 @@
         <translation>mouvement</translation>
     </message>
     <message>
-        <source>Compressed motion bytes; the file has its skeleton beside them.</source>
+        <source>Compressed motion bytes; the skeleton in the file takes more.</source>
         <translation>Octets du mouvement compressé ; le fichier contient en plus son squelette.</translation>
     </message>
 </context>
@@ -1604,7 +1604,7 @@
         <translation>Vitesse au-dessus de laquelle un contact finit</translation>
     </message>
     <message>
-        <source>%1, as measured on the original.</source>
+        <source>%1, measured in the original.</source>
         <translation>%1, mesurée sur l&apos;original.</translation>
     </message>
 </context>
@@ -1658,7 +1658,7 @@
         <translation>Molette : plus près ou plus loin</translation>
     </message>
     <message>
-        <source>Click on a joint: choose it</source>
+        <source>Click on a joint: select it</source>
         <translation>Clic sur une articulation : la choisir</translation>
     </message>
     <message>
@@ -1701,7 +1701,7 @@
         <translation>Devinée d’après la taille du personnage</translation>
     </message>
     <message>
-        <source>As the skeleton says</source>
+        <source>As in the skeleton file</source>
         <translation>Selon le squelette</translation>
     </message>
     <message>
@@ -1745,7 +1745,7 @@
         <translation>Remplace son OFFSET</translation>
     </message>
     <message>
-        <source>As the file says</source>
+        <source>As in the file</source>
         <translation>Selon le fichier</translation>
     </message>
     <message>
@@ -1777,7 +1777,7 @@
         <translation>Cadence</translation>
     </message>
     <message>
-        <source>Centimetres to the unit</source>
+        <source>Centimetres in one unit</source>
         <translation>Centimètres par unité</translation>
     </message>
     <message>
@@ -1785,7 +1785,7 @@
         <translation>Images par seconde</translation>
     </message>
     <message>
-        <source>Now read as: %L1 cm to the unit, %2 up, %L3 Hz</source>
+        <source>Now read with %L1 cm to the unit, %2 up, %L3 Hz</source>
         <translation>Lu actuellement : %L1 cm par unité, %2 vers le haut, %L3 Hz</translation>
     </message>
     <message>
@@ -1808,19 +1808,19 @@
         <translation>Contacts</translation>
     </message>
     <message>
-        <source>How many times its share a foot weighs while it stands. About 20 keeps feet planted without inverse kinematics, for some more bytes at the same error.</source>
+        <source>Factor on the weight of a foot while it stands. About 20 keeps feet planted without inverse kinematics, for some more bytes at the same error.</source>
         <translation>Combien de fois sa part pèse un pied pendant qu&apos;il est posé. Environ 20 garde les pieds en place sans cinématique inverse, pour quelques octets de plus à erreur égale.</translation>
     </message>
     <message>
-        <source>All Alike</source>
+        <source>All Equal</source>
         <translation>Toutes égales</translation>
     </message>
     <message>
-        <source>By how much the weight of these joints is multiplied. What they gain the others lose: the size, or the error that is promised, stays.</source>
+        <source>Factor on the weight of these joints. Other joints get less accurate in return: the size or error that was asked for stays the same.</source>
         <translation>Par combien le poids de ces articulations est multiplié. Ce qu&apos;elles gagnent, les autres le perdent : la taille, ou l&apos;erreur promise, reste.</translation>
     </message>
     <message>
-        <source>Take the same care of all joints again.</source>
+        <source>Give all joints the same weight again.</source>
         <translation>Prendre de nouveau le même soin de toutes les articulations.</translation>
     </message>
     <message>
@@ -1828,7 +1828,7 @@
         <translation>Toute articulation</translation>
     </message>
     <message>
-        <source>Give single joints a factor of their own.</source>
+        <source>Set factors of single joints.</source>
         <translation>Donner à des articulations un facteur propre.</translation>
     </message>
     <message>
@@ -1856,7 +1856,7 @@
         <translation>Aucune articulation de ce squelette ne porte le nom de cette partie du corps.</translation>
     </message>
     <message>
-        <source>What the encoder takes more care of, at the cost of the rest.</source>
+        <source>Weights of errors by part of the body. Parts with more weight get more accurate, the rest less.</source>
         <translation>Ce dont l&apos;encodeur prend plus soin, aux dépens du reste.</translation>
     </message>
     <message>
@@ -1878,14 +1878,14 @@
 <context>
     <name>mocapress::Inspector</name>
     <message>
-        <source>The curve of this clip is drawn once it is compressed.</source>
+        <source>The curve of this clip appears after it is compressed.</source>
         <translation>La courbe de ce clip est tracée dès qu&apos;il est compressé.</translation>
     </message>
 </context>
 <context>
     <name>mocapress::JobRunner</name>
     <message>
-        <source>Something unknown went wrong.</source>
+        <source>An unknown error occurred.</source>
         <translation>Une erreur inconnue s&apos;est produite.</translation>
     </message>
 </context>
@@ -1900,11 +1900,11 @@
         <translation>Origines d&apos;articulations et bouts d&apos;os, dans l&apos;ordre du squelette.</translation>
     </message>
     <message>
-        <source>Distance in the world from the original, averaged over the clip.</source>
+        <source>World-space distance from the original, mean over the clip.</source>
         <translation>Distance à l&apos;original dans l&apos;espace, moyenne sur le clip.</translation>
     </message>
     <message>
-        <source>Greatest distance in the world from the original, at any frame.</source>
+        <source>Largest world-space distance from the original at any frame.</source>
         <translation>Plus grande distance à l&apos;original dans l&apos;espace, à une image.</translation>
     </message>
     <message>
@@ -1920,7 +1920,7 @@
         <translation>Angle</translation>
     </message>
     <message>
-        <source>Angle in the world between the joint&apos;s rotation and the original&apos;s, RMS over the clip. Ends of bones turn with their joint.</source>
+        <source>Angle between the joint&apos;s world-space rotation and the original&apos;s, RMS over the clip. Bone ends turn with their joint.</source>
         <translation>Angle dans l&apos;espace entre la rotation de l&apos;articulation et celle de l&apos;original, moyenne quadratique sur la séquence. Les bouts d&apos;os tournent avec leur articulation.</translation>
     </message>
     <message>
@@ -1928,7 +1928,7 @@
         <translation>Vu</translation>
     </message>
     <message>
-        <source>The joint&apos;s worst, as a multiple of what people notice: up to 1 is not visible, up to 2 borderline.</source>
+        <source>The joint&apos;s most visible error, as a multiple of the noticeable error: up to 1 is not visible, up to 2 borderline.</source>
         <translation>Le pire de l&apos;articulation, en multiples de ce que l&apos;on remarque : jusqu&apos;à 1 invisible, jusqu&apos;à 2 limite.</translation>
     </message>
     <message>
@@ -1940,7 +1940,7 @@
         <translation>Peau</translation>
     </message>
     <message>
-        <source>Greatest distance of the mesh that this joint carries most of, at any frame.</source>
+        <source>Largest error at any frame of the part of the mesh that mainly follows this joint.</source>
         <translation>La plus grande distance du maillage que cette articulation porte pour l&apos;essentiel, sur toutes les images.</translation>
     </message>
 </context>
@@ -1962,7 +1962,7 @@
         <translation>Le dernier projet</translation>
     </message>
     <message>
-        <source>%1 cannot be changed where it is. This is a copy without a name.</source>
+        <source>%1 is read-only. This is a copy without a name.</source>
         <translation>%1 ne peut pas être modifié à son emplacement. Voici une copie sans nom.</translation>
     </message>
     <message>
@@ -1977,19 +1977,19 @@
 <context>
     <name>mocapress::LaunchOptions</name>
     <message>
-        <source>Compress human motion capture clips with wavelets, and see what it does.</source>
+        <source>Compress human motion capture clips with wavelets, and look at the result.</source>
         <translation>Compresser des captures de mouvement humain par ondelettes, et voir ce que cela fait.</translation>
     </message>
     <message>
-        <source>The .asf skeleton of an .amc.</source>
+        <source>Skeleton (.asf) of an .amc.</source>
         <translation>Le squelette .asf d&apos;un .amc.</translation>
     </message>
     <message>
-        <source>The compression ratio to begin with.</source>
+        <source>Compression ratio at the start.</source>
         <translation>Le taux de compression au départ.</translation>
     </message>
     <message>
-        <source>Hold the feet, with this IK ratio to begin with.</source>
+        <source>Hold the feet, with this IK ratio at the start.</source>
         <translation>Tenir les pieds, avec ce taux IK au départ.</translation>
     </message>
     <message>
@@ -1997,11 +1997,11 @@
         <translation>Écrire les durées sur l&apos;erreur standard.</translation>
     </message>
     <message>
-        <source>Write a picture of the window once the clip is compressed, and quit.</source>
+        <source>After the clip is compressed, write a picture of the window and quit.</source>
         <translation>Écrire une image de la fenêtre une fois le clip compressé, et quitter.</translation>
     </message>
     <message>
-        <source>A project (.mocapress), a motion or a .mcpr file. Several, and folders, come into the library.</source>
+        <source>A project (.mocapress), a motion or a .mcpr file. Several files, and folders, are added to the library.</source>
         <translation>Un projet (.mocapress), un mouvement ou un fichier .mcpr. Plusieurs, et des dossiers, vont dans la bibliothèque.</translation>
     </message>
 </context>
@@ -2108,7 +2108,7 @@
         <translation>Personnage</translation>
     </message>
     <message>
-        <source>Its files changed while it was compressed.</source>
+        <source>The clip&apos;s files changed while it was compressed.</source>
         <translation>Ses fichiers ont changé pendant la compression.</translation>
     </message>
 </context>
@@ -2171,11 +2171,11 @@
         <translation>Préréglage</translation>
     </message>
     <message>
-        <source>The clip, what it came to, and what you said about it</source>
+        <source>Clip, with its result and verdict</source>
         <translation>Le clip, son résultat, et ce que vous en avez dit</translation>
     </message>
     <message>
-        <source>How many times smaller the motion is</source>
+        <source>Compression ratio of the motion</source>
         <translation>Combien de fois le mouvement est plus petit</translation>
     </message>
     <message>
@@ -2191,31 +2191,31 @@
         <translation>La plus grande erreur d’un point, toutes images confondues</translation>
     </message>
     <message>
-        <source>How far feet slide that stood in the original, over all contacts</source>
+        <source>Path of feet that stand in the original, summed over all contacts</source>
         <translation>De combien glissent les pieds posés dans l’original, tous contacts confondus</translation>
     </message>
     <message>
-        <source>Whether an eye notices the difference</source>
+        <source>Visibility of errors</source>
         <translation>Si l’œil remarque la différence</translation>
     </message>
     <message>
-        <source>What you said about it</source>
+        <source>Verdict of the review</source>
         <translation>Ce que vous en avez dit</translation>
     </message>
     <message>
-        <source>Notes of the reader, which repaired or guessed something</source>
+        <source>Places that were repaired or guessed when the clip was read</source>
         <translation>Notes de la lecture, qui a réparé ou deviné quelque chose</translation>
     </message>
     <message>
-        <source>Whether the clip is a loop</source>
+        <source>Kind of loop, if the clip is one</source>
         <translation>Si le clip est une boucle</translation>
     </message>
     <message>
-        <source>How long the clip is, in seconds</source>
+        <source>Length of the clip in seconds</source>
         <translation>Durée du clip, en secondes</translation>
     </message>
     <message>
-        <source>The preset that its settings come of</source>
+        <source>Preset of the clip&apos;s settings</source>
         <translation>Le préréglage dont viennent ses réglages</translation>
     </message>
     <message>
@@ -2254,7 +2254,7 @@
         <translation>Avec alertes</translation>
     </message>
     <message>
-        <source>Seen by the eye</source>
+        <source>With visible errors</source>
         <translation>Visibles à l’œil</translation>
     </message>
     <message>
@@ -2394,7 +2394,7 @@
         <translation>Ajouter des mouvements au projet. Chacun garde ses réglages.</translation>
     </message>
     <message>
-        <source>Take the chosen clips out of the project; their files stay.</source>
+        <source>Remove the selected clips from the project; their files stay.</source>
         <translation>Retirer du projet les clips choisis ; leurs fichiers restent.</translation>
     </message>
     <message>
@@ -2422,15 +2422,15 @@
         <translation>Note sur ce clip</translation>
     </message>
     <message>
-        <source>Kept in the project, with the verdict.</source>
+        <source>The project keeps this note with the verdict.</source>
         <translation>Gardée dans le projet, avec le verdict.</translation>
     </message>
     <message>
-        <source>Export Selected, Each by Its Own Settings…</source>
+        <source>Export Selected, Each with Its Own Settings…</source>
         <translation>Exporter les clips choisis, chacun avec ses réglages…</translation>
     </message>
     <message>
-        <source>Export All, Each by Its Own Settings…</source>
+        <source>Export All, Each with Its Own Settings…</source>
         <translation>Exporter tous les clips, chacun avec ses réglages…</translation>
     </message>
     <message>
@@ -2446,7 +2446,7 @@
         <translation>Filtrer</translation>
     </message>
     <message>
-        <source>Words of a clip&apos;s name, folder or state: “walks missed”.</source>
+        <source>Words in a clip&apos;s name, folder or state, such as “walks missed”.</source>
         <translation>Mots du nom, du dossier ou de l&apos;état d&apos;un clip : « marches manquée ».</translation>
     </message>
     <message>
@@ -2458,7 +2458,7 @@
         <translation>&amp;Dossier…</translation>
     </message>
     <message>
-        <source>What you say about the selected clips, as their files are and are compressed now.</source>
+        <source>Verdict on the selected clips, with their present files and settings.</source>
         <translation>Ce que vous dites des clips sélectionnés, tels que leurs fichiers sont et sont compressés maintenant.</translation>
     </message>
     <message>
@@ -2474,7 +2474,7 @@
         <translation>Clips montrés</translation>
     </message>
     <message>
-        <source>Which clips are shown</source>
+        <source>Filter of shown clips</source>
         <translation>Quels clips sont montrés</translation>
     </message>
     <message>
@@ -2482,7 +2482,7 @@
         <translation>Groupes des clips</translation>
     </message>
     <message>
-        <source>How clips are grouped</source>
+        <source>Grouping of clips</source>
         <translation>Comment les clips sont groupés</translation>
     </message>
     <message>
@@ -2494,7 +2494,7 @@
         <translation>Coller les réglages</translation>
     </message>
     <message>
-        <source>Paste Importance Alone</source>
+        <source>Paste Importance Only</source>
         <translation>Coller l’importance seule</translation>
     </message>
     <message>
@@ -2513,7 +2513,7 @@
         <translation>Clips de la bibliothèque, erreur selon le taux</translation>
     </message>
     <message>
-        <source>The library&apos;s columns have every figure.</source>
+        <source>The columns of the library show all measurements.</source>
         <translation>Les colonnes de la bibliothèque ont tous les chiffres.</translation>
     </message>
     <message>
@@ -2525,7 +2525,7 @@
         <translation>Erreur d’un clip, eps_x (cm)</translation>
     </message>
     <message>
-        <source>Compress the library&apos;s clips to see them here</source>
+        <source>Clips appear here after they are compressed</source>
         <translation>Compressez les clips de la bibliothèque pour les voir ici</translation>
     </message>
     <message>
@@ -2555,7 +2555,7 @@
         <translation>Par verdict</translation>
     </message>
     <message>
-        <source>By what the eye sees</source>
+        <source>By visibility</source>
         <translation>Par visibilité</translation>
     </message>
     <message>
@@ -2624,11 +2624,11 @@
         <translation>Fermer</translation>
     </message>
     <message>
-        <source>What may help</source>
+        <source>Possible solution</source>
         <translation>Ce qui peut aider</translation>
     </message>
     <message>
-        <source>Something is being done</source>
+        <source>Work in progress</source>
         <translation>Un travail est en cours</translation>
     </message>
 </context>
@@ -2729,7 +2729,7 @@
 <context>
     <name>mocapress::Notices</name>
     <message numerus="yes">
-        <source>The last session ended unexpectedly. Its project is here again: %Ln clip(s).</source>
+        <source>The last session ended unexpectedly. Its project was restored: %Ln clip(s).</source>
         <translation>
             <numerusform>La dernière session s&apos;est terminée de façon inattendue. Son projet est de retour : %Ln clip.</numerusform>
             <numerusform>La dernière session s&apos;est terminée de façon inattendue. Son projet est de retour : %Ln clips.</numerusform>
@@ -2836,11 +2836,11 @@
         <translation>Distance quadratique moyenne pondérée à l’original.</translation>
     </message>
     <message>
-        <source>95 % of all points at all frames are within this.</source>
+        <source>95 % of all points at all frames have at most this error.</source>
         <translation>95 % de tous les points et de toutes les images sont en deçà.</translation>
     </message>
     <message>
-        <source>Greatest distance of any point at any frame.</source>
+        <source>Largest error of any point at any frame.</source>
         <translation>Plus grande distance d&apos;un point, toutes images confondues.</translation>
     </message>
     <message>
@@ -2860,7 +2860,7 @@
         <translation>Dérive</translation>
     </message>
     <message>
-        <source>The furthest that a foot gets from where it should stand.</source>
+        <source>Largest distance between a standing foot and its place in the original.</source>
         <translation>Le plus loin qu&apos;un pied s&apos;éloigne de l&apos;endroit où il devrait se tenir.</translation>
     </message>
 </context>
@@ -2883,15 +2883,15 @@
         <translation>Résultats épinglés</translation>
     </message>
     <message>
-        <source>Keep the current result in view, as a figure of its own colour, while other settings are tried.</source>
+        <source>Keep the current result in the view, as a figure with its own colour, while you try other settings.</source>
         <translation>Garder en vue le résultat actuel, figure de sa propre couleur, pendant que d&apos;autres réglages sont essayés.</translation>
     </message>
     <message>
-        <source>Continue with the settings of the chosen result. Can be undone.</source>
+        <source>Use the settings of the selected result. This can be undone.</source>
         <translation>Continuer à partir des réglages du résultat choisi. Peut être annulé.</translation>
     </message>
     <message>
-        <source>Take the chosen result out of the view.</source>
+        <source>Remove the selected result from the view.</source>
         <translation>Retirer de la vue le résultat choisi.</translation>
     </message>
 </context>
@@ -2925,7 +2925,7 @@
 <context>
     <name>mocapress::Presenter</name>
     <message>
-        <source>Out of reach for this clip by this method.</source>
+        <source>This method cannot reach the target for this clip.</source>
         <translation>Hors de portée pour ce clip par cette méthode.</translation>
     </message>
 </context>
@@ -2936,7 +2936,7 @@
         <translation>Préréglage</translation>
     </message>
     <message>
-        <source>Settings that belong together: target, method, importance, effort and IK. Those of your own are kept with this program&apos;s settings.</source>
+        <source>A preset sets target, method, importance, effort and IK. Your own presets are kept in the settings of this program.</source>
         <translation>Réglages qui vont ensemble : cible, méthode, importance, effort et IK. Les vôtres sont gardés avec les préférences du programme.</translation>
     </message>
     <message>
@@ -2968,7 +2968,7 @@
         <translation>Exporter…</translation>
     </message>
     <message>
-        <source>Settings of its own</source>
+        <source>Custom settings</source>
         <translation>Réglages propres</translation>
     </message>
     <message>
@@ -2983,7 +2983,7 @@
         <translation>Tenir les pieds par cinématique inverse</translation>
     </message>
     <message>
-        <source>What is asked for</source>
+        <source>Kind of target</source>
         <translation>Ce qui est demandé</translation>
     </message>
     <message>
@@ -3007,7 +3007,7 @@
         <translation>Rapport de coefficients</translation>
     </message>
     <message>
-        <source>How much of it</source>
+        <source>Value of the target</source>
         <translation>Combien</translation>
     </message>
     <message>
@@ -3015,7 +3015,7 @@
         <translation>Méthode</translation>
     </message>
     <message>
-        <source>Feet stay where they stand in the original, for some more bytes.</source>
+        <source>Keeps standing feet in place, for some more bytes.</source>
         <translation>Les pieds restent où ils sont dans l&apos;original, pour quelques octets de plus.</translation>
     </message>
     <message>
@@ -3035,11 +3035,11 @@
         <translation> cm</translation>
     </message>
     <message>
-        <source>What the eye notices</source>
+        <source>Visibility</source>
         <translation>Ce que l&apos;œil remarque</translation>
     </message>
     <message>
-        <source>eps_x: the weighted root mean square error, which single frames may exceed. Hard maximum: no point of the body is further off at any frame. What the eye notices: nothing is off by more than so many times what people notice; at 1, nothing is visible. Quality targets suit clips of all kinds; ratio and bytes do not know how hard a clip is.</source>
+        <source>Error, eps_x: the weighted root mean square error; single frames may exceed it. Hard maximum: largest error of any point of the body at any frame. Visibility: largest error as a multiple of what people notice; at 1, no error is visible. Quality targets suit all kinds of clips; ratio and bytes ignore how hard a clip is to compress.</source>
         <translation>eps_x : l&apos;erreur quadratique moyenne pondérée, que certaines images peuvent dépasser. Maximum absolu : aucun point du corps n&apos;est plus loin à aucune image. Ce que l&apos;œil remarque : aucun écart ne dépasse tant de fois ce que l&apos;on remarque ; à 1, rien n&apos;est visible. Les cibles de qualité conviennent à tous les clips ; le rapport et les octets ignorent la difficulté d&apos;un clip.</translation>
     </message>
     <message>
@@ -3051,14 +3051,14 @@
         <translation>Pondération</translation>
     </message>
     <message>
-        <source>Which points the error eps_x counts. Surface: the body&apos;s skin, so that turned heads and hands count. Skin: points on the mesh of the clip or of the batch&apos;s character; clips without one are refused. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint origins: points on the bones, by bone length; the latter are the paper&apos;s.</source>
+        <source>Points on which the error eps_x is measured. Surface: the body&apos;s skin, so that turned heads and hands count. Skin: the mesh of the clip or of the batch&apos;s character; clips without a mesh are refused. Shell: three points 3 cm from every joint, as in ACL. Bone ends and joint origins: points on the bones, weighted by bone length; joint origins are the paper&apos;s.</source>
         <translation>Les points que compte l&apos;erreur eps_x. Surface : la peau du corps, si bien que la tête et les mains tournées comptent. Peau : des points du maillage du clip ou du personnage du lot ; les clips sans maillage sont refusés. Coque : trois points à 3 cm de chaque articulation, comme ACL. Extrémités des os et origines des articulations : des points sur les os, selon leur longueur ; les dernières sont celles de l&apos;article.</translation>
     </message>
 </context>
 <context>
     <name>mocapress::PresetShelf</name>
     <message>
-        <source>The name of a built-in preset cannot be given to another.</source>
+        <source>This is the name of a built-in preset. Choose another name.</source>
         <translation>Le nom d&apos;un préréglage intégré ne peut être donné à un autre.</translation>
     </message>
     <message>
@@ -3090,7 +3090,7 @@
         <translation>Les préréglages n&apos;ont pu être gardés : %1</translation>
     </message>
     <message>
-        <source>The presets kept before could not be read; their file is %1 now.</source>
+        <source>The presets could not be read; their file was renamed to %1.</source>
         <translation>Les préréglages gardés jusqu&apos;ici sont illisibles ; leur fichier est maintenant %1.</translation>
     </message>
 </context>
@@ -3144,7 +3144,7 @@
         <translation>Archive</translation>
     </message>
     <message>
-        <source>To keep in place of the source: no point of the body more than 1 mm off at any frame.</source>
+        <source>For archives that replace the source: no point of the body has an error above 1 mm at any frame.</source>
         <translation>À garder à la place de la source : aucun point du corps à plus de 1 mm, à aucune image.</translation>
     </message>
     <message>
@@ -3203,15 +3203,15 @@
         </translation>
     </message>
     <message>
-        <source>Characters in play: an error of 2.5 mm on the skin, heads turned by 2.5 degrees at most and hands by 4.</source>
+        <source>Characters in play: an error of 2.5 mm on the skin, at most 2.5 degrees of heads and 4 of hands.</source>
         <translation>Personnages en jeu : une erreur de 2,5 mm sur la peau, la tête tournée de 2,5 degrés au plus et les mains de 4.</translation>
     </message>
     <message>
-        <source>Characters the camera comes near to: an error of 0.65 mm on the skin, heads and hands turned by about a degree at most.</source>
+        <source>Characters near the camera: an error of 0.65 mm on the skin, about a degree of heads and hands.</source>
         <translation>Personnages que la caméra approche : une erreur de 0,65 mm sur la peau, la tête et les mains tournées d&apos;environ un degré au plus.</translation>
     </message>
     <message>
-        <source>Figures in the background: an error of 6 mm on the skin, heads turned by 7.5 degrees at most and hands by 12.</source>
+        <source>Figures in the background: an error of 6 mm on the skin, at most 7.5 degrees of heads and 12 of hands.</source>
         <translation>Figurants : une erreur de 6 mm sur la peau, la tête tournée de 7,5 degrés au plus et les mains de 12.</translation>
     </message>
     <message>
@@ -3231,7 +3231,7 @@
         <translation>Extrémités : %1.</translation>
     </message>
     <message>
-        <source>As Gameplay, with feet that stay where they stand: much less sliding, for 5 to 13 % more bytes.</source>
+        <source>Like Gameplay, with much less sliding of feet, for 5 to 13 % more bytes.</source>
         <translation>Comme Jeu, avec des pieds qui restent où ils sont posés : bien moins de glissement, pour 5 à 13 % d&apos;octets de plus.</translation>
     </message>
 </context>
@@ -3261,7 +3261,7 @@
         </translation>
     </message>
     <message>
-        <source>Without a name it stays under File &gt; Recent Projects, with its date.</source>
+        <source>A project without a name stays in File &gt; Recent Projects, under its date.</source>
         <translation>Sans nom, il reste sous Fichier &gt; Projets récents, avec sa date.</translation>
     </message>
     <message>
@@ -3277,7 +3277,7 @@
         <translation>Les dernières modifications du projet ne peuvent pas être enregistrées. Quitter sans elles ?</translation>
     </message>
     <message>
-        <source>Save Project As puts them elsewhere.</source>
+        <source>Use Save Project As to save them to another file.</source>
         <translation>« Enregistrer le projet sous » les place ailleurs.</translation>
     </message>
     <message>
@@ -3323,7 +3323,7 @@
         <translation>Courbe débit-distorsion</translation>
     </message>
     <message>
-        <source>Error over compression ratio, one curve a method. The table below has every point.</source>
+        <source>Error over compression ratio, one curve for each method. The table below lists every point.</source>
         <translation>Erreur selon le taux de compression, une courbe par méthode. Le tableau dessous a chaque point.</translation>
     </message>
     <message>
@@ -3331,7 +3331,7 @@
         <translation>Taux de compression (plus petit →)</translation>
     </message>
     <message>
-        <source>you are here</source>
+        <source>current result</source>
         <translation>vous êtes ici</translation>
     </message>
     <message>
@@ -3354,7 +3354,7 @@
         <translation>taux de compression</translation>
     </message>
     <message>
-        <source>Bytes of the channels as an array of 32-bit floats over the compressed motion bytes; the skeleton is left out of both, as in the paper.</source>
+        <source>Bytes of the channels as 32-bit floats, divided by the compressed motion bytes. The skeleton counts in neither, as in the paper.</source>
         <translation>Octets des canaux en tableau de flottants de 32 bits sur les octets du mouvement compressé ; le squelette n&apos;est compté ni dans l&apos;un ni dans l&apos;autre, comme dans l&apos;article.</translation>
     </message>
     <message>
@@ -3366,7 +3366,7 @@
         <translation>Distance quadratique moyenne entre original et compressé, pondérée par la longueur d&apos;os.</translation>
     </message>
     <message>
-        <source>State of the answer</source>
+        <source>State of the result</source>
         <translation>État de la réponse</translation>
     </message>
     <message>
@@ -3390,7 +3390,7 @@
         <translation>Pire point</translation>
     </message>
     <message>
-        <source>Greatest distance of any joint at any frame.</source>
+        <source>Largest error of any joint at any frame.</source>
         <translation>Plus grande distance d&apos;une articulation à une image.</translation>
     </message>
     <message>
@@ -3414,7 +3414,7 @@
         <translation>Bits par échantillon</translation>
     </message>
     <message>
-        <source>Motion bits for one joint at one frame: does not depend on a baseline.</source>
+        <source>Motion bits for one joint at one frame; unlike a ratio it needs no baseline.</source>
         <translation>Bits du mouvement pour une articulation à une image : ne dépend d&apos;aucune référence.</translation>
     </message>
     <message>
@@ -3422,7 +3422,7 @@
         <translation>Signaux IK</translation>
     </message>
     <message>
-        <source>The part of the motion bytes that holds the feet, and its ratio r_IK.</source>
+        <source>Motion bytes of the correction that holds the feet, and its ratio r_IK.</source>
         <translation>Ce que tenir les pieds prend des octets du mouvement, et son taux r_IK.</translation>
     </message>
     <message>
@@ -3430,7 +3430,7 @@
         <translation>Genou le plus rapide</translation>
     </message>
     <message>
-        <source>The greatest speed of a held leg&apos;s knee, and that of the original&apos;s: a correction must not make knees snap.</source>
+        <source>Highest speed of a held leg&apos;s knee, and that of the original. A much higher speed means that the correction makes the knee snap.</source>
         <translation>La plus grande vitesse du genou d&apos;une jambe tenue, et celle de l&apos;original : une correction ne doit pas faire claquer les genoux.</translation>
     </message>
     <message>
@@ -3452,15 +3452,15 @@
         <translation>%1 / %2</translation>
     </message>
     <message>
-        <source>%1, %2 at %L3 s: %L4 times what people notice</source>
+        <source>%1, %2 at %L3 s: %L4 times the noticeable error</source>
         <translation>%1, %2 à %L3 s : %L4 fois ce que l&apos;on remarque</translation>
     </message>
     <message>
-        <source>To the eye</source>
+        <source>Visibility</source>
         <translation>À l&apos;œil</translation>
     </message>
     <message>
-        <source>Whether anything that is off is more than people notice.</source>
+        <source>The most visible error, beside the size that people notice.</source>
         <translation>Si un écart dépasse ce que l&apos;on remarque.</translation>
     </message>
     <message>
@@ -3472,11 +3472,11 @@
         <translation>Première / dernière pose</translation>
     </message>
     <message>
-        <source>By how much errors of poses and velocities change from the last frame to the first: what jumps where the loop starts again.</source>
+        <source>Change of the errors of pose and velocity from the last frame to the first: the jump where the loop starts again.</source>
         <translation>De combien l&apos;écart des poses et des vitesses change de la dernière image à la première : ce qui saute là où la boucle recommence.</translation>
     </message>
     <message>
-        <source>How far the first and the last pose are from the original&apos;s, over the body&apos;s surface: where clips are blended.</source>
+        <source>RMS error of the first and the last pose on the body&apos;s surface. Clips are blended there.</source>
         <translation>De combien la première et la dernière pose s&apos;écartent de l&apos;original, sur la surface du corps : là où les séquences sont enchaînées.</translation>
     </message>
     <message>
@@ -3489,7 +3489,7 @@
         <translation>Boucle : ailleurs</translation>
     </message>
     <message>
-        <source>The largest such change between two frames in a row. A seam below it does not stand out.</source>
+        <source>The largest change of errors between two neighbouring frames. A smaller one at the seam does not stand out.</source>
         <translation>Le plus grand changement de ce genre entre deux images successives. Un raccord en dessous ne ressort pas.</translation>
     </message>
     <message>
@@ -3501,7 +3501,7 @@
         <translation>Sur la peau : pire / RMS</translation>
     </message>
     <message>
-        <source>Distances of points spread evenly over the mesh, at any frame.</source>
+        <source>Errors of points spread evenly over the mesh, over all frames.</source>
         <translation>Distances de points répartis régulièrement sur le maillage, sur toutes les images.</translation>
     </message>
     <message>
@@ -3518,7 +3518,7 @@
         <translation>Dérive du pied : moy. / pire</translation>
     </message>
     <message>
-        <source>How far a foot gets from where it should stand, over its contacts.</source>
+        <source>Distance between a standing foot and its place in the original, over all contacts.</source>
         <translation>De combien un pied s&apos;éloigne de l&apos;endroit où il devrait se tenir, sur ses contacts.</translation>
     </message>
     <message>
@@ -3526,7 +3526,7 @@
         <translation>Chemin des pieds : tout / pire</translation>
     </message>
     <message>
-        <source>Length of the feet&apos;s path over the ground while they stand, beyond the original&apos;s: summed over the clip, and of the worst contact. The trembling of a foot in its place sums up in it.</source>
+        <source>Path of the feet over the ground while they stand, beyond the original&apos;s: sum over the clip, and worst contact. A foot that trembles in place has a long path.</source>
         <translation>Longueur du chemin des pieds sur le sol pendant qu&apos;ils se tiennent, au-delà de celui de l&apos;original : sommée sur le clip, et pour le pire contact. Le tremblement d&apos;un pied sur place s&apos;y additionne.</translation>
     </message>
 </context>
@@ -4474,11 +4474,11 @@
 <context>
     <name>mocapress::SightStrip</name>
     <message>
-        <source>What the eye sees</source>
+        <source>Visible errors</source>
         <translation>Ce que l&apos;œil voit</translation>
     </message>
     <message>
-        <source>Where people notice that the clip is compressed. The heat map has it by joint.</source>
+        <source>Times at which errors are visible. The heat map shows them by joint.</source>
         <translation>Où l&apos;on remarque que la séquence est compressée. La carte de chaleur le montre par articulation.</translation>
     </message>
     <message>
@@ -4486,7 +4486,7 @@
         <translation>Vu</translation>
     </message>
     <message>
-        <source>Where people notice that the clip is compressed: half a column is borderline, a whole one is visible.</source>
+        <source>Times at which errors are visible (full column) or borderline (half a column).</source>
         <translation>Où l&apos;on remarque que la séquence est compressée : une demi-colonne est limite, une colonne entière est visible.</translation>
     </message>
     <message>
@@ -4509,7 +4509,7 @@
         <translation>Images</translation>
     </message>
     <message>
-        <source>While the original stands on the ground.</source>
+        <source>Frames in which the foot of the original stands on the ground.</source>
         <translation>Pendant que l&apos;original est posé au sol.</translation>
     </message>
     <message>
@@ -4517,7 +4517,7 @@
         <translation>cm/s</translation>
     </message>
     <message>
-        <source>Greatest speed over the ground.</source>
+        <source>Highest speed over the ground.</source>
         <translation>Plus grande vitesse sur le sol.</translation>
     </message>
     <message>
@@ -4525,7 +4525,7 @@
         <translation>Dérive</translation>
     </message>
     <message>
-        <source>How far the foot gets from where it should stand.</source>
+        <source>Largest distance between the foot and its place in the original.</source>
         <translation>De combien le pied s&apos;éloigne de l&apos;endroit où il devrait se tenir.</translation>
     </message>
     <message>
@@ -4533,7 +4533,7 @@
         <translation>Chemin</translation>
     </message>
     <message>
-        <source>Length of its path over the ground beyond the original&apos;s: the trembling of a foot in its place sums up in it.</source>
+        <source>Path of the foot over the ground beyond the original&apos;s. A foot that trembles in place has a long path.</source>
         <translation>Longueur de son chemin sur le sol au-delà de celui de l&apos;original : le tremblement d&apos;un pied sur place s&apos;y additionne.</translation>
     </message>
 </context>
@@ -4544,7 +4544,7 @@
         <translation>Réglages %1</translation>
     </message>
     <message>
-        <source>Two settings to compare: tune one, switch to the other (A) and look at both.</source>
+        <source>Two settings to compare: tune one, switch to the other (A), and compare the results.</source>
         <translation>Deux réglages à comparer : en régler un, passer à l&apos;autre (A) et regarder les deux.</translation>
     </message>
     <message>
@@ -4595,7 +4595,7 @@
         <translation>Ajouter chaque mouvement d&apos;un dossier</translation>
     </message>
     <message>
-        <source>Take the selected clips off the list (Del)</source>
+        <source>Remove the selected clips from the list (Del)</source>
         <translation>Retirer de la liste les clips choisis (Suppr)</translation>
     </message>
 </context>
@@ -4610,7 +4610,7 @@
         <translation>Progrès de l&apos;étude</translation>
     </message>
     <message>
-        <source>What was measured before is not measured again.</source>
+        <source>Measurements that are already there are kept.</source>
         <translation>Ce qui a été mesuré ne l&apos;est pas de nouveau.</translation>
     </message>
     <message>
@@ -4634,7 +4634,7 @@
         <translation>Taux IK de l&apos;étude</translation>
     </message>
     <message>
-        <source>How much the correction signals are compressed (r_IK).</source>
+        <source>Coefficient ratio of the IK correction (r_IK).</source>
         <translation>De combien les signaux de correction sont compressés (r_IK).</translation>
     </message>
     <message>
@@ -4654,7 +4654,7 @@
         <translation>Erreurs à tenir, en cm</translation>
     </message>
     <message>
-        <source>Bounds of eps_x in centimetres, separated by spaces.</source>
+        <source>Errors eps_x to compress to, in centimetres, separated by spaces.</source>
         <translation>Bornes d&apos;eps_x en centimètres, séparées par des espaces.</translation>
     </message>
     <message>
@@ -4686,7 +4686,7 @@
         <translation>Dossier de l&apos;étude : %1</translation>
     </message>
     <message>
-        <source>Where measurements are kept, so that a stopped study can continue. Click to choose a folder; a study that it holds is shown.
+        <source>Folder for measurements, from which a stopped study continues. Click to choose a folder; if it holds a study, that study is shown.
 %1</source>
         <translation>Où les mesures sont gardées, pour qu&apos;une étude arrêtée reprenne où elle était. Cliquer pour choisir un dossier, ou un dossier qui contient une étude, pour la voir.
 %1</translation>
@@ -4700,11 +4700,11 @@
         <translation>Lancer l&apos;étude</translation>
     </message>
     <message>
-        <source>One more curve: annealed wavelets with feet held by inverse kinematics, at the ratios asked for.</source>
+        <source>Adds a curve of annealed wavelets with feet held by inverse kinematics, at the same ratios.</source>
         <translation>Une courbe de plus : les ondelettes par recuit dont la cinématique inverse tient les pieds en place, aux taux demandés.</translation>
     </message>
     <message>
-        <source>Which points the error eps_x counts. Surface: the body&apos;s skin, so that turned heads and hands count. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint origins: points on the bones, by bone length; the latter are the paper&apos;s.</source>
+        <source>Points on which the error eps_x is measured. Surface: the body&apos;s skin, so that turned heads and hands count. Shell: three points 3 cm from every joint, as in ACL. Bone ends and joint origins: points on the bones, weighted by bone length; joint origins are the paper&apos;s.</source>
         <translation>Les points que compte l&apos;erreur eps_x. Surface : la peau du corps, si bien que la tête et les mains tournées comptent. Coque : trois points à 3 cm de chaque articulation, comme ACL. Extrémités des os et origines des articulations : des points sur les os, selon leur longueur ; les dernières sont celles de l&apos;article.</translation>
     </message>
 </context>
@@ -4715,7 +4715,7 @@
         <translation>Clips montrés</translation>
     </message>
     <message>
-        <source>One clip, or the average over clips: the geometric mean of their ratios at equal error, with the points of all clips behind it.</source>
+        <source>Show one clip, or the average: the geometric mean of all clips&apos; ratios at equal error, with the points of all clips behind it.</source>
         <translation>Un clip, ou la moyenne des clips : la moyenne géométrique de leurs taux à erreur égale, avec les points de tous derrière.</translation>
     </message>
     <message>
@@ -4798,7 +4798,7 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Demandé</translation>
     </message>
     <message>
-        <source>The target: a ratio, or an error not to be exceeded.</source>
+        <source>Target: a ratio, or the largest error allowed.</source>
         <translation>La cible : un taux, ou une erreur à ne pas dépasser.</translation>
     </message>
     <message>
@@ -4806,7 +4806,7 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Taux</translation>
     </message>
     <message>
-        <source>Bytes of the channels as 32-bit floats over compressed bytes.</source>
+        <source>Bytes of the channels as 32-bit floats, divided by compressed bytes.</source>
         <translation>Octets des canaux en flottants de 32 bits sur octets compressés.</translation>
     </message>
     <message>
@@ -4830,7 +4830,7 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Gliss. cm</translation>
     </message>
     <message>
-        <source>How far feet slide while they stand in the original.</source>
+        <source>Path of feet while they stand in the original.</source>
         <translation>De combien les pieds glissent pendant qu&apos;ils sont posés dans l&apos;original.</translation>
     </message>
     <message>
@@ -4842,7 +4842,7 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Durée de la compression, recherche de la cible comprise.</translation>
     </message>
     <message>
-        <source>%L1 times noticed</source>
+        <source>%L1 times the noticeable error</source>
         <translation>%L1 fois le perceptible</translation>
     </message>
 </context>
@@ -4912,7 +4912,7 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Cocher une méthode à étudier</translation>
     </message>
     <message>
-        <source>Name a ratio or an error to reach</source>
+        <source>Enter a ratio or an error</source>
         <translation>Donner un taux ou une erreur à atteindre</translation>
     </message>
     <message>
@@ -4920,7 +4920,7 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Mesure…</translation>
     </message>
     <message>
-        <source>Run the study to see curves</source>
+        <source>Curves appear after the study has run</source>
         <translation>Lancer l&apos;étude pour voir des courbes</translation>
     </message>
 </context>
@@ -4939,7 +4939,7 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>&amp;Exporter</translation>
     </message>
     <message>
-        <source>Write what is measured to a file</source>
+        <source>Write the measurements to a file</source>
         <translation>Écrire les mesures dans un fichier</translation>
     </message>
     <message>
@@ -5030,7 +5030,7 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Valeur de la cible</translation>
     </message>
     <message>
-        <source>The target as a number; type it or step through it.</source>
+        <source>Target as a number; type it or use the arrows.</source>
         <translation>La cible en nombre ; la taper ou la faire défiler.</translation>
     </message>
     <message>
@@ -5038,15 +5038,15 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Maximum absolu</translation>
     </message>
     <message>
-        <source>Drag: a draft follows at once, and is refined when you pause.</source>
+        <source>Drag to change the target. A draft appears at once and is refined when you pause.</source>
         <translation>Glissez : une ébauche suit aussitôt, affinée dès que vous marquez une pause.</translation>
     </message>
     <message>
-        <source>Trouble with the target</source>
+        <source>Problem with the target</source>
         <translation>Problème avec la cible</translation>
     </message>
     <message>
-        <source>There is nothing to ask for at zero.</source>
+        <source>The target must be above zero.</source>
         <translation>À zéro, il n&apos;y a rien à demander.</translation>
     </message>
     <message>
@@ -5054,11 +5054,11 @@ Cliquer pour le charger dans le studio.</translation>
         <translation> fois</translation>
     </message>
     <message>
-        <source>What the eye notices</source>
+        <source>Visibility</source>
         <translation>Ce que l&apos;œil remarque</translation>
     </message>
     <message>
-        <source>Ask for a size (compression ratio: bytes of the channels as 32-bit floats over the compressed motion bytes; or these bytes themselves) or for a quality (weighted mean error eps_x; a distance that no joint exceeds at any frame; or the most that anything may be off, as a multiple of what people notice: at 1, nothing is visible).</source>
+        <source>Sizes: the compression ratio (bytes of the channels as 32-bit floats, divided by compressed motion bytes) or the motion bytes themselves. Qualities: the weighted RMS error eps_x, the largest error of any point at any frame, or visibility, the largest error as a multiple of what people notice: at 1, no error is visible.</source>
         <translation>Demander une taille (taux de compression : octets des canaux en flottants de 32 bits sur les octets du mouvement compressé ; ou ces octets mêmes) ou une qualité (erreur moyenne pondérée eps_x ; une distance qu&apos;aucune articulation ne dépasse à aucune image ; ou l&apos;écart maximal, en multiple de ce que l&apos;on remarque : à 1, rien n&apos;est visible).</translation>
     </message>
     <message>
@@ -5069,14 +5069,14 @@ Cliquer pour le charger dans le studio.</translation>
 <context>
     <name>mocapress::Timeline</name>
     <message>
-        <source>Part of the clip in sight</source>
+        <source>Visible part of the clip</source>
         <translation>Partie visible du clip</translation>
     </message>
 </context>
 <context>
     <name>mocapress::ToolWindows</name>
     <message>
-        <source>The batch of this project is running: stop it first, or let it end.</source>
+        <source>The batch of this project is running. Stop it or wait until it ends.</source>
         <translation>Le lot de ce projet est en cours : arrêtez-le d&apos;abord, ou laissez-le finir.</translation>
     </message>
 </context>
@@ -5107,7 +5107,7 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Boucle</translation>
     </message>
     <message>
-        <source>Play backwards, again: faster</source>
+        <source>Play backwards; press again to go faster</source>
         <translation>Lire à rebours, encore : plus vite</translation>
     </message>
     <message>
@@ -5115,7 +5115,7 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Pause</translation>
     </message>
     <message>
-        <source>Play forwards, again: faster</source>
+        <source>Play forwards; press again to go faster</source>
         <translation>Lire en avant, encore : plus vite</translation>
     </message>
     <message>
@@ -5159,7 +5159,7 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Vitesse</translation>
     </message>
     <message>
-        <source>Playing speed; 1× is as recorded.</source>
+        <source>Playing speed; 1× is the recorded speed.</source>
         <translation>Vitesse de lecture ; 1× comme enregistré.</translation>
     </message>
     <message>
@@ -5179,7 +5179,7 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Prise</translation>
     </message>
     <message>
-        <source>Which of the animations in the file is read.</source>
+        <source>Animation of the file to read.</source>
         <translation>L&apos;animation du fichier qui est lue.</translation>
     </message>
 </context>
@@ -5206,7 +5206,7 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>&amp;Volet</translation>
     </message>
     <message>
-        <source>One picture with a divider to drag, also while it plays</source>
+        <source>Original on one side of a divider that can be dragged, compressed figure on the other</source>
         <translation>Une seule image avec un volet à faire glisser, même pendant la lecture</translation>
     </message>
     <message>
@@ -5214,7 +5214,7 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>&amp;Échanger</translation>
     </message>
     <message>
-        <source>Exchange the places of original and compressed figure</source>
+        <source>Swap original and compressed figure</source>
         <translation>Échanger les places des figures originale et compressée</translation>
     </message>
     <message>
@@ -5238,7 +5238,7 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Afficher la peau</translation>
     </message>
     <message>
-        <source>Figures with their skin, or as skeletons</source>
+        <source>Show figures with their skin or as skeletons</source>
         <translation>Les figures avec leur peau, ou en squelettes</translation>
     </message>
     <message>
@@ -5246,7 +5246,7 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>&amp;Trajet de l&apos;articulation</translation>
     </message>
     <message>
-        <source>The path of the chosen joint, half a second around now</source>
+        <source>Path of the selected joint, half a second before and after the current frame</source>
         <translation>Le chemin de l&apos;articulation choisie, une demi-seconde de part et d&apos;autre</translation>
     </message>
     <message>
@@ -5262,7 +5262,7 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Sur &amp;place</translation>
     </message>
     <message>
-        <source>Play without the root&apos;s way over the ground</source>
+        <source>Play without the root&apos;s travel over the ground</source>
         <translation>Lire sans le trajet de la racine sur le sol</translation>
     </message>
     <message>
@@ -5286,7 +5286,7 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Traînée &amp;fantôme</translation>
     </message>
     <message>
-        <source>Where the compressed figure was (blue) and will be (orange), faded</source>
+        <source>Faded poses of the compressed figure before (blue) and after (orange) the current frame</source>
         <translation>Où la figure compressée était (bleu) et sera (orange), estompée</translation>
     </message>
     <message numerus="yes">

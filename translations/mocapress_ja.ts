@@ -72,7 +72,7 @@
         <translation>次に悪いフレーム(&amp;W)</translation>
     </message>
     <message>
-        <source>Go to the frame with the greatest error; again for the next worst (N)</source>
+        <source>Go to the frame with the largest error, then to the next largest (N)</source>
         <translation>誤差が最大のフレームへ、もう一度で次に悪いフレームへ (N)</translation>
     </message>
     <message>
@@ -92,7 +92,7 @@
         <translation>IKなし(&amp;K)</translation>
     </message>
     <message>
-        <source>See the compressed figure before its feet are held (B)</source>
+        <source>Show the compressed figure without the IK correction of its feet (B)</source>
         <translation>足を固定する前の圧縮後の人形を見る (B)</translation>
     </message>
     <message>
@@ -104,7 +104,7 @@
         <translation>比較研究(&amp;S)…</translation>
     </message>
     <message>
-        <source>Compare methods on many clips: size against error</source>
+        <source>Compare the file sizes and errors of methods on many clips</source>
         <translation>多くのクリップで手法を比較：サイズと誤差</translation>
     </message>
     <message>
@@ -116,7 +116,7 @@
         <translation>キーボードショートカット(&amp;K)</translation>
     </message>
     <message>
-        <source>As the &amp;System</source>
+        <source>Like the &amp;System</source>
         <translation>システムに従う(&amp;S)</translation>
     </message>
     <message>
@@ -172,7 +172,7 @@
         <translation>一括書き出し(&amp;B)…</translation>
     </message>
     <message>
-        <source>Compress many clips, verify each, and report on all</source>
+        <source>Compress many clips, verify each of them and write a report</source>
         <translation>多数のクリップを圧縮し、一つずつ検証して、全体を報告します</translation>
     </message>
     <message>
@@ -180,7 +180,7 @@
         <translation>ライブラリを一括書き出し(&amp;L)…</translation>
     </message>
     <message>
-        <source>Export all clips of the library, each by its own settings</source>
+        <source>Export all clips of the library, each with its own settings</source>
         <translation>ライブラリのすべてのクリップを、それぞれの設定で書き出します</translation>
     </message>
     <message>
@@ -192,7 +192,7 @@
         <translation>この結果をピン留め(&amp;P)</translation>
     </message>
     <message>
-        <source>Keep this result in view beside those of other settings (D)</source>
+        <source>Keep this result in the view beside results of other settings (D)</source>
         <translation>この結果をほかの設定の結果と並べて表示し続けます (D)</translation>
     </message>
     <message>
@@ -212,7 +212,7 @@
         <translation>モーションを書き出す(&amp;X)…</translation>
     </message>
     <message>
-        <source>Write the decompressed motion, by the conventions of its source</source>
+        <source>Write the decompressed motion with the unit, axes and rate of its source</source>
         <translation>圧縮クリップから得られるモーションを、元ファイルと同じ形式の取り決めで書き出します</translation>
     </message>
     <message>
@@ -220,7 +220,7 @@
         <translation>レビューページを書き出す(&amp;G)…</translation>
     </message>
     <message>
-        <source>Write a page that shows original and compressed clip in a browser</source>
+        <source>Write a web page that shows original and compressed clip</source>
         <translation>元のクリップと圧縮クリップをブラウザーで見るページを書き出します</translation>
     </message>
     <message>
@@ -228,7 +228,7 @@
         <translation>読み込みオプション(&amp;I)…</translation>
     </message>
     <message>
-        <source>Read the open motion again with another unit, up axis, rate or root</source>
+        <source>Read the open motion again with another length unit, up axis, frame rate or root convention</source>
         <translation>開いているモーションを、別の単位・上方向の軸・フレームレート・ルートの扱いで読み直します</translation>
     </message>
     <message>
@@ -236,7 +236,7 @@
         <translation>キャラクターを適用(&amp;H)…</translation>
     </message>
     <message>
-        <source>Show the clip, and all clips of its rig, with the skin of an FBX or glTF that has joints of its names</source>
+        <source>Show the clip, and all clips with the same rig, on the mesh of an FBX or glTF whose joints have the same names</source>
         <translation>このクリップと、同じリグのすべてのクリップを、同じ名前の関節を持つ FBX または glTF のスキンで表示します</translation>
     </message>
     <message>
@@ -244,7 +244,7 @@
         <translation>キャラクターを外す(&amp;K)</translation>
     </message>
     <message>
-        <source>Show the clip, and all clips of its rig, as their files say</source>
+        <source>Show the clip, and all clips with the same rig, as in their files</source>
         <translation>このクリップと、同じリグのすべてのクリップを、それぞれのファイルのとおりに表示します</translation>
     </message>
     <message>
@@ -271,7 +271,7 @@
         <translation>仕上げの進み具合</translation>
     </message>
     <message>
-        <source>Stop refining. The best so far is kept where it beats the draft.</source>
+        <source>Stop refining. The best result so far is kept if it is better than the draft.</source>
         <translation>仕上げを止めます。下書きより良ければ、それまでの最良の結果を残します。</translation>
     </message>
     <message>
@@ -283,7 +283,7 @@
         <translation>残り %L1 分</translation>
     </message>
     <message>
-        <source>The draft is refined: annealing moves fewer and fewer coefficients at a time, a closed loop sweeps over all of them, until nothing helps. Most targets take several passes; how many is a guess until the last.</source>
+        <source>Progress of refining the draft. Annealing moves fewer and fewer coefficients at a time; the closed loop sweeps over all coefficients until no change helps. Most targets need several passes, whose number is an estimate.</source>
         <translation>下書きを仕上げます：焼きなましは一度に動かす係数を減らしていき、閉ループは全係数を巡り、改善がなくなるまで続けます。多くの目標は数回の処理を要し、その回数は最後まで推定です。</translation>
     </message>
     <message>
@@ -294,15 +294,15 @@
 <context>
     <name>mocapress::BatchOutput</name>
     <message>
-        <source>Replace files that are there</source>
+        <source>Replace existing files</source>
         <translation>既存のファイルを置き換える</translation>
     </message>
     <message>
-        <source>Pattern of the names</source>
+        <source>Pattern of file names</source>
         <translation>名前の型</translation>
     </message>
     <message>
-        <source>Otherwise a clip fails, and says so, if its file exists and is not this batch&apos;s. Either way a file is only replaced after the new one was read back and measured.</source>
+        <source>If this is off, a clip fails when its file exists and is not from this batch. A file is replaced only after the new one was read back and measured.</source>
         <translation>そうでなければ、この一括処理のものではないファイルが既にあるクリップは失敗し、その旨を示します。いずれの場合も、新しいファイルを読み戻して測定した後にだけ置き換えます。</translation>
     </message>
     <message>
@@ -310,7 +310,7 @@
         <translation>圧縮ファイル (.mcpr)</translation>
     </message>
     <message>
-        <source>What is shipped.</source>
+        <source>The compressed file, to be shipped.</source>
         <translation>出荷するもの。</translation>
     </message>
     <message>
@@ -374,12 +374,12 @@
         <translation>一括処理のフォルダー: %1</translation>
     </message>
     <message>
-        <source>Where files and report go. A batch that the folder holds is resumed.</source>
+        <source>Folder for files and report. If it holds a batch, that batch is resumed.</source>
         <translation>ファイルと報告の書き出し先。一括処理の残るフォルダーでは続きから始めます。</translation>
     </message>
     <message>
-        <source>&lt;p&gt;{folder}: the folder the clip was found by, and those between&lt;br&gt;{stem}: the clip&apos;s name&lt;br&gt;{type}: bvh or amc&lt;br&gt;{preset}, {method}: what it is compressed by&lt;/p&gt;</source>
-        <translation>&lt;p&gt;{folder}: クリップが見つかったフォルダーとその間のフォルダー&lt;br&gt;{stem}: クリップの名前&lt;br&gt;{type}: bvh または amc&lt;br&gt;{preset}、{method}: 圧縮に使うもの&lt;/p&gt;</translation>
+        <source>&lt;p&gt;{folder}: the folder that was added, and its subfolders down to the clip&lt;br&gt;{stem}: the clip&apos;s name&lt;br&gt;{type}: the source&apos;s format, such as bvh&lt;br&gt;{preset}, {method}: the preset and method of the clip&lt;/p&gt;</source>
+        <translation>&lt;p&gt;{folder}: クリップが見つかったフォルダーとその間のフォルダー&lt;br&gt;{stem}: クリップの名前&lt;br&gt;{type}: 元のファイルの形式（bvh など）&lt;br&gt;{preset}、{method}: 圧縮に使うもの&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Bank of all clips</source>
@@ -398,7 +398,7 @@
         <translation>展開済み</translation>
     </message>
     <message>
-        <source>&lt;p&gt;All compressed files in one, bank.mcpk, beside them.&lt;br&gt;Packed: the smallest, for shipping.&lt;br&gt;Cooked: engines sample clips as they lie in it.&lt;/p&gt;</source>
+        <source>&lt;p&gt;One more file, bank.mcpk, with all compressed clips.&lt;br&gt;Packed: the smallest, for shipping.&lt;br&gt;Cooked: engines sample its clips without unpacking them.&lt;/p&gt;</source>
         <translation>&lt;p&gt;すべての圧縮ファイルを、その横の bank.mcpk 一つにまとめます。&lt;br&gt;圧縮: 最も小さく、配布用です。&lt;br&gt;展開済み: エンジンがそのまま読み出せます。&lt;/p&gt;</translation>
     </message>
     <message>
@@ -406,11 +406,11 @@
         <translation>バンク</translation>
     </message>
     <message>
-        <source>Learn from its clips</source>
+        <source>Fit the coder to the clips</source>
         <translation>クリップから学習する</translation>
     </message>
     <message>
-        <source>Codes the motions of a packed bank by what its clips teach of each other: 1 to 2 % fewer bytes where there are some hundred, for up to a minute more. A few clips teach nothing, and their bank stays as it is.</source>
+        <source>Fits the statistics of the coder to the clips of a packed bank. This takes up to a minute and saves 1 to 2 % of the bytes of some hundred clips. A bank of a few clips is not changed.</source>
         <translation>圧縮バンクの動きを、クリップどうしから学んだことで符号化します。数百クリップあれば 1～2 % 小さくなりますが、最長で 1 分ほど長くかかります。少数のクリップからは何も学べず、バンクは変わりません。</translation>
     </message>
 </context>
@@ -461,11 +461,11 @@
         <translation>✗ %1</translation>
     </message>
     <message>
-        <source>Locked: keeps its own settings. Click to give it those all clips share.</source>
+        <source>Locked: the clip keeps its own settings. Click to give it the settings shared by all clips.</source>
         <translation>ロック中: 独自の設定を保ちます。クリックすると共通の設定に戻します。</translation>
     </message>
     <message>
-        <source>Click to lock its settings: a change for all clips leaves it alone.</source>
+        <source>Click to lock the clip&apos;s settings, so that changes for all clips do not apply to it.</source>
         <translation>クリックすると設定をロックします: 全クリップへの変更の影響を受けません。</translation>
     </message>
     <message>
@@ -509,7 +509,7 @@
         <translation>圧縮率</translation>
     </message>
     <message>
-        <source>Bytes of the channels as 32-bit floats over compressed bytes.</source>
+        <source>Bytes of the channels as 32-bit floats, divided by compressed bytes.</source>
         <translation>32 ビット浮動小数点のチャンネルのバイト数を圧縮後のバイト数で割ったもの。</translation>
     </message>
     <message>
@@ -543,11 +543,11 @@
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>It is not exported. Tick the clip to export it too.</source>
+        <source>The clip is not exported. Tick it to export it too.</source>
         <translation>書き出されません。書き出すにはクリップにチェックを入れてください。</translation>
     </message>
     <message>
-        <source>Only clips that are ticked are exported.</source>
+        <source>Only ticked clips are exported.</source>
         <translation>チェックを入れたクリップだけが書き出されます。</translation>
     </message>
     <message>
@@ -559,11 +559,11 @@
         <translation>見えない</translation>
     </message>
     <message>
-        <source>%1 times noticed</source>
+        <source>%1 times the noticeable error</source>
         <translation>知覚限界の %1 倍</translation>
     </message>
     <message>
-        <source>What the library says about the clip. A rejected clip is left out until it is ticked. Stale: it is not about these files and settings.</source>
+        <source>The clip&apos;s verdict in the library. Rejected clips are exported only if they are ticked. A verdict is stale if files or settings have changed since.</source>
         <translation>ライブラリでのクリップの判定です。却下したクリップは、チェックを入れるまで除かれます。無効：このファイルと設定についての判定ではありません。</translation>
     </message>
 </context>
@@ -582,7 +582,7 @@
         <translation>クリップまたはクリップのフォルダーをここにドロップ</translation>
     </message>
     <message>
-        <source>An .amc finds its .asf beside it</source>
+        <source>The .asf beside an .amc is found</source>
         <translation>.amc は隣の .asf を使います</translation>
     </message>
     <message>
@@ -601,11 +601,11 @@
         <translation>クリップを追加して始めます。</translation>
     </message>
     <message>
-        <source>Choose the folder the files go to.</source>
+        <source>Choose a folder for the files.</source>
         <translation>書き出し先のフォルダーを選んでください。</translation>
     </message>
     <message>
-        <source>Choose at least one kind of file.</source>
+        <source>Choose at least one file format.</source>
         <translation>ファイルの種類を一つ以上選んでください。</translation>
     </message>
     <message>
@@ -613,7 +613,7 @@
         <translation>%1 を書き出しました: sbatch で投入してください。</translation>
     </message>
     <message>
-        <source>Clips can be added when the batch has ended.</source>
+        <source>Clips can be added after the batch has ended.</source>
         <translation>クリップの追加は、一括処理が終わってからできます。</translation>
     </message>
     <message>
@@ -641,15 +641,15 @@
         <translation>除外したクリップも書き出す</translation>
     </message>
     <message>
-        <source>Every clip is left out. Tick those to export.</source>
+        <source>Every clip is left out. Tick the clips to export.</source>
         <translation>すべてのクリップが除外されています。書き出すものにチェックを入れてください。</translation>
     </message>
     <message>
-        <source>A bank is made of compressed files: choose these too.</source>
+        <source>A bank needs compressed files: choose Compressed (.mcpr) too.</source>
         <translation>バンクは圧縮ファイルから作ります。圧縮ファイルも選んでください。</translation>
     </message>
     <message>
-        <source>No task has all clips of a bank: choose none to write a script.</source>
+        <source>A cluster&apos;s tasks cannot make a bank, since none has all clips: set Bank to None to write a script.</source>
         <translation>どのタスクもバンクの全クリップを持ちません。スクリプトを書くには「なし」を選んでください。</translation>
     </message>
     <message>
@@ -732,11 +732,11 @@
         </translation>
     </message>
     <message>
-        <source>Waiting: another program is changing the bank…</source>
+        <source>Waiting for another program that is changing the bank…</source>
         <translation>待機中: 別のプログラムがバンクを変更しています…</translation>
     </message>
     <message>
-        <source>Learning from the clips for their bank…</source>
+        <source>Fitting the coder to the clips of the bank…</source>
         <translation>バンクのためにクリップから学習しています…</translation>
     </message>
     <message>
@@ -753,7 +753,7 @@
 <context>
     <name>mocapress::BatchWindow</name>
     <message>
-        <source>Give Them the Shared Settings</source>
+        <source>Use Shared Settings for Selection</source>
         <translation>共通の設定に戻す</translation>
     </message>
     <message>
@@ -797,23 +797,23 @@
         <translation>一括処理の進み具合</translation>
     </message>
     <message>
-        <source>Compress, read back, measure and put in place. What is done and unchanged is kept.</source>
+        <source>Compress each clip, read the file back, measure it and put it in place. Finished clips that have not changed are kept.</source>
         <translation>圧縮し、読み戻し、測定して配置します。済んでいて変更のないものはそのまま残します。</translation>
     </message>
     <message>
-        <source>Finish the clips that are being worked on and begin no other</source>
+        <source>Finish the clips in progress and start no others</source>
         <translation>処理中のクリップを終え、新しいものは始めません</translation>
     </message>
     <message>
-        <source>Drop the clips that are being worked on: they are waiting again</source>
+        <source>Stop the clips in progress and put them back in the queue</source>
         <translation>処理中のクリップをやめます: 待機に戻ります</translation>
     </message>
     <message>
-        <source>Every clip with its figures, and the worst frames drawn</source>
+        <source>Open a page with the measurements of every clip and pictures of the worst frames</source>
         <translation>全クリップの数値と、最悪フレームの図</translation>
     </message>
     <message>
-        <source>Have a cluster do this queue: a script for sbatch</source>
+        <source>Write a script for Slurm&apos;s sbatch that compresses this queue on a cluster</source>
         <translation>このキューをクラスターで処理: sbatch 用スクリプト</translation>
     </message>
     <message>
@@ -855,7 +855,7 @@
         </translation>
     </message>
     <message>
-        <source>A change while clips are selected applies to them alone, and locks them.</source>
+        <source>Changes made while clips are selected apply to these clips only, and lock them.</source>
         <translation>クリップを選択中の変更はそれらだけのもので、ロックします。</translation>
     </message>
     <message>
@@ -886,7 +886,7 @@
         <translation>チャンネル</translation>
     </message>
     <message>
-        <source>One degree of freedom of the chosen joint.</source>
+        <source>One degree of freedom of the selected joint.</source>
         <translation>選んだ関節の自由度のひとつ。</translation>
     </message>
     <message>
@@ -894,7 +894,7 @@
         <translation>チャンネルの時間変化</translation>
     </message>
     <message>
-        <source>The channel as recorded and as compressed; below, the difference. Click to seek.</source>
+        <source>The recorded and the compressed channel; below, their difference. Click to go to a frame.</source>
         <translation>記録時と圧縮後のチャンネル、下はその差。クリックで移動。</translation>
     </message>
     <message>
@@ -902,7 +902,7 @@
         <translation>スケール別の残した係数</translation>
     </message>
     <message>
-        <source>Wavelet coefficients of this channel that are kept, of all there are, from the coarsest scale to the finest. Compression keeps the few that matter.</source>
+        <source>Share of this channel&apos;s wavelet coefficients that are kept, from the coarsest scale to the finest.</source>
         <translation>このチャンネルのウェーブレット係数のうち残したもの。粗いスケールから細かいスケールへ。圧縮は効くものだけを残します。</translation>
     </message>
     <message>
@@ -918,7 +918,7 @@
         <translation>残存率 (%)</translation>
     </message>
     <message>
-        <source>The chosen joint does not move by itself.</source>
+        <source>The selected joint has no motion of its own.</source>
         <translation>選んだ関節は自分では動きません。</translation>
     </message>
     <message>
@@ -937,11 +937,11 @@
         <translation>キャラクターを外す</translation>
     </message>
     <message>
-        <source>Take the character off: each clip has its own mesh, if it has one</source>
+        <source>Remove the character; clips with a mesh of their own use that</source>
         <translation>キャラクターを外す：各クリップは、あればそれ自身のメッシュを使います</translation>
     </message>
     <message>
-        <source>Each clip&apos;s own</source>
+        <source>Own mesh of each clip</source>
         <translation>クリップごとのもの</translation>
     </message>
     <message>
@@ -949,7 +949,7 @@
         <translation>すべてのクリップのキャラクター：%1</translation>
     </message>
     <message>
-        <source>The mesh of an FBX or glTF that is put on every clip that it fits: errors are measured on it, and the weighting Skin compresses by it. Other clips keep what they have, and the report says so.</source>
+        <source>Character (FBX or glTF) for every clip whose joints it fits. Errors are measured on its mesh, and the weighting Skin uses it. Other clips are unchanged, and the report lists them.</source>
         <translation>合うクリップすべてに着せる、FBX または glTF のメッシュ。誤差はその上で測られ、重み付け「スキン」はそれに従って圧縮します。ほかのクリップは元のままで、レポートにその旨が示されます。</translation>
     </message>
 </context>
@@ -1016,7 +1016,7 @@
         <translation>この動きを付けた %1 (*.%2)</translation>
     </message>
     <message>
-        <source>%1 is the character. Replace it by one that moves so?</source>
+        <source>%1 is the file of the character. Replace it with a file that also has this motion?</source>
         <translation>%1 はキャラクターです。この動きを付けたものに置き換えますか？</translation>
     </message>
     <message>
@@ -1044,11 +1044,11 @@
         <translation>レビューページを書き出す</translation>
     </message>
     <message>
-        <source>The skeleton goes into %1, which is there already. Replace it?</source>
+        <source>The skeleton is written to %1, which exists already. Replace it?</source>
         <translation>スケルトンは %1 に書き込まれますが、このファイルはすでにあります。置き換えますか？</translation>
     </message>
     <message>
-        <source>%1 is the original that is open. Replace it by its compressed motion?</source>
+        <source>%1 is the original that is open. Replace it with the compressed motion?</source>
         <translation>%1 は開いている元のファイルです。圧縮後のモーションで置き換えますか？</translation>
     </message>
 </context>
@@ -1075,35 +1075,35 @@
         <translation>重要度</translation>
     </message>
     <message>
-        <source>The closed loop rounds every coefficient by what it does to the error in the world, and is much the smallest. The others are the paper&apos;s, which choose coefficients to keep: annealed moves them to the channels where they lower the error most, standard keeps the largest of all, per channel keeps as many of each.</source>
+        <source>Closed loop gives by far the smallest files: it rounds every coefficient by its effect on world-space error. The others are the paper&apos;s methods, which choose the coefficients to keep. Annealed searches for the channels where coefficients lower the error most, Standard keeps the largest of all channels, Per channel keeps as many in each.</source>
         <translation>閉ループは、ワールドでの誤差への影響を見ながら各係数を丸め、群を抜いて小さくなります。ほかは論文の手法で、残す係数を選びます。焼きなましは誤差が最も減るチャンネルへ係数を移し、標準は全体で大きいものを、チャンネル別は各チャンネルから同じ数だけ残します。</translation>
     </message>
     <message>
-        <source>Best looks longer for something smaller: a few per cent, for some ten times the time.</source>
+        <source>Best searches longer for a smaller result: it saves a few per cent and takes some ten times as long.</source>
         <translation>「最良」はより小さくなるものを長く探します。10 倍ほどの時間で数パーセント小さくなります。</translation>
     </message>
     <message>
-        <source>Only the closed loop can try harder; the paper&apos;s methods have one result.</source>
+        <source>Effort applies only to the closed loop; the paper&apos;s methods have one result.</source>
         <translation>労力を選べるのは閉ループだけです。論文の手法の結果は一つです。</translation>
     </message>
     <message>
-        <source>The closed loop weighs the bytes of its own adaptive coding and has no other.</source>
+        <source>The closed loop always uses adaptive coding, whose bytes it counts while it searches.</source>
         <translation>閉ループは自身の適応符号化のバイト数を見て選ぶため、ほかの符号化はありません。</translation>
     </message>
     <message>
-        <source>How kept coefficients become bytes: 16-bit words with runs of zeros, optionally packed further by DEFLATE, or an adaptive range coder.</source>
+        <source>Coding of kept coefficients as bytes: 16-bit words with runs of zeros, with or without DEFLATE on top, or an adaptive range coder.</source>
         <translation>残した係数をバイトにする方法。ゼロの連続をまとめた 16 ビット語(さらに DEFLATE で詰めることも可)、または適応レンジ符号化。</translation>
     </message>
     <message>
-        <source>Not heeded</source>
+        <source>Not used</source>
         <translation>無効</translation>
     </message>
     <message>
-        <source>All alike</source>
+        <source>All equal</source>
         <translation>すべて同じ</translation>
     </message>
     <message>
-        <source>Take more care of feet, hands, the head, contacts or any joint.</source>
+        <source>Give errors of feet, hands, the head, contacts or any joint more weight.</source>
         <translation>足、手、頭、接地、任意の関節をより丁寧に扱います。</translation>
     </message>
     <message>
@@ -1115,7 +1115,7 @@
         <translation>この手法は重要度を考慮しません。%1か%2を選んでください。</translation>
     </message>
     <message>
-        <source>Weighting of the error, ends of the clip, and coding: seldom changed.</source>
+        <source>Rarely changed settings: error weighting, ends of the clip, and coding.</source>
         <translation>誤差の重み付け、クリップの両端、符号化。めったに変えません。</translation>
     </message>
     <message>
@@ -1123,11 +1123,11 @@
         <translation>両端</translation>
     </message>
     <message>
-        <source>Only the closed loop codes the first and the last pose once more.</source>
+        <source>Only the closed loop corrects the first and last pose.</source>
         <translation>最初と最後のポーズをもう一度符号化するのは閉ループだけです。</translation>
     </message>
     <message>
-        <source>The first and the last pose, where clips are blended and looped. Even: no further off than the target, and those of a loop alike. Exact: a tenth of it, which takes some 4 % more. Free: whatever comes out.</source>
+        <source>Errors of the first and last pose, where clips are blended and looped. Even: no larger than the target, and equal at both ends of a loop. Exact: at most a tenth of the target, for some 4 % more bytes. Free: no bound.</source>
         <translation>最初と最後のポーズ。クリップがブレンドされ、ループする所です。均等：目標より離れず、ループでは両端がそろいます。厳密：目標の十分の一で、約 4 % 大きくなります。自由：成り行きのまま。</translation>
     </message>
     <message>
@@ -1135,11 +1135,11 @@
         <translation>トラックの許容誤差</translation>
     </message>
     <message>
-        <source>How far values of morph weights and scales may be off, whatever the target of the motion is. A weight goes from 0 to 1; switches and constants are kept exactly.</source>
+        <source>Largest error allowed for values of morph weights and scales, independent of the target of the motion. Weights range from 0 to 1; switches and constants are kept exactly.</source>
         <translation>モーフウェイトとスケールの値がずれてよい大きさです。モーションの目標とは別に働きます。重みは0から1までで、スイッチと定数はそのまま保たれます。</translation>
     </message>
     <message>
-        <source>Which points the error eps_x counts. Surface: the body&apos;s skin, so that turned heads and hands count. Skin: points on the mesh of the clip or of the character put on it. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint origins: points on the bones, by bone length; the latter are the paper&apos;s.</source>
+        <source>Points on which the error eps_x is measured. Surface: the body&apos;s skin, so that turned heads and hands count. Skin: the mesh of the clip or of the character put on it. Shell: three points 3 cm from every joint, as in ACL. Bone ends and joint origins: points on the bones, weighted by bone length; joint origins are the paper&apos;s.</source>
         <translation>誤差 eps_x が数える点です。体表：体の皮膚上の点。頭や手の回転も数えます。スキン：クリップ、または着せたキャラクターのメッシュ上の点。シェル：ACL と同じく、各関節から 3 cm の三点。骨の先端と関節原点：骨の長さで重み付けした骨上の点で、後者は論文のものです。</translation>
     </message>
 </context>
@@ -1158,7 +1158,7 @@
         <translation>ここに接地を追加</translation>
     </message>
     <message>
-        <source>%1 on the ground, frames %L2–%L3; drifts by %4 against the original. Drag an end to move it.</source>
+        <source>%1 stands in frames %L2–%L3 and drifts by %4 from the original. Drag an end to move it.</source>
         <translation>%1が接地、フレーム%L2–%L3。元に対して%4ずれます。端をドラッグすると移動します。</translation>
     </message>
 </context>
@@ -1177,7 +1177,7 @@
         <translation>仕上げ中の誤差</translation>
     </message>
     <message>
-        <source>How the error falls while the answer is refined.</source>
+        <source>Error after each iteration of the refinement.</source>
         <translation>結果を仕上げる間に誤差が減っていく様子。</translation>
     </message>
 </context>
@@ -1188,11 +1188,11 @@
         <translation>自動</translation>
     </message>
     <message>
-        <source>Stores where the feet are in the original and brings them there by inverse kinematics, so that planted feet do not slide. What this takes counts in the compression ratio.</source>
+        <source>Stores the places of the feet and moves the feet there by inverse kinematics, so that planted feet do not slide. The bytes of this correction count in the compression ratio.</source>
         <translation>元の足の位置を記録し、逆運動学でそこへ戻すので、接地した足が滑りません。その分も圧縮率に含まれます。</translation>
     </message>
     <message>
-        <source>Let the encoder find how much to spend on the feet: at least nine tenths of the sliding gone, or no foot sliding more than a millimetre, for the fewest bytes.</source>
+        <source>Searches for the smallest correction that removes at least nine tenths of the sliding, or leaves no foot sliding more than a millimetre.</source>
         <translation>足にどれだけ使うかをエンコーダに任せます：最も少ないバイト数で、滑りの9割以上をなくすか、どの足の滑りも1ミリ以下にします。</translation>
     </message>
     <message>
@@ -1200,7 +1200,7 @@
         <translation>IK比</translation>
     </message>
     <message>
-        <source>The paper&apos;s r_IK: coefficients of the correction over kept ones. Lower holds the feet better and costs more.</source>
+        <source>Coefficients of the correction over those kept (r_IK in the paper). Lower values hold the feet better and take more bytes.</source>
         <translation>論文の r_IK：補正の全係数と残した係数の比。低いほど足がよく固定され、コストも増えます。</translation>
     </message>
     <message>
@@ -1212,23 +1212,23 @@
         <translation>IK比のスライダー</translation>
     </message>
     <message>
-        <source>Where feet are held</source>
+        <source>When feet are held</source>
         <translation>足を固定する範囲</translation>
     </message>
     <message>
-        <source>At every frame as in the paper, or only where they stand on the ground, blended in and out.</source>
+        <source>Hold the feet at every frame, as in the paper, or only while they stand on the ground, blended in and out.</source>
         <translation>論文どおり全フレーム、または接地している間だけ(前後はなめらかに)。</translation>
     </message>
     <message>
-        <source>Joints that are held</source>
+        <source>Held joints</source>
         <translation>固定する関節</translation>
     </message>
     <message>
-        <source>Joints other than the feet can be held too.</source>
+        <source>Joints to hold; the feet by default.</source>
         <translation>足以外の関節も固定できます。</translation>
     </message>
     <message>
-        <source>Held at</source>
+        <source>Hold at</source>
         <translation>固定範囲</translation>
     </message>
     <message>
@@ -1261,7 +1261,7 @@
         <translation>裏での圧縮を一時停止</translation>
     </message>
     <message>
-        <source>Compress all clips in the background, each by its settings. The clip that is open comes first.</source>
+        <source>Compress all clips in the background with their own settings, the open clip first.</source>
         <translation>すべてのクリップをそれぞれの設定で裏で圧縮します。開いているクリップが先です。</translation>
     </message>
     <message>
@@ -1284,11 +1284,11 @@
         <translation>度</translation>
     </message>
     <message>
-        <source>Heat map and error graph: by how many degrees joints are turned in the world, instead of how far they are off (%1)</source>
+        <source>Show rotation errors of joints (in degrees, world space) instead of distances in heat map and error graph (%1)</source>
         <translation>ヒートマップと誤差のグラフ：位置のずれの代わりに、関節の回転が空間で何度ずれているかを示す（%1）</translation>
     </message>
     <message>
-        <source>What the Eye Sees</source>
+        <source>Visible Errors</source>
         <translation>目に見えるもの</translation>
     </message>
     <message>
@@ -1296,7 +1296,7 @@
         <translation>見え方</translation>
     </message>
     <message>
-        <source>Heat map: where people notice that joints are off, instead of how far they are off (%1)</source>
+        <source>Show visible errors of joints instead of distances in the heat map (%1)</source>
         <translation>ヒートマップ：関節のずれの大きさの代わりに、ずれが人の目に付く箇所を表示します（%1）</translation>
     </message>
 </context>
@@ -1319,7 +1319,7 @@
         <translation>全関節の最悪</translation>
     </message>
     <message>
-        <source>How far joints are from the original in the world, or by how much they are turned. Click to seek, wheel to zoom, double click to see all.</source>
+        <source>World-space distance or angle between joints and the original. Click to go to a frame, turn the wheel to zoom, double-click to show all.</source>
         <translation>空間での関節の元との距離、または回転のずれ。クリックで移動、ホイールで拡大、ダブルクリックで全体。</translation>
     </message>
     <message>
@@ -1349,7 +1349,7 @@
         <translation>誤差の帯</translation>
     </message>
     <message>
-        <source>Greatest and mean error at every frame. The table of joints has the numbers.</source>
+        <source>Largest and mean error at every frame. The table of joints has the numbers.</source>
         <translation>各フレームの最大誤差と平均誤差。数値は関節の表にあります。</translation>
     </message>
     <message>
@@ -1357,11 +1357,11 @@
         <translation>誤差</translation>
     </message>
     <message>
-        <source>Errors of this size and more are drawn at full height and lightest. Click to choose another scale.</source>
+        <source>Errors of this size or more have full height and the lightest colour. Click to choose another scale.</source>
         <translation>この大きさ以上の誤差は最も高く明るく示されます。クリックで別の尺度を選べます。</translation>
     </message>
     <message>
-        <source>Greatest error at every frame as a column, the mean as a line. The wheel zooms, with Shift it moves along; Shift and drag chooses the range that is played.</source>
+        <source>Largest error at every frame as a column, mean error as a line. Turn the wheel to zoom, with Shift to scroll; drag with Shift to choose the range to play.</source>
         <translation>各フレームの最大誤差を柱で、平均を線で示します。ホイールで拡大、Shift+ホイールで移動、Shift+ドラッグで再生範囲を選びます。</translation>
     </message>
     <message>
@@ -1399,11 +1399,11 @@
         <translation>ファイルの記録どおり</translation>
     </message>
     <message>
-        <source>%1, as in the study</source>
+        <source>%1, with the settings of the study</source>
         <translation>%1、比較研究のとおり</translation>
     </message>
     <message>
-        <source>%1, from the file, measured against the original</source>
+        <source>%1, read from the file and measured against the original</source>
         <translation>%1、ファイルから、元と比べて計測</translation>
     </message>
     <message>
@@ -1423,7 +1423,7 @@
         <translation>%1、IKなし</translation>
     </message>
     <message>
-        <source>Draft; the refined answer is on its way</source>
+        <source>Draft; the refined result follows</source>
         <translation>下書き。仕上げ中です</translation>
     </message>
     <message>
@@ -1435,11 +1435,11 @@
         <translation>仕上げを中止。下書きを残しました</translation>
     </message>
     <message>
-        <source>No answer to these settings; the draft is kept</source>
+        <source>No result for these settings; the draft is kept</source>
         <translation>この設定では結果が出ません。下書きを残しました</translation>
     </message>
     <message>
-        <source>No answer to these settings; the last one is kept</source>
+        <source>No result for these settings; the last one is kept</source>
         <translation>この設定では結果が出ません。前の結果を残しました</translation>
     </message>
     <message numerus="yes">
@@ -1449,7 +1449,7 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%Ln contact(s): feet drift by %1 in the mean, by %2 at worst; their path is %3 longer than the original&apos;s</source>
+        <source>%Ln contact(s): mean drift of the feet %1, worst %2; their path is %3 longer than the original&apos;s</source>
         <translation>
             <numerusform>接地%Ln回：足のずれは平均%1、最大%2。軌跡は元より%3長い</numerusform>
         </translation>
@@ -1470,7 +1470,7 @@
         <translation>p95</translation>
     </message>
     <message>
-        <source>95 % of all points at all frames are nearer to the original.</source>
+        <source>95 % of all points at all frames have a smaller error.</source>
         <translation>全フレームの全点の95 %がこれより元に近い。</translation>
     </message>
     <message>
@@ -1478,7 +1478,7 @@
         <translation>p99</translation>
     </message>
     <message>
-        <source>99 % of all points at all frames are nearer to the original.</source>
+        <source>99 % of all points at all frames have a smaller error.</source>
         <translation>全フレームの全点の99 %がこれより元に近い。</translation>
     </message>
     <message>
@@ -1486,7 +1486,7 @@
         <translation>最大</translation>
     </message>
     <message>
-        <source>Greatest distance of any joint at any frame.</source>
+        <source>Largest error of any joint at any frame.</source>
         <translation>全関節・全フレームでの最大距離。</translation>
     </message>
     <message>
@@ -1494,7 +1494,7 @@
         <translation>圧縮率</translation>
     </message>
     <message>
-        <source>Channels as 32-bit floats over the compressed motion bytes, as in the paper.</source>
+        <source>Bytes of the channels as 32-bit floats, divided by the compressed motion bytes, as in the paper.</source>
         <translation>32ビット浮動小数点のチャンネルと圧縮後の動きのバイト数の比(論文どおり)。</translation>
     </message>
     <message>
@@ -1502,7 +1502,7 @@
         <translation>関節サンプルあたりビット</translation>
     </message>
     <message>
-        <source>Motion bits for one joint at one frame: does not depend on a baseline.</source>
+        <source>Motion bits for one joint at one frame; unlike a ratio it needs no baseline.</source>
         <translation>1関節・1フレームあたりの動きのビット数。基準に依存しません。</translation>
     </message>
     <message>
@@ -1522,7 +1522,7 @@
         <translation>足のずれ</translation>
     </message>
     <message>
-        <source>The furthest that a foot gets from where it should stand.</source>
+        <source>Largest distance between a standing foot and its place in the original.</source>
         <translation>足が本来の接地位置から最も離れる距離。</translation>
     </message>
     <message>
@@ -1530,7 +1530,7 @@
         <translation>モーション</translation>
     </message>
     <message>
-        <source>Compressed motion bytes; the file has its skeleton beside them.</source>
+        <source>Compressed motion bytes; the skeleton in the file takes more.</source>
         <translation>圧縮したモーションのバイト数。ファイルにはほかにスケルトンが入ります。</translation>
     </message>
 </context>
@@ -1592,7 +1592,7 @@
         <translation>接地が終わる速さ</translation>
     </message>
     <message>
-        <source>%1, as measured on the original.</source>
+        <source>%1, measured in the original.</source>
         <translation>%1(元のモーションで計測)。</translation>
     </message>
 </context>
@@ -1646,7 +1646,7 @@
         <translation>ホイール：近づく・遠ざかる</translation>
     </message>
     <message>
-        <source>Click on a joint: choose it</source>
+        <source>Click on a joint: select it</source>
         <translation>関節をクリック：選択</translation>
     </message>
     <message>
@@ -1689,7 +1689,7 @@
         <translation>人物の身長から推定</translation>
     </message>
     <message>
-        <source>As the skeleton says</source>
+        <source>As in the skeleton file</source>
         <translation>スケルトンの記述どおり</translation>
     </message>
     <message>
@@ -1733,7 +1733,7 @@
         <translation>OFFSET を置き換え</translation>
     </message>
     <message>
-        <source>As the file says</source>
+        <source>As in the file</source>
         <translation>ファイルの記述どおり</translation>
     </message>
     <message>
@@ -1765,7 +1765,7 @@
         <translation>フレームレート</translation>
     </message>
     <message>
-        <source>Centimetres to the unit</source>
+        <source>Centimetres in one unit</source>
         <translation>1 単位あたりのセンチメートル</translation>
     </message>
     <message>
@@ -1773,7 +1773,7 @@
         <translation>毎秒のフレーム数</translation>
     </message>
     <message>
-        <source>Now read as: %L1 cm to the unit, %2 up, %L3 Hz</source>
+        <source>Now read with %L1 cm to the unit, %2 up, %L3 Hz</source>
         <translation>現在の読み方: 1 単位 = %L1 cm、上は %2、%L3 Hz</translation>
     </message>
     <message>
@@ -1796,19 +1796,19 @@
         <translation>接地</translation>
     </message>
     <message>
-        <source>How many times its share a foot weighs while it stands. About 20 keeps feet planted without inverse kinematics, for some more bytes at the same error.</source>
+        <source>Factor on the weight of a foot while it stands. About 20 keeps feet planted without inverse kinematics, for some more bytes at the same error.</source>
         <translation>接地している足が本来の何倍の重みを持つか。20 前後で、逆運動学なしでも足が滑らなくなります。同じ誤差で少しバイト数が増えます。</translation>
     </message>
     <message>
-        <source>All Alike</source>
+        <source>All Equal</source>
         <translation>すべて同じにする</translation>
     </message>
     <message>
-        <source>By how much the weight of these joints is multiplied. What they gain the others lose: the size, or the error that is promised, stays.</source>
+        <source>Factor on the weight of these joints. Other joints get less accurate in return: the size or error that was asked for stays the same.</source>
         <translation>これらの関節の重みを何倍にするか。ここが良くなる分、ほかが悪くなります。サイズや約束した誤差は変わりません。</translation>
     </message>
     <message>
-        <source>Take the same care of all joints again.</source>
+        <source>Give all joints the same weight again.</source>
         <translation>すべての関節を再び同じように扱います。</translation>
     </message>
     <message>
@@ -1816,7 +1816,7 @@
         <translation>任意の関節</translation>
     </message>
     <message>
-        <source>Give single joints a factor of their own.</source>
+        <source>Set factors of single joints.</source>
         <translation>個々の関節に独自の倍率を与えます。</translation>
     </message>
     <message>
@@ -1844,7 +1844,7 @@
         <translation>このスケルトンには、この部位の名前を持つ関節がありません。</translation>
     </message>
     <message>
-        <source>What the encoder takes more care of, at the cost of the rest.</source>
+        <source>Weights of errors by part of the body. Parts with more weight get more accurate, the rest less.</source>
         <translation>ほかより丁寧に扱うところ。その分、残りの誤差が増えます。</translation>
     </message>
     <message>
@@ -1866,14 +1866,14 @@
 <context>
     <name>mocapress::Inspector</name>
     <message>
-        <source>The curve of this clip is drawn once it is compressed.</source>
+        <source>The curve of this clip appears after it is compressed.</source>
         <translation>圧縮が済むとこのクリップの曲線が描かれます。</translation>
     </message>
 </context>
 <context>
     <name>mocapress::JobRunner</name>
     <message>
-        <source>Something unknown went wrong.</source>
+        <source>An unknown error occurred.</source>
         <translation>不明なエラーが起きました。</translation>
     </message>
 </context>
@@ -1888,11 +1888,11 @@
         <translation>関節の原点と骨の先端(スケルトンの順)。</translation>
     </message>
     <message>
-        <source>Distance in the world from the original, averaged over the clip.</source>
+        <source>World-space distance from the original, mean over the clip.</source>
         <translation>空間での元との距離、クリップ全体の平均。</translation>
     </message>
     <message>
-        <source>Greatest distance in the world from the original, at any frame.</source>
+        <source>Largest world-space distance from the original at any frame.</source>
         <translation>空間での元との距離、全フレームの最大。</translation>
     </message>
     <message>
@@ -1908,7 +1908,7 @@
         <translation>角度</translation>
     </message>
     <message>
-        <source>Angle in the world between the joint&apos;s rotation and the original&apos;s, RMS over the clip. Ends of bones turn with their joint.</source>
+        <source>Angle between the joint&apos;s world-space rotation and the original&apos;s, RMS over the clip. Bone ends turn with their joint.</source>
         <translation>空間での関節の回転と元の回転との角度、クリップ全体の二乗平均平方根。骨の先端は関節と共に回転します。</translation>
     </message>
     <message>
@@ -1916,7 +1916,7 @@
         <translation>見え方</translation>
     </message>
     <message>
-        <source>The joint&apos;s worst, as a multiple of what people notice: up to 1 is not visible, up to 2 borderline.</source>
+        <source>The joint&apos;s most visible error, as a multiple of the noticeable error: up to 1 is not visible, up to 2 borderline.</source>
         <translation>関節の最悪値。人が気付く大きさの何倍かで示します。1 までは見えず、2 までは境界です。</translation>
     </message>
     <message>
@@ -1928,7 +1928,7 @@
         <translation>スキン</translation>
     </message>
     <message>
-        <source>Greatest distance of the mesh that this joint carries most of, at any frame.</source>
+        <source>Largest error at any frame of the part of the mesh that mainly follows this joint.</source>
         <translation>この関節が主に動かすメッシュの、全フレーム中の最大距離です。</translation>
     </message>
 </context>
@@ -1950,7 +1950,7 @@
         <translation>前回のプロジェクト</translation>
     </message>
     <message>
-        <source>%1 cannot be changed where it is. This is a copy without a name.</source>
+        <source>%1 is read-only. This is a copy without a name.</source>
         <translation>%1はその場所では変更できません。これは名前のないコピーです。</translation>
     </message>
     <message>
@@ -1965,19 +1965,19 @@
 <context>
     <name>mocapress::LaunchOptions</name>
     <message>
-        <source>Compress human motion capture clips with wavelets, and see what it does.</source>
+        <source>Compress human motion capture clips with wavelets, and look at the result.</source>
         <translation>人のモーションキャプチャをウェーブレットで圧縮し、その結果を見ます。</translation>
     </message>
     <message>
-        <source>The .asf skeleton of an .amc.</source>
+        <source>Skeleton (.asf) of an .amc.</source>
         <translation>.amc 用の .asf スケルトン。</translation>
     </message>
     <message>
-        <source>The compression ratio to begin with.</source>
+        <source>Compression ratio at the start.</source>
         <translation>最初の圧縮率。</translation>
     </message>
     <message>
-        <source>Hold the feet, with this IK ratio to begin with.</source>
+        <source>Hold the feet, with this IK ratio at the start.</source>
         <translation>足を固定し、最初のIK比をこれにします。</translation>
     </message>
     <message>
@@ -1985,11 +1985,11 @@
         <translation>所要時間を標準エラー出力に書きます。</translation>
     </message>
     <message>
-        <source>Write a picture of the window once the clip is compressed, and quit.</source>
+        <source>After the clip is compressed, write a picture of the window and quit.</source>
         <translation>圧縮が済んだらウィンドウの画像を書いて終了します。</translation>
     </message>
     <message>
-        <source>A project (.mocapress), a motion or a .mcpr file. Several, and folders, come into the library.</source>
+        <source>A project (.mocapress), a motion or a .mcpr file. Several files, and folders, are added to the library.</source>
         <translation>プロジェクト（.mocapress）、モーション、または .mcpr のファイル。複数のファイルやフォルダーはライブラリに入ります。</translation>
     </message>
 </context>
@@ -2089,7 +2089,7 @@
         <translation>キャラクター</translation>
     </message>
     <message>
-        <source>Its files changed while it was compressed.</source>
+        <source>The clip&apos;s files changed while it was compressed.</source>
         <translation>圧縮中にファイルが変わりました。</translation>
     </message>
 </context>
@@ -2152,11 +2152,11 @@
         <translation>プリセット</translation>
     </message>
     <message>
-        <source>The clip, what it came to, and what you said about it</source>
+        <source>Clip, with its result and verdict</source>
         <translation>クリップとその結果、あなたの判定</translation>
     </message>
     <message>
-        <source>How many times smaller the motion is</source>
+        <source>Compression ratio of the motion</source>
         <translation>動きが何分の一になったか</translation>
     </message>
     <message>
@@ -2172,31 +2172,31 @@
         <translation>全フレーム全点のうち最大の誤差</translation>
     </message>
     <message>
-        <source>How far feet slide that stood in the original, over all contacts</source>
+        <source>Path of feet that stand in the original, summed over all contacts</source>
         <translation>元では立っていた足が滑った距離（全接地の合計）</translation>
     </message>
     <message>
-        <source>Whether an eye notices the difference</source>
+        <source>Visibility of errors</source>
         <translation>目が違いに気づくか</translation>
     </message>
     <message>
-        <source>What you said about it</source>
+        <source>Verdict of the review</source>
         <translation>あなたの判定</translation>
     </message>
     <message>
-        <source>Notes of the reader, which repaired or guessed something</source>
+        <source>Places that were repaired or guessed when the clip was read</source>
         <translation>読み込みで修復や推測をした際の注記</translation>
     </message>
     <message>
-        <source>Whether the clip is a loop</source>
+        <source>Kind of loop, if the clip is one</source>
         <translation>クリップがループかどうか</translation>
     </message>
     <message>
-        <source>How long the clip is, in seconds</source>
+        <source>Length of the clip in seconds</source>
         <translation>クリップの長さ（秒）</translation>
     </message>
     <message>
-        <source>The preset that its settings come of</source>
+        <source>Preset of the clip&apos;s settings</source>
         <translation>設定の元になったプリセット</translation>
     </message>
     <message>
@@ -2235,7 +2235,7 @@
         <translation>警告あり</translation>
     </message>
     <message>
-        <source>Seen by the eye</source>
+        <source>With visible errors</source>
         <translation>目に見える</translation>
     </message>
     <message>
@@ -2372,7 +2372,7 @@
         <translation>モーションをプロジェクトに追加。設定はそれぞれに保たれます。</translation>
     </message>
     <message>
-        <source>Take the chosen clips out of the project; their files stay.</source>
+        <source>Remove the selected clips from the project; their files stay.</source>
         <translation>選んだクリップをプロジェクトから除きます。ファイルは残ります。</translation>
     </message>
     <message>
@@ -2400,15 +2400,15 @@
         <translation>このクリップのメモ</translation>
     </message>
     <message>
-        <source>Kept in the project, with the verdict.</source>
+        <source>The project keeps this note with the verdict.</source>
         <translation>判定とともにプロジェクトに保存されます。</translation>
     </message>
     <message>
-        <source>Export Selected, Each by Its Own Settings…</source>
+        <source>Export Selected, Each with Its Own Settings…</source>
         <translation>選択したクリップをそれぞれの設定で書き出し…</translation>
     </message>
     <message>
-        <source>Export All, Each by Its Own Settings…</source>
+        <source>Export All, Each with Its Own Settings…</source>
         <translation>すべてのクリップをそれぞれの設定で書き出し…</translation>
     </message>
     <message>
@@ -2424,7 +2424,7 @@
         <translation>絞り込み</translation>
     </message>
     <message>
-        <source>Words of a clip&apos;s name, folder or state: “walks missed”.</source>
+        <source>Words in a clip&apos;s name, folder or state, such as “walks missed”.</source>
         <translation>クリップの名前、フォルダー、状態に含まれる語。例：「walks 未達」</translation>
     </message>
     <message>
@@ -2436,7 +2436,7 @@
         <translation>フォルダー(&amp;F)…</translation>
     </message>
     <message>
-        <source>What you say about the selected clips, as their files are and are compressed now.</source>
+        <source>Verdict on the selected clips, with their present files and settings.</source>
         <translation>選択したクリップの、今のファイルと圧縮についての判定です。</translation>
     </message>
     <message>
@@ -2452,7 +2452,7 @@
         <translation>表示するクリップ</translation>
     </message>
     <message>
-        <source>Which clips are shown</source>
+        <source>Filter of shown clips</source>
         <translation>どのクリップを表示するか</translation>
     </message>
     <message>
@@ -2460,7 +2460,7 @@
         <translation>クリップのまとめ方</translation>
     </message>
     <message>
-        <source>How clips are grouped</source>
+        <source>Grouping of clips</source>
         <translation>クリップをどうまとめるか</translation>
     </message>
     <message>
@@ -2472,7 +2472,7 @@
         <translation>設定を貼り付け</translation>
     </message>
     <message>
-        <source>Paste Importance Alone</source>
+        <source>Paste Importance Only</source>
         <translation>重要度だけを貼り付け</translation>
     </message>
     <message>
@@ -2491,7 +2491,7 @@
         <translation>ライブラリのクリップ、圧縮比と誤差</translation>
     </message>
     <message>
-        <source>The library&apos;s columns have every figure.</source>
+        <source>The columns of the library show all measurements.</source>
         <translation>数値はすべてライブラリの列にあります。</translation>
     </message>
     <message>
@@ -2503,7 +2503,7 @@
         <translation>クリップの誤差 eps_x（cm）</translation>
     </message>
     <message>
-        <source>Compress the library&apos;s clips to see them here</source>
+        <source>Clips appear here after they are compressed</source>
         <translation>ライブラリのクリップを圧縮するとここに表示されます</translation>
     </message>
     <message>
@@ -2532,7 +2532,7 @@
         <translation>判定別</translation>
     </message>
     <message>
-        <source>By what the eye sees</source>
+        <source>By visibility</source>
         <translation>見え方別</translation>
     </message>
     <message>
@@ -2601,11 +2601,11 @@
         <translation>閉じる</translation>
     </message>
     <message>
-        <source>What may help</source>
+        <source>Possible solution</source>
         <translation>対処</translation>
     </message>
     <message>
-        <source>Something is being done</source>
+        <source>Work in progress</source>
         <translation>処理中です</translation>
     </message>
 </context>
@@ -2706,7 +2706,7 @@
 <context>
     <name>mocapress::Notices</name>
     <message numerus="yes">
-        <source>The last session ended unexpectedly. Its project is here again: %Ln clip(s).</source>
+        <source>The last session ended unexpectedly. Its project was restored: %Ln clip(s).</source>
         <translation>
             <numerusform>前回は予期せず終了しました。プロジェクトを復元しました：%Ln クリップ。</numerusform>
         </translation>
@@ -2812,11 +2812,11 @@
         <translation>オリジナルからの重み付き二乗平均平方根距離。</translation>
     </message>
     <message>
-        <source>95 % of all points at all frames are within this.</source>
+        <source>95 % of all points at all frames have at most this error.</source>
         <translation>すべての点とフレームの 95 % がこの範囲に入ります。</translation>
     </message>
     <message>
-        <source>Greatest distance of any point at any frame.</source>
+        <source>Largest error of any point at any frame.</source>
         <translation>全フレーム、全点での最大距離。</translation>
     </message>
     <message>
@@ -2836,7 +2836,7 @@
         <translation>ずれ</translation>
     </message>
     <message>
-        <source>The furthest that a foot gets from where it should stand.</source>
+        <source>Largest distance between a standing foot and its place in the original.</source>
         <translation>足が本来の接地位置から最も離れる距離。</translation>
     </message>
 </context>
@@ -2859,15 +2859,15 @@
         <translation>ピン留めした結果</translation>
     </message>
     <message>
-        <source>Keep the current result in view, as a figure of its own colour, while other settings are tried.</source>
+        <source>Keep the current result in the view, as a figure with its own colour, while you try other settings.</source>
         <translation>ほかの設定を試す間、現在の結果を独自の色の人形として表示し続けます。</translation>
     </message>
     <message>
-        <source>Continue with the settings of the chosen result. Can be undone.</source>
+        <source>Use the settings of the selected result. This can be undone.</source>
         <translation>選んだ結果の設定から続けます。元に戻せます。</translation>
     </message>
     <message>
-        <source>Take the chosen result out of the view.</source>
+        <source>Remove the selected result from the view.</source>
         <translation>選んだ結果を表示から外します。</translation>
     </message>
 </context>
@@ -2901,7 +2901,7 @@
 <context>
     <name>mocapress::Presenter</name>
     <message>
-        <source>Out of reach for this clip by this method.</source>
+        <source>This method cannot reach the target for this clip.</source>
         <translation>このクリップではこの手法で到達できません。</translation>
     </message>
 </context>
@@ -2912,7 +2912,7 @@
         <translation>プリセット</translation>
     </message>
     <message>
-        <source>Settings that belong together: target, method, importance, effort and IK. Those of your own are kept with this program&apos;s settings.</source>
+        <source>A preset sets target, method, importance, effort and IK. Your own presets are kept in the settings of this program.</source>
         <translation>ひとまとまりの設定。目標、手法、重要度、労力、IK。自分のプリセットはこのプログラムの設定と一緒に保存されます。</translation>
     </message>
     <message>
@@ -2944,7 +2944,7 @@
         <translation>書き出し…</translation>
     </message>
     <message>
-        <source>Settings of its own</source>
+        <source>Custom settings</source>
         <translation>独自の設定</translation>
     </message>
     <message>
@@ -2959,7 +2959,7 @@
         <translation>逆運動学で足を固定する</translation>
     </message>
     <message>
-        <source>What is asked for</source>
+        <source>Kind of target</source>
         <translation>求めるもの</translation>
     </message>
     <message>
@@ -2983,7 +2983,7 @@
         <translation>係数比</translation>
     </message>
     <message>
-        <source>How much of it</source>
+        <source>Value of the target</source>
         <translation>その量</translation>
     </message>
     <message>
@@ -2991,7 +2991,7 @@
         <translation>手法</translation>
     </message>
     <message>
-        <source>Feet stay where they stand in the original, for some more bytes.</source>
+        <source>Keeps standing feet in place, for some more bytes.</source>
         <translation>足は元の位置に留まります。バイト数は少し増えます。</translation>
     </message>
     <message>
@@ -3011,11 +3011,11 @@
         <translation> cm</translation>
     </message>
     <message>
-        <source>What the eye notices</source>
+        <source>Visibility</source>
         <translation>目で気づく差</translation>
     </message>
     <message>
-        <source>eps_x: the weighted root mean square error, which single frames may exceed. Hard maximum: no point of the body is further off at any frame. What the eye notices: nothing is off by more than so many times what people notice; at 1, nothing is visible. Quality targets suit clips of all kinds; ratio and bytes do not know how hard a clip is.</source>
+        <source>Error, eps_x: the weighted root mean square error; single frames may exceed it. Hard maximum: largest error of any point of the body at any frame. Visibility: largest error as a multiple of what people notice; at 1, no error is visible. Quality targets suit all kinds of clips; ratio and bytes ignore how hard a clip is to compress.</source>
         <translation>eps_x: 重み付き二乗平均平方根誤差。個々のフレームでは超えることがあります。絶対的な上限: どのフレームでも体のどの点もこれ以上離れません。目で気づく差: どのずれも、人が気づく差のこの倍数を超えません。1 なら何も見えません。品質の目標はどんなクリップにも向きます。圧縮率とバイト数はクリップの難しさを知りません。</translation>
     </message>
     <message>
@@ -3027,14 +3027,14 @@
         <translation>重み付け</translation>
     </message>
     <message>
-        <source>Which points the error eps_x counts. Surface: the body&apos;s skin, so that turned heads and hands count. Skin: points on the mesh of the clip or of the batch&apos;s character; clips without one are refused. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint origins: points on the bones, by bone length; the latter are the paper&apos;s.</source>
+        <source>Points on which the error eps_x is measured. Surface: the body&apos;s skin, so that turned heads and hands count. Skin: the mesh of the clip or of the batch&apos;s character; clips without a mesh are refused. Shell: three points 3 cm from every joint, as in ACL. Bone ends and joint origins: points on the bones, weighted by bone length; joint origins are the paper&apos;s.</source>
         <translation>誤差 eps_x が数える点です。体表：体の皮膚上の点。頭や手の回転も数えます。スキン：クリップ、または一括処理のキャラクターのメッシュ上の点。メッシュのないクリップは拒否されます。シェル：ACL と同じく、各関節から 3 cm の三点。骨の先端と関節原点：骨の長さで重み付けした骨上の点で、後者は論文のものです。</translation>
     </message>
 </context>
 <context>
     <name>mocapress::PresetShelf</name>
     <message>
-        <source>The name of a built-in preset cannot be given to another.</source>
+        <source>This is the name of a built-in preset. Choose another name.</source>
         <translation>組み込みプリセットの名前は他に使えません。</translation>
     </message>
     <message>
@@ -3066,7 +3066,7 @@
         <translation>プリセットを保存できませんでした: %1</translation>
     </message>
     <message>
-        <source>The presets kept before could not be read; their file is %1 now.</source>
+        <source>The presets could not be read; their file was renamed to %1.</source>
         <translation>これまでのプリセットは読めませんでした。そのファイルは%1になりました。</translation>
     </message>
 </context>
@@ -3120,7 +3120,7 @@
         <translation>保管</translation>
     </message>
     <message>
-        <source>To keep in place of the source: no point of the body more than 1 mm off at any frame.</source>
+        <source>For archives that replace the source: no point of the body has an error above 1 mm at any frame.</source>
         <translation>元データの代わりに保管: どのフレームでも体のどの点も 1 mm 以上ずれません。</translation>
     </message>
     <message>
@@ -3178,15 +3178,15 @@
         </translation>
     </message>
     <message>
-        <source>Characters in play: an error of 2.5 mm on the skin, heads turned by 2.5 degrees at most and hands by 4.</source>
+        <source>Characters in play: an error of 2.5 mm on the skin, at most 2.5 degrees of heads and 4 of hands.</source>
         <translation>操作中の人物：皮膚上の誤差 2.5 mm、頭の回転は最大 2.5 度、手は 4 度。</translation>
     </message>
     <message>
-        <source>Characters the camera comes near to: an error of 0.65 mm on the skin, heads and hands turned by about a degree at most.</source>
+        <source>Characters near the camera: an error of 0.65 mm on the skin, about a degree of heads and hands.</source>
         <translation>カメラが近づく人物：皮膚上の誤差 0.65 mm、頭と手の回転は最大でも約 1 度。</translation>
     </message>
     <message>
-        <source>Figures in the background: an error of 6 mm on the skin, heads turned by 7.5 degrees at most and hands by 12.</source>
+        <source>Figures in the background: an error of 6 mm on the skin, at most 7.5 degrees of heads and 12 of hands.</source>
         <translation>背景の人物：皮膚上の誤差 6 mm、頭の回転は最大 7.5 度、手は 12 度。</translation>
     </message>
     <message>
@@ -3206,7 +3206,7 @@
         <translation>両端：%1。</translation>
     </message>
     <message>
-        <source>As Gameplay, with feet that stay where they stand: much less sliding, for 5 to 13 % more bytes.</source>
+        <source>Like Gameplay, with much less sliding of feet, for 5 to 13 % more bytes.</source>
         <translation>ゲームプレイと同じで、足は立った位置にとどまります：滑りはずっと少なく、バイト数は 5～13 % 増えます。</translation>
     </message>
 </context>
@@ -3235,7 +3235,7 @@
         </translation>
     </message>
     <message>
-        <source>Without a name it stays under File &gt; Recent Projects, with its date.</source>
+        <source>A project without a name stays in File &gt; Recent Projects, under its date.</source>
         <translation>名前がなくても、日時とともに「ファイル &gt; 最近のプロジェクト」に残ります。</translation>
     </message>
     <message>
@@ -3251,7 +3251,7 @@
         <translation>プロジェクトの最後の変更を書き込めません。変更を残さずに終了しますか?</translation>
     </message>
     <message>
-        <source>Save Project As puts them elsewhere.</source>
+        <source>Use Save Project As to save them to another file.</source>
         <translation>「プロジェクトを保存」で別の場所に残せます。</translation>
     </message>
     <message>
@@ -3296,7 +3296,7 @@
         <translation>レート歪みプロット</translation>
     </message>
     <message>
-        <source>Error over compression ratio, one curve a method. The table below has every point.</source>
+        <source>Error over compression ratio, one curve for each method. The table below lists every point.</source>
         <translation>圧縮率に対する誤差、手法ごとに1本の曲線。下の表に全点があります。</translation>
     </message>
     <message>
@@ -3304,7 +3304,7 @@
         <translation>圧縮率(小さい →)</translation>
     </message>
     <message>
-        <source>you are here</source>
+        <source>current result</source>
         <translation>現在地</translation>
     </message>
     <message>
@@ -3327,7 +3327,7 @@
         <translation>圧縮率</translation>
     </message>
     <message>
-        <source>Bytes of the channels as an array of 32-bit floats over the compressed motion bytes; the skeleton is left out of both, as in the paper.</source>
+        <source>Bytes of the channels as 32-bit floats, divided by the compressed motion bytes. The skeleton counts in neither, as in the paper.</source>
         <translation>チャンネルを32ビット浮動小数点の配列としたバイト数と圧縮後の動きのバイト数の比。論文どおりスケルトンはどちらにも含みません。</translation>
     </message>
     <message>
@@ -3339,7 +3339,7 @@
         <translation>元と圧縮後の距離の二乗平均平方根(骨の長さで重み付け)。</translation>
     </message>
     <message>
-        <source>State of the answer</source>
+        <source>State of the result</source>
         <translation>答えの状態</translation>
     </message>
     <message>
@@ -3363,7 +3363,7 @@
         <translation>最悪の点</translation>
     </message>
     <message>
-        <source>Greatest distance of any joint at any frame.</source>
+        <source>Largest error of any joint at any frame.</source>
         <translation>全関節・全フレームでの最大距離。</translation>
     </message>
     <message>
@@ -3387,7 +3387,7 @@
         <translation>関節サンプルあたりビット</translation>
     </message>
     <message>
-        <source>Motion bits for one joint at one frame: does not depend on a baseline.</source>
+        <source>Motion bits for one joint at one frame; unlike a ratio it needs no baseline.</source>
         <translation>1関節・1フレームあたりの動きのビット数。基準に依存しません。</translation>
     </message>
     <message>
@@ -3395,7 +3395,7 @@
         <translation>IK信号</translation>
     </message>
     <message>
-        <source>The part of the motion bytes that holds the feet, and its ratio r_IK.</source>
+        <source>Motion bytes of the correction that holds the feet, and its ratio r_IK.</source>
         <translation>足の固定が動きのバイト数に占める分と、その比 r_IK。</translation>
     </message>
     <message>
@@ -3403,7 +3403,7 @@
         <translation>最速の膝</translation>
     </message>
     <message>
-        <source>The greatest speed of a held leg&apos;s knee, and that of the original&apos;s: a correction must not make knees snap.</source>
+        <source>Highest speed of a held leg&apos;s knee, and that of the original. A much higher speed means that the correction makes the knee snap.</source>
         <translation>固定した脚の膝の最大速度と元の最大速度。補正で膝が跳ねてはいけません。</translation>
     </message>
     <message>
@@ -3425,15 +3425,15 @@
         <translation>%1 / %2</translation>
     </message>
     <message>
-        <source>%1, %2 at %L3 s: %L4 times what people notice</source>
+        <source>%1, %2 at %L3 s: %L4 times the noticeable error</source>
         <translation>%1、%2、%L3 秒：人が気づく差の %L4 倍</translation>
     </message>
     <message>
-        <source>To the eye</source>
+        <source>Visibility</source>
         <translation>目に見えるか</translation>
     </message>
     <message>
-        <source>Whether anything that is off is more than people notice.</source>
+        <source>The most visible error, beside the size that people notice.</source>
         <translation>人が気づく以上のずれがあるかどうか。</translation>
     </message>
     <message>
@@ -3445,11 +3445,11 @@
         <translation>最初／最後のポーズ</translation>
     </message>
     <message>
-        <source>By how much errors of poses and velocities change from the last frame to the first: what jumps where the loop starts again.</source>
+        <source>Change of the errors of pose and velocity from the last frame to the first: the jump where the loop starts again.</source>
         <translation>最後のフレームから最初のフレームへ移るときに、ポーズと速度のずれがどれだけ変わるか。ループが再び始まるところで飛ぶ量です。</translation>
     </message>
     <message>
-        <source>How far the first and the last pose are from the original&apos;s, over the body&apos;s surface: where clips are blended.</source>
+        <source>RMS error of the first and the last pose on the body&apos;s surface. Clips are blended there.</source>
         <translation>最初と最後のポーズが体表面で元からどれだけ離れているか。クリップがつながれるところです。</translation>
     </message>
     <message>
@@ -3462,7 +3462,7 @@
         <translation>ループの他の部分</translation>
     </message>
     <message>
-        <source>The largest such change between two frames in a row. A seam below it does not stand out.</source>
+        <source>The largest change of errors between two neighbouring frames. A smaller one at the seam does not stand out.</source>
         <translation>連続する二フレーム間の同じ変化の最大値です。継ぎ目がこれより小さければ目立ちません。</translation>
     </message>
     <message>
@@ -3474,7 +3474,7 @@
         <translation>スキン上：最大 / RMS</translation>
     </message>
     <message>
-        <source>Distances of points spread evenly over the mesh, at any frame.</source>
+        <source>Errors of points spread evenly over the mesh, over all frames.</source>
         <translation>メッシュ上に均等に置いた点の、全フレームでの距離です。</translation>
     </message>
     <message>
@@ -3491,7 +3491,7 @@
         <translation>足のずれ：平均／最大</translation>
     </message>
     <message>
-        <source>How far a foot gets from where it should stand, over its contacts.</source>
+        <source>Distance between a standing foot and its place in the original, over all contacts.</source>
         <translation>接地中に足が本来の位置から離れる距離。</translation>
     </message>
     <message>
@@ -3499,7 +3499,7 @@
         <translation>足の軌跡：合計／最大</translation>
     </message>
     <message>
-        <source>Length of the feet&apos;s path over the ground while they stand, beyond the original&apos;s: summed over the clip, and of the worst contact. The trembling of a foot in its place sums up in it.</source>
+        <source>Path of the feet over the ground while they stand, beyond the original&apos;s: sum over the clip, and worst contact. A foot that trembles in place has a long path.</source>
         <translation>接地中の足が床の上で動いた軌跡の長さのうち元を超える分。クリップ全体の合計と最大の接地のもの。その場での震えも積算されます。</translation>
     </message>
 </context>
@@ -4436,11 +4436,11 @@
 <context>
     <name>mocapress::SightStrip</name>
     <message>
-        <source>What the eye sees</source>
+        <source>Visible errors</source>
         <translation>目に見えるもの</translation>
     </message>
     <message>
-        <source>Where people notice that the clip is compressed. The heat map has it by joint.</source>
+        <source>Times at which errors are visible. The heat map shows them by joint.</source>
         <translation>クリップの圧縮が人の目に付く箇所です。関節ごとの表示はヒートマップにあります。</translation>
     </message>
     <message>
@@ -4448,7 +4448,7 @@
         <translation>見え方</translation>
     </message>
     <message>
-        <source>Where people notice that the clip is compressed: half a column is borderline, a whole one is visible.</source>
+        <source>Times at which errors are visible (full column) or borderline (half a column).</source>
         <translation>クリップの圧縮が人の目に付く箇所です。半分の高さは境界、全体の高さは見えることを表します。</translation>
     </message>
     <message>
@@ -4471,7 +4471,7 @@
         <translation>フレーム</translation>
     </message>
     <message>
-        <source>While the original stands on the ground.</source>
+        <source>Frames in which the foot of the original stands on the ground.</source>
         <translation>元が接地している間。</translation>
     </message>
     <message>
@@ -4479,7 +4479,7 @@
         <translation>cm/s</translation>
     </message>
     <message>
-        <source>Greatest speed over the ground.</source>
+        <source>Highest speed over the ground.</source>
         <translation>地面に対する最大速度。</translation>
     </message>
     <message>
@@ -4487,7 +4487,7 @@
         <translation>ずれ</translation>
     </message>
     <message>
-        <source>How far the foot gets from where it should stand.</source>
+        <source>Largest distance between the foot and its place in the original.</source>
         <translation>足が本来の接地位置から離れる距離。</translation>
     </message>
     <message>
@@ -4495,7 +4495,7 @@
         <translation>軌跡</translation>
     </message>
     <message>
-        <source>Length of its path over the ground beyond the original&apos;s: the trembling of a foot in its place sums up in it.</source>
+        <source>Path of the foot over the ground beyond the original&apos;s. A foot that trembles in place has a long path.</source>
         <translation>床の上の軌跡の長さのうち元を超える分。その場での震えも積算されます。</translation>
     </message>
 </context>
@@ -4506,7 +4506,7 @@
         <translation>設定 %1</translation>
     </message>
     <message>
-        <source>Two settings to compare: tune one, switch to the other (A) and look at both.</source>
+        <source>Two settings to compare: tune one, switch to the other (A), and compare the results.</source>
         <translation>比べるための2つの設定：一方を調整し、もう一方へ切り替え(A)て見比べます。</translation>
     </message>
     <message>
@@ -4557,7 +4557,7 @@
         <translation>フォルダー以下のモーションをすべて追加</translation>
     </message>
     <message>
-        <source>Take the selected clips off the list (Del)</source>
+        <source>Remove the selected clips from the list (Del)</source>
         <translation>選んだクリップを一覧から除く (Del)</translation>
     </message>
 </context>
@@ -4572,7 +4572,7 @@
         <translation>比較研究の進行</translation>
     </message>
     <message>
-        <source>What was measured before is not measured again.</source>
+        <source>Measurements that are already there are kept.</source>
         <translation>計測済みのものは計測し直しません。</translation>
     </message>
     <message>
@@ -4596,7 +4596,7 @@
         <translation>比較研究のIK比</translation>
     </message>
     <message>
-        <source>How much the correction signals are compressed (r_IK).</source>
+        <source>Coefficient ratio of the IK correction (r_IK).</source>
         <translation>補正信号をどれだけ圧縮するか (r_IK)。</translation>
     </message>
     <message>
@@ -4616,7 +4616,7 @@
         <translation>守る誤差 (cm)</translation>
     </message>
     <message>
-        <source>Bounds of eps_x in centimetres, separated by spaces.</source>
+        <source>Errors eps_x to compress to, in centimetres, separated by spaces.</source>
         <translation>eps_x の上限 (cm、空白区切り)。</translation>
     </message>
     <message>
@@ -4648,7 +4648,7 @@
         <translation>比較研究のフォルダー：%1</translation>
     </message>
     <message>
-        <source>Where measurements are kept, so that a stopped study can continue. Click to choose a folder; a study that it holds is shown.
+        <source>Folder for measurements, from which a stopped study continues. Click to choose a folder; if it holds a study, that study is shown.
 %1</source>
         <translation>計測結果の保存先。中断した比較研究は続きから再開します。クリックしてフォルダーを選ぶか、既存の比較研究を開きます。
 %1</translation>
@@ -4662,11 +4662,11 @@
         <translation>比較研究を実行</translation>
     </message>
     <message>
-        <source>One more curve: annealed wavelets with feet held by inverse kinematics, at the ratios asked for.</source>
+        <source>Adds a curve of annealed wavelets with feet held by inverse kinematics, at the same ratios.</source>
         <translation>曲線を一つ追加します：焼きなましのウェーブレットで足を逆運動学により固定したものを、指定した比で。</translation>
     </message>
     <message>
-        <source>Which points the error eps_x counts. Surface: the body&apos;s skin, so that turned heads and hands count. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint origins: points on the bones, by bone length; the latter are the paper&apos;s.</source>
+        <source>Points on which the error eps_x is measured. Surface: the body&apos;s skin, so that turned heads and hands count. Shell: three points 3 cm from every joint, as in ACL. Bone ends and joint origins: points on the bones, weighted by bone length; joint origins are the paper&apos;s.</source>
         <translation>誤差 eps_x が数える点です。体表：体の皮膚上の点。頭や手の回転も数えます。シェル：ACL と同じく、各関節から 3 cm の三点。骨の先端と関節原点：骨の長さで重み付けした骨上の点で、後者は論文のものです。</translation>
     </message>
 </context>
@@ -4677,7 +4677,7 @@
         <translation>表示するクリップ</translation>
     </message>
     <message>
-        <source>One clip, or the average over clips: the geometric mean of their ratios at equal error, with the points of all clips behind it.</source>
+        <source>Show one clip, or the average: the geometric mean of all clips&apos; ratios at equal error, with the points of all clips behind it.</source>
         <translation>1つのクリップ、またはクリップの平均：同じ誤差での圧縮率の幾何平均。背後に全クリップの点。</translation>
     </message>
     <message>
@@ -4758,7 +4758,7 @@ Click to load it into the studio.</source>
         <translation>指定</translation>
     </message>
     <message>
-        <source>The target: a ratio, or an error not to be exceeded.</source>
+        <source>Target: a ratio, or the largest error allowed.</source>
         <translation>目標：圧縮率、または超えてはならない誤差。</translation>
     </message>
     <message>
@@ -4766,7 +4766,7 @@ Click to load it into the studio.</source>
         <translation>圧縮率</translation>
     </message>
     <message>
-        <source>Bytes of the channels as 32-bit floats over compressed bytes.</source>
+        <source>Bytes of the channels as 32-bit floats, divided by compressed bytes.</source>
         <translation>32ビット浮動小数点のチャンネルと圧縮後のバイト数の比。</translation>
     </message>
     <message>
@@ -4790,7 +4790,7 @@ Click to load it into the studio.</source>
         <translation>滑り cm</translation>
     </message>
     <message>
-        <source>How far feet slide while they stand in the original.</source>
+        <source>Path of feet while they stand in the original.</source>
         <translation>元で接地している間に足が滑る距離。</translation>
     </message>
     <message>
@@ -4802,7 +4802,7 @@ Click to load it into the studio.</source>
         <translation>目標の探索を含む圧縮時間。</translation>
     </message>
     <message>
-        <source>%L1 times noticed</source>
+        <source>%L1 times the noticeable error</source>
         <translation>知覚限界の %L1 倍</translation>
     </message>
 </context>
@@ -4868,7 +4868,7 @@ Click to load it into the studio.</source>
         <translation>比較する手法を選んでください</translation>
     </message>
     <message>
-        <source>Name a ratio or an error to reach</source>
+        <source>Enter a ratio or an error</source>
         <translation>目標の圧縮率か誤差を入力してください</translation>
     </message>
     <message>
@@ -4876,7 +4876,7 @@ Click to load it into the studio.</source>
         <translation>計測中…</translation>
     </message>
     <message>
-        <source>Run the study to see curves</source>
+        <source>Curves appear after the study has run</source>
         <translation>比較研究を実行すると曲線が出ます</translation>
     </message>
 </context>
@@ -4895,7 +4895,7 @@ Click to load it into the studio.</source>
         <translation>エクスポート(&amp;E)</translation>
     </message>
     <message>
-        <source>Write what is measured to a file</source>
+        <source>Write the measurements to a file</source>
         <translation>計測結果をファイルに書く</translation>
     </message>
     <message>
@@ -4986,7 +4986,7 @@ Click to load it into the studio.</source>
         <translation>目標値</translation>
     </message>
     <message>
-        <source>The target as a number; type it or step through it.</source>
+        <source>Target as a number; type it or use the arrows.</source>
         <translation>目標の数値。入力または増減。</translation>
     </message>
     <message>
@@ -4994,15 +4994,15 @@ Click to load it into the studio.</source>
         <translation>絶対的な上限</translation>
     </message>
     <message>
-        <source>Drag: a draft follows at once, and is refined when you pause.</source>
+        <source>Drag to change the target. A draft appears at once and is refined when you pause.</source>
         <translation>ドラッグすると下書きがすぐに追い、手を止めると仕上げます。</translation>
     </message>
     <message>
-        <source>Trouble with the target</source>
+        <source>Problem with the target</source>
         <translation>目標の問題</translation>
     </message>
     <message>
-        <source>There is nothing to ask for at zero.</source>
+        <source>The target must be above zero.</source>
         <translation>0 では指定になりません。</translation>
     </message>
     <message>
@@ -5010,11 +5010,11 @@ Click to load it into the studio.</source>
         <translation> 倍</translation>
     </message>
     <message>
-        <source>What the eye notices</source>
+        <source>Visibility</source>
         <translation>目で気づく差</translation>
     </message>
     <message>
-        <source>Ask for a size (compression ratio: bytes of the channels as 32-bit floats over the compressed motion bytes; or these bytes themselves) or for a quality (weighted mean error eps_x; a distance that no joint exceeds at any frame; or the most that anything may be off, as a multiple of what people notice: at 1, nothing is visible).</source>
+        <source>Sizes: the compression ratio (bytes of the channels as 32-bit floats, divided by compressed motion bytes) or the motion bytes themselves. Qualities: the weighted RMS error eps_x, the largest error of any point at any frame, or visibility, the largest error as a multiple of what people notice: at 1, no error is visible.</source>
         <translation>大きさ(圧縮率：32ビット浮動小数点のチャンネルと圧縮後の動きのバイト数の比、またはバイト数そのもの)か、品質(重み付き平均誤差 eps_x、またはどの関節もどのフレームでも超えない距離、またはどのずれも超えない「人が気づく差」の倍数: 1 なら何も見えません)を指定します。</translation>
     </message>
     <message>
@@ -5025,14 +5025,14 @@ Click to load it into the studio.</source>
 <context>
     <name>mocapress::Timeline</name>
     <message>
-        <source>Part of the clip in sight</source>
+        <source>Visible part of the clip</source>
         <translation>表示中の範囲</translation>
     </message>
 </context>
 <context>
     <name>mocapress::ToolWindows</name>
     <message>
-        <source>The batch of this project is running: stop it first, or let it end.</source>
+        <source>The batch of this project is running. Stop it or wait until it ends.</source>
         <translation>このプロジェクトの一括書き出しが実行中です。先に停止するか、終わるまでお待ちください。</translation>
     </message>
 </context>
@@ -5063,7 +5063,7 @@ Click to load it into the studio.</source>
         <translation>ループ</translation>
     </message>
     <message>
-        <source>Play backwards, again: faster</source>
+        <source>Play backwards; press again to go faster</source>
         <translation>逆再生、もう一度で高速</translation>
     </message>
     <message>
@@ -5071,7 +5071,7 @@ Click to load it into the studio.</source>
         <translation>一時停止</translation>
     </message>
     <message>
-        <source>Play forwards, again: faster</source>
+        <source>Play forwards; press again to go faster</source>
         <translation>順再生、もう一度で高速</translation>
     </message>
     <message>
@@ -5115,7 +5115,7 @@ Click to load it into the studio.</source>
         <translation>速さ</translation>
     </message>
     <message>
-        <source>Playing speed; 1× is as recorded.</source>
+        <source>Playing speed; 1× is the recorded speed.</source>
         <translation>再生速度。1×が記録どおり。</translation>
     </message>
     <message>
@@ -5135,7 +5135,7 @@ Click to load it into the studio.</source>
         <translation>テイク</translation>
     </message>
     <message>
-        <source>Which of the animations in the file is read.</source>
+        <source>Animation of the file to read.</source>
         <translation>ファイルのどのアニメーションを読むかを選びます。</translation>
     </message>
 </context>
@@ -5162,7 +5162,7 @@ Click to load it into the studio.</source>
         <translation>ワイプ(&amp;W)</translation>
     </message>
     <message>
-        <source>One picture with a divider to drag, also while it plays</source>
+        <source>Original on one side of a divider that can be dragged, compressed figure on the other</source>
         <translation>境界線を動かせる1枚の絵、再生中も</translation>
     </message>
     <message>
@@ -5170,7 +5170,7 @@ Click to load it into the studio.</source>
         <translation>入れ替え(&amp;A)</translation>
     </message>
     <message>
-        <source>Exchange the places of original and compressed figure</source>
+        <source>Swap original and compressed figure</source>
         <translation>元と圧縮後の人形を入れ替える</translation>
     </message>
     <message>
@@ -5194,7 +5194,7 @@ Click to load it into the studio.</source>
         <translation>スキンを表示</translation>
     </message>
     <message>
-        <source>Figures with their skin, or as skeletons</source>
+        <source>Show figures with their skin or as skeletons</source>
         <translation>フィギュアをスキン付き、またはスケルトンで表示します</translation>
     </message>
     <message>
@@ -5202,7 +5202,7 @@ Click to load it into the studio.</source>
         <translation>関節の軌跡(&amp;P)</translation>
     </message>
     <message>
-        <source>The path of the chosen joint, half a second around now</source>
+        <source>Path of the selected joint, half a second before and after the current frame</source>
         <translation>選んだ関節の前後0.5秒の軌跡</translation>
     </message>
     <message>
@@ -5218,7 +5218,7 @@ Click to load it into the studio.</source>
         <translation>その場(&amp;N)</translation>
     </message>
     <message>
-        <source>Play without the root&apos;s way over the ground</source>
+        <source>Play without the root&apos;s travel over the ground</source>
         <translation>ルートの移動なしで再生</translation>
     </message>
     <message>
@@ -5242,7 +5242,7 @@ Click to load it into the studio.</source>
         <translation>ゴーストの軌跡(&amp;T)</translation>
     </message>
     <message>
-        <source>Where the compressed figure was (blue) and will be (orange), faded</source>
+        <source>Faded poses of the compressed figure before (blue) and after (orange) the current frame</source>
         <translation>圧縮後の人形の過去（青）と未来（オレンジ）の姿勢を薄く表示します</translation>
     </message>
     <message numerus="yes">

@@ -84,7 +84,7 @@ void JobRunner::run(const Waiting& next) {
   } catch (const std::exception& error) {
     delivery = failure(QString::fromStdString(error.what()));
   } catch (...) {
-    delivery = failure(tr("Something unknown went wrong."));
+    delivery = failure(tr("An unknown error occurred."));
   }
   next.job.post([runner = next.job.runner_, delivery = std::move(delivery)] {
     runner->setBusy(false);

@@ -70,9 +70,9 @@ TEST(ImportOptions, NameTheUsualRateOfAFileThatSaysNoneForWhatItIs) {
       first << chooser->itemText(0);
     return first;
   };
-  EXPECT_TRUE(rates().contains(QStringLiteral("As the file says")));
+  EXPECT_TRUE(rates().contains(QStringLiteral("As in the file")));
   clip.states_rate = false;
-  EXPECT_FALSE(rates().contains(QStringLiteral("As the file says")));
+  EXPECT_FALSE(rates().contains(QStringLiteral("As in the file")));
   EXPECT_TRUE(rates().contains(QStringLiteral("120 Hz, CMU's: the file does not say")));
 }
 

@@ -54,7 +54,7 @@ QString batchTargetText(const Target& target) {
       return BatchQueueModel::tr("at most %1 cm").arg(value);
     case Target::Kind::Visibility:
       return target.value == 1 ? BatchQueueModel::tr("not visible")
-                               : BatchQueueModel::tr("%1 times noticed").arg(value);
+                               : BatchQueueModel::tr("%1 times the noticeable error").arg(value);
   }
   return {};
 }
@@ -280,10 +280,12 @@ QVariant BatchQueueModel::figure(const QueuedClip& clip, int row, int column) co
 QString BatchQueueModel::toolTip(int row, int column) const {
   const QueuedClip& clip = clips_[static_cast<std::size_t>(row)];
   if (column == Lock)
-    return clip.own ? tr("Locked: keeps its own settings. Click to give it those all clips share.")
-                    : tr("Click to lock its settings: a change for all clips leaves it alone.");
+    return clip.own ? tr("Locked: the clip keeps its own settings. Click to give it the settings "
+                         "shared by all clips.")
+                    : tr("Click to lock the clip's settings, so that changes for all clips do not "
+                         "apply to it.");
   if (column == State && clip.left_out)
-    return tr("It is not exported. Tick the clip to export it too.");
+    return tr("The clip is not exported. Tick it to export it too.");
   if (column == State && clip.state == QueuedClip::State::Failed)
     return translatedSentence(QString::fromStdString(clip.error));
   if (column == State && !clip.warnings.empty()) {
@@ -377,19 +379,20 @@ QVariant BatchQueueModel::headerData(int section, Qt::Orientation orientation, i
   const auto texts = [&]() -> Texts {
     switch (section) {
       case Clip:
-        return {tr("Clip"), tr("Only clips that are ticked are exported.")};
+        return {tr("Clip"), tr("Only ticked clips are exported.")};
       case Lock:
         return {{}, tr("Locked clips keep their own settings.")};
       case Preset:
         return {tr("Settings"), tr("The preset and its target.")};
       case Review:
-        return {tr("Verdict"), tr("What the library says about the clip. A rejected clip is left "
-                                  "out until it is ticked. Stale: it is not about these files "
-                                  "and settings.")};
+        return {tr("Verdict"),
+                tr("The clip's verdict in the library. Rejected clips are exported only if they "
+                   "are ticked. A verdict is stale if files or settings have changed since.")};
       case State:
         return {tr("State"), tr("Verified: the file was read back, decoded and measured.")};
       case Ratio:
-        return {tr("Ratio"), tr("Bytes of the channels as 32-bit floats over compressed bytes.")};
+        return {tr("Ratio"),
+                tr("Bytes of the channels as 32-bit floats, divided by compressed bytes.")};
       case Eps:
         return {tr("eps_x cm"), tr("Weighted root mean square error.")};
       default:

@@ -116,19 +116,19 @@ std::pair<QString, QString> JointErrorModel::headerTexts(int column) {
     case Name:
       return {tr("Joint"), tr("Joint origins and bone ends, in the skeleton's order.")};
     case Mean:
-      return {tr("Mean"), tr("Distance in the world from the original, averaged over the clip.")};
+      return {tr("Mean"), tr("World-space distance from the original, mean over the clip.")};
     case Max:
-      return {tr("Max"), tr("Greatest distance in the world from the original, at any frame.")};
+      return {tr("Max"), tr("Largest world-space distance from the original at any frame.")};
     case SkinMax:
-      return {tr("Skin"),
-              tr("Greatest distance of the mesh that this joint carries most of, at any "
-                 "frame.")};
+      return {
+          tr("Skin"),
+          tr("Largest error at any frame of the part of the mesh that mainly follows this joint.")};
     case Seen:
-      return {tr("Seen"), tr("The joint's worst, as a multiple of what people notice: up to 1 is "
-                             "not visible, up to 2 borderline.")};
+      return {tr("Seen"), tr("The joint's most visible error, as a multiple of the noticeable "
+                             "error: up to 1 is not visible, up to 2 borderline.")};
     default:
-      return {tr("Angle"), tr("Angle in the world between the joint's rotation and the original's, "
-                              "RMS over the clip. Ends of bones turn with their joint.")};
+      return {tr("Angle"), tr("Angle between the joint's world-space rotation and the original's, "
+                              "RMS over the clip. Bone ends turn with their joint.")};
   }
 }
 

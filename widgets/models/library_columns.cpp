@@ -101,9 +101,9 @@ QString titleOf(LibraryColumn column) {
 QString purposeOf(LibraryColumn column) {
   switch (column) {
     case LibraryColumn::Clip:
-      return Columns::tr("The clip, what it came to, and what you said about it");
+      return Columns::tr("Clip, with its result and verdict");
     case LibraryColumn::Ratio:
-      return Columns::tr("How many times smaller the motion is");
+      return Columns::tr("Compression ratio of the motion");
     case LibraryColumn::Bytes:
       return Columns::tr("Bytes of the compressed motion");
     case LibraryColumn::Error:
@@ -111,19 +111,19 @@ QString purposeOf(LibraryColumn column) {
     case LibraryColumn::Worst:
       return Columns::tr("The largest error of any point at any frame");
     case LibraryColumn::Slide:
-      return Columns::tr("How far feet slide that stood in the original, over all contacts");
+      return Columns::tr("Path of feet that stand in the original, summed over all contacts");
     case LibraryColumn::Seen:
-      return Columns::tr("Whether an eye notices the difference");
+      return Columns::tr("Visibility of errors");
     case LibraryColumn::Review:
-      return Columns::tr("What you said about it");
+      return Columns::tr("Verdict of the review");
     case LibraryColumn::Notes:
-      return Columns::tr("Notes of the reader, which repaired or guessed something");
+      return Columns::tr("Places that were repaired or guessed when the clip was read");
     case LibraryColumn::Looping:
-      return Columns::tr("Whether the clip is a loop");
+      return Columns::tr("Kind of loop, if the clip is one");
     case LibraryColumn::Length:
-      return Columns::tr("How long the clip is, in seconds");
+      return Columns::tr("Length of the clip in seconds");
     case LibraryColumn::FromPreset:
-      return Columns::tr("The preset that its settings come of");
+      return Columns::tr("Preset of the clip's settings");
   }
   return {};
 }

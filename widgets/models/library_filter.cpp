@@ -49,7 +49,7 @@ QString displayName(LibraryShow show) {
     case LibraryShow::WithWarnings:
       return LibraryFilter::tr("With warnings");
     case LibraryShow::Visible:
-      return LibraryFilter::tr("Seen by the eye");
+      return LibraryFilter::tr("With visible errors");
     case LibraryShow::Unfinished:
       return LibraryFilter::tr("Not compressed yet");
     case LibraryShow::Missed:

@@ -59,7 +59,7 @@ QString displayName(Grouping grouping) {
     case Grouping::Verdict:
       return LibraryTree::tr("By verdict");
     case Grouping::Seen:
-      return LibraryTree::tr("By what the eye sees");
+      return LibraryTree::tr("By visibility");
     case Grouping::None:
       return LibraryTree::tr("As a list");
   }

@@ -92,11 +92,12 @@ QVariant PinnedModel::headerData(int section, Qt::Orientation orientation, int r
     case Eps:
       return shown ? tr("eps_x") : tr("Weighted root mean square distance from the original.");
     case P95:
-      return shown ? tr("p95") : tr("95 % of all points at all frames are within this.");
+      return shown ? tr("p95") : tr("95 % of all points at all frames have at most this error.");
     case Max:
-      return shown ? tr("Max") : tr("Greatest distance of any point at any frame.");
+      return shown ? tr("Max") : tr("Largest error of any point at any frame.");
     case Footskate:
-      return shown ? tr("Drift") : tr("The furthest that a foot gets from where it should stand.");
+      return shown ? tr("Drift")
+                   : tr("Largest distance between a standing foot and its place in the original.");
     default:
       return {};
   }

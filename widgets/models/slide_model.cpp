@@ -56,23 +56,24 @@ QVariant SlideModel::headerData(int section, Qt::Orientation orientation, int ro
     case Joint:
       return role == Qt::DisplayRole ? QVariant(tr("Joint")) : QVariant();
     case Frames:
-      return role == Qt::DisplayRole   ? QVariant(tr("Frames"))
-             : role == Qt::ToolTipRole ? QVariant(tr("While the original stands on the ground."))
-                                       : QVariant();
+      return role == Qt::DisplayRole ? QVariant(tr("Frames"))
+             : role == Qt::ToolTipRole
+                 ? QVariant(tr("Frames in which the foot of the original stands on the ground."))
+                 : QVariant();
     case Drift:
       return role == Qt::DisplayRole ? QVariant(tr("Drift"))
              : role == Qt::ToolTipRole
-                 ? QVariant(tr("How far the foot gets from where it should stand."))
+                 ? QVariant(tr("Largest distance between the foot and its place in the original."))
                  : QVariant();
     case Slid:
       return role == Qt::DisplayRole ? QVariant(tr("Path"))
              : role == Qt::ToolTipRole
-                 ? QVariant(tr("Length of its path over the ground beyond the original's: the "
-                               "trembling of a foot in its place sums up in it."))
+                 ? QVariant(tr("Path of the foot over the ground beyond the original's. A foot "
+                               "that trembles in place has a long path."))
                  : QVariant();
     case Speed:
       return role == Qt::DisplayRole   ? QVariant(tr("cm/s"))
-             : role == Qt::ToolTipRole ? QVariant(tr("Greatest speed over the ground."))
+             : role == Qt::ToolTipRole ? QVariant(tr("Highest speed over the ground."))
                                        : QVariant();
     default:
       return {};

@@ -78,7 +78,7 @@ QString targetText(const Target& target) {
     case Target::Kind::MaxError:
       return StudyRowsModel::tr("max %L1 cm").arg(target.value);
     case Target::Kind::Visibility:
-      return StudyRowsModel::tr("%L1 times noticed").arg(target.value);
+      return StudyRowsModel::tr("%L1 times the noticeable error").arg(target.value);
   }
   return {};
 }
@@ -164,15 +164,16 @@ QVariant StudyRowsModel::headerData(int section, Qt::Orientation orientation, in
       case Method:
         return {tr("Method"), {}};
       case Asked:
-        return {tr("Asked"), tr("The target: a ratio, or an error not to be exceeded.")};
+        return {tr("Asked"), tr("Target: a ratio, or the largest error allowed.")};
       case Ratio:
-        return {tr("Ratio"), tr("Bytes of the channels as 32-bit floats over compressed bytes.")};
+        return {tr("Ratio"),
+                tr("Bytes of the channels as 32-bit floats, divided by compressed bytes.")};
       case Eps:
         return {tr("eps_x cm"), tr("Weighted root mean square error.")};
       case Max:
         return {tr("Max cm"), tr("Largest error of any joint at any frame.")};
       case Footskate:
-        return {tr("Slide cm"), tr("How far feet slide while they stand in the original.")};
+        return {tr("Slide cm"), tr("Path of feet while they stand in the original.")};
       default:
         return {tr("Seconds"), tr("Time to compress, including the search for the target.")};
     }

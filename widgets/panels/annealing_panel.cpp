@@ -39,11 +39,12 @@ AnnealingPanel::AnnealingPanel(QWidget* parent)
   progress_->setTextVisible(false);
   progress_->setMaximumHeight(8);
   progress_->setToolTip(
-      tr("The draft is refined: annealing moves fewer and fewer coefficients at a time, a closed "
-         "loop sweeps over all of them, until nothing helps. Most targets take several passes; how "
-         "many is a guess until the last."));
+      tr("Progress of refining the draft. Annealing moves fewer and fewer coefficients at a time; "
+         "the closed loop sweeps over all coefficients until no change helps. Most targets need "
+         "several passes, whose number is an estimate."));
   left_->setAccessibleName(tr("Time left"));
-  cancel_->setToolTip(tr("Stop refining. The best so far is kept where it beats the draft."));
+  cancel_->setToolTip(
+      tr("Stop refining. The best result so far is kept if it is better than the draft."));
   plot_->setMinimumHeight(110);
   // Widgets keep their room when hidden, so that nothing moves.
   for (QWidget* each : {static_cast<QWidget*>(progress_), static_cast<QWidget*>(left_)}) {

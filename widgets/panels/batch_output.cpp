@@ -20,23 +20,24 @@ BatchOutput::BatchOutput(QWidget* parent)
       names_(new QLineEdit(this)),
       example_(new QLabel(this)),
       bank_(new QComboBox(this)),
-      learn_(new QCheckBox(tr("Learn from its clips"), this)),
-      overwrite_(new QCheckBox(tr("Replace files that are there"), this)) {
-  names_->setAccessibleName(tr("Pattern of the names"));
+      learn_(new QCheckBox(tr("Fit the coder to the clips"), this)),
+      overwrite_(new QCheckBox(tr("Replace existing files"), this)) {
+  names_->setAccessibleName(tr("Pattern of file names"));
   names_->setToolTip(
-      tr("<p>{folder}: the folder the clip was found by, and those between<br>{stem}: the clip's "
-         "name<br>{type}: bvh or amc<br>{preset}, {method}: what it is compressed by</p>"));
+      tr("<p>{folder}: the folder that was added, and its subfolders down to the clip<br>{stem}: "
+         "the clip's name<br>{type}: the source's format, such as bvh<br>{preset}, {method}: the "
+         "preset and method of the clip</p>"));
   example_->setWordWrap(true);
   example_->setTextFormat(Qt::PlainText);
   overwrite_->setToolTip(
-      tr("Otherwise a clip fails, and says so, if its file exists and is not this batch's. Either "
-         "way a file is only replaced after the new one was read back and measured."));
+      tr("If this is off, a clip fails when its file exists and is not from this batch. A file is "
+         "replaced only after the new one was read back and measured."));
   struct Format {
     OutputFormat format;
     QString text, tip;
   };
   const Format formats[] = {
-      {OutputFormat::Mcpr, tr("Compressed (.mcpr)"), tr("What is shipped.")},
+      {OutputFormat::Mcpr, tr("Compressed (.mcpr)"), tr("The compressed file, to be shipped.")},
       {OutputFormat::Bvh, tr("BVH"), tr("The decompressed motion.")},
       {OutputFormat::Amc, tr("ASF/AMC"), tr("The decompressed motion and its skeleton.")},
       {OutputFormat::Csv, tr("CSV"), tr("The decompressed channels as a table.")},
@@ -60,12 +61,12 @@ BatchOutput::BatchOutput(QWidget* parent)
   bank_->addItem(tr("Packed"), static_cast<int>(runtime::BankForm::Packed));
   bank_->addItem(tr("Cooked"), static_cast<int>(runtime::BankForm::Cooked));
   bank_->setToolTip(
-      tr("<p>All compressed files in one, bank.mcpk, beside them.<br>Packed: the smallest, for "
-         "shipping.<br>Cooked: engines sample clips as they lie in it.</p>"));
+      tr("<p>One more file, bank.mcpk, with all compressed clips.<br>Packed: the smallest, for "
+         "shipping.<br>Cooked: engines sample its clips without unpacking them.</p>"));
   learn_->setToolTip(
-      tr("Codes the motions of a packed bank by what its clips teach of each other: 1 to 2 % fewer "
-         "bytes where there are some hundred, for up to a minute more. A few clips teach nothing, "
-         "and their bank stays as it is."));
+      tr("Fits the statistics of the coder to the clips of a packed bank. This takes up to a "
+         "minute and saves 1 to 2 % of the bytes of some hundred clips. A bank of a few clips is "
+         "not changed."));
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
   form->setHorizontalSpacing(10);
@@ -92,7 +93,7 @@ void BatchOutput::setSettings(const BatchSettings& settings) {
   folder_->setAccessibleName(tr("Folder of the batch: %1").arg(folder_->text()));
   folder_->setToolTip(
       settings.folder.isEmpty()
-          ? tr("Where files and report go. A batch that the folder holds is resumed.")
+          ? tr("Folder for files and report. If it holds a batch, that batch is resumed.")
           : QDir::toNativeSeparators(settings.folder));
   if (names_->text() != settings.names) names_->setText(settings.names);
   for (const auto& [format, box] : formats_)

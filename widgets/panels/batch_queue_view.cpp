@@ -184,7 +184,7 @@ void BatchQueueView::paintEvent(QPaintEvent* event) {
                    tr("Drop clips or folders of clips here"));
   painter.setFont(this->font());
   painter.drawText(whole.adjusted(0, 44, 0, 0), Qt::AlignCenter,
-                   tr("An .amc finds its .asf beside it"));
+                   tr("The .asf beside an .amc is found"));
   line.setAlphaF(0.5F);
   painter.setPen(QPen(line, 1.5, Qt::DashLine));
   painter.drawRoundedRect(QRectF(whole).adjusted(24, 24, -24, -24), 12, 12);

@@ -14,7 +14,7 @@ CharacterChoice::CharacterChoice(QWidget* parent)
   remove_->setText(QStringLiteral("×"));
   remove_->setAutoRaise(true);
   remove_->setAccessibleName(tr("Take the character off"));
-  remove_->setToolTip(tr("Take the character off: each clip has its own mesh, if it has one"));
+  remove_->setToolTip(tr("Remove the character; clips with a mesh of their own use that"));
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(4);
@@ -26,13 +26,12 @@ CharacterChoice::CharacterChoice(QWidget* parent)
 }
 
 void CharacterChoice::setPath(const QString& path) {
-  file_->setText(path.isEmpty() ? tr("Each clip's own") : QFileInfo(path).fileName());
+  file_->setText(path.isEmpty() ? tr("Own mesh of each clip") : QFileInfo(path).fileName());
   file_->setAccessibleName(tr("Character on all clips: %1").arg(file_->text()));
-  const QString why = tr(
-      "The mesh of an FBX or glTF that is put on every clip that it fits: errors are measured on "
-      "it, and the weighting Skin compresses by it. Other clips keep what they have, and the "
-      "report "
-      "says so.");
+  const QString why =
+      tr("Character (FBX or glTF) for every clip whose joints it fits. Errors are measured on its "
+         "mesh, and the weighting Skin uses it. Other clips are unchanged, and the report lists "
+         "them.");
   file_->setToolTip(path.isEmpty() ? QStringLiteral("<p>%1</p>").arg(why)
                                    : QStringLiteral("<p>%1</p><p>%2</p>")
                                          .arg(QDir::toNativeSeparators(path).toHtmlEscaped(), why));

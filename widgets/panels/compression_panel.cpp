@@ -107,8 +107,8 @@ QWidget* CompressionPanel::makeTracks() {
   track_error_->setKeyboardTracking(false);
   track_error_->setAccessibleName(tr("Tracks within"));
   track_error_->setToolTip(
-      tr("How far values of morph weights and scales may be off, whatever the target of the "
-         "motion is. A weight goes from 0 to 1; switches and constants are kept exactly."));
+      tr("Largest error allowed for values of morph weights and scales, independent of the target "
+         "of the motion. Weights range from 0 to 1; switches and constants are kept exactly."));
   auto* label = new QLabel(tr("Tracks within"), tracks);
   label->setBuddy(track_error_);
   auto* row = new QHBoxLayout(tracks);
@@ -134,7 +134,7 @@ QWidget* CompressionPanel::makeDrawer() {
   auto* drawer = new QWidget(this);
   auto* more = new QToolButton(drawer);
   more->setText(tr("More"));
-  more->setToolTip(tr("Weighting of the error, ends of the clip, and coding: seldom changed."));
+  more->setToolTip(tr("Rarely changed settings: error weighting, ends of the clip, and coding."));
   more->setCheckable(true);
   more->setAutoRaise(true);
   more->setArrowType(Qt::RightArrow);
@@ -166,10 +166,10 @@ void CompressionPanel::makeChoices() {
   method_->insertSeparator(1);
   method_->setAccessibleName(tr("Method"));
   method_->setToolTip(
-      tr("The closed loop rounds every coefficient by what it does to the error in the world, and "
-         "is much the smallest. The others are the paper's, which choose coefficients to keep: "
-         "annealed moves them to the channels where they lower the error most, standard keeps the "
-         "largest of all, per channel keeps as many of each."));
+      tr("Closed loop gives by far the smallest files: it rounds every coefficient by its effect "
+         "on world-space error. The others are the paper's methods, which choose the coefficients "
+         "to keep. Annealed searches for the channels where coefficients lower the error most, "
+         "Standard keeps the largest of all channels, Per channel keeps as many in each."));
   addChoices(effort_, {Effort::Default, Effort::Best});
   effort_->setAccessibleName(tr("Effort"));
   addChoices(ends_, {Ends::Free, Ends::Even, Ends::Exact});
@@ -179,11 +179,10 @@ void CompressionPanel::makeChoices() {
   addChoices(weighting_, kWeightingsWithoutMesh);
   weighting_->setAccessibleName(tr("Weighting"));
   weighting_->setToolTip(
-      tr("Which points the error eps_x counts. Surface: the body's skin, so that turned heads and "
-         "hands count. Skin: points on the mesh of the clip or of the character put on it. Shell: "
-         "three points 3 cm "
-         "from every joint, as ACL does. Bone ends and joint "
-         "origins: points on the bones, by bone length; the latter are the paper's."));
+      tr("Points on which the error eps_x is measured. Surface: the body's skin, so that turned "
+         "heads and hands count. Skin: the mesh of the clip or of the character put on it. Shell: "
+         "three points 3 cm from every joint, as in ACL. Bone ends and joint origins: points on "
+         "the bones, weighted by bone length; joint origins are the paper's."));
   addChoices(coding_, {Coding::Deflate, Coding::Rle16, Coding::Adaptive});
   coding_->setAccessibleName(tr("Coding"));
 }
@@ -193,37 +192,38 @@ void CompressionPanel::showWhatApplies() {
   const bool closed = options_.method == Method::ClosedLoop;
   effort_->setEnabled(closed);
   effort_->setToolTip(
-      closed ? tr("Best looks longer for something smaller: a few per cent, for some ten times the "
-                  "time.")
-             : tr("Only the closed loop can try harder; the paper's methods have one result."));
+      closed ? tr("Best searches longer for a smaller result: it saves a few per cent and takes "
+                  "some ten times as long.")
+             : tr("Effort applies only to the closed loop; the paper's methods have one result."));
   ends_->setEnabled(closed);
   ends_->setToolTip(
-      closed
-          ? tr("The first and the last pose, where clips are blended and looped. Even: no further "
-               "off than the target, and those of a loop alike. Exact: a tenth of it, which "
-               "takes some 4 % more. Free: whatever comes out.")
-          : tr("Only the closed loop codes the first and the last pose once more."));
+      closed ? tr("Errors of the first and last pose, where clips are blended and looped. Even: no "
+                  "larger than the target, and equal at both ends of a loop. Exact: at most a "
+                  "tenth of the target, for some 4 % more bytes. Free: no bound.")
+             : tr("Only the closed loop corrects the first and last pose."));
   coding_->setEnabled(!closed);
   choose(coding_, effective_coding(options_));
   coding_->setToolTip(
-      closed ? tr("The closed loop weighs the bytes of its own adaptive coding and has no other.")
-             : tr("How kept coefficients become bytes: 16-bit words with runs of zeros, optionally "
-                  "packed further by DEFLATE, or an adaptive range coder."));
+      closed ? tr("The closed loop always uses adaptive coding, whose bytes it counts while it "
+                  "searches.")
+             : tr("Coding of kept coefficients as bytes: 16-bit words with runs of zeros, with or "
+                  "without DEFLATE on top, or an adaptive range coder."));
   const bool heeded = closed || options_.method == Method::Annealed;
   const bool fits = options_.importance.joints.empty() ||
                     std::ssize(options_.importance.joints) == skeleton_.joint_count();
   const QString importance =
       fits ? importanceText(named(options_.importance, skeleton_)) : QString();
-  importance_->setText(!heeded                ? tr("Not heeded")
-                       : importance.isEmpty() ? tr("All alike")
+  importance_->setText(!heeded                ? tr("Not used")
+                       : importance.isEmpty() ? tr("All equal")
                                               : fontMetrics().elidedText(importance, Qt::ElideRight,
                                                                          kImportanceWidth));
   importance_->setToolTip(
-      heeded ? QStringLiteral("<p>%1</p><p>%2</p>")
-                   .arg(importance,
-                        tr("Take more care of feet, hands, the head, contacts or any joint."))
-             : tr("This method ignores importance: choose %1 or %2.")
-                   .arg(displayName(Method::ClosedLoop), displayName(Method::Annealed)));
+      heeded
+          ? QStringLiteral("<p>%1</p><p>%2</p>")
+                .arg(importance,
+                     tr("Give errors of feet, hands, the head, contacts or any joint more weight."))
+          : tr("This method ignores importance: choose %1 or %2.")
+                .arg(displayName(Method::ClosedLoop), displayName(Method::Annealed)));
   importance_->setEnabled(heeded);
 }
 

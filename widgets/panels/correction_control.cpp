@@ -35,33 +35,33 @@ CorrectionControl::CorrectionControl(QWidget* parent)
       at_(new QComboBox(this)),
       joints_(new QToolButton(this)),
       joint_menu_(new QMenu(this)) {
-  hold_->setToolTip(
-      tr("Stores where the feet are in the original and brings them there by inverse kinematics, "
-         "so that planted feet do not slide. What this takes counts in the compression ratio."));
+  hold_->setToolTip(tr(
+      "Stores the places of the feet and moves the feet there by inverse kinematics, so that "
+      "planted feet do not slide. The bytes of this correction count in the compression ratio."));
   found_->setToolTip(
-      tr("Let the encoder find how much to spend on the feet: at least nine tenths of the sliding "
-         "gone, or no foot sliding more than a millimetre, for the fewest bytes."));
+      tr("Searches for the smallest correction that removes at least nine tenths of the sliding, "
+         "or leaves no foot sliding more than a millimetre."));
   value_->setAccessibleName(tr("IK ratio"));
   value_->setToolTip(
-      tr("The paper's r_IK: coefficients of the correction over kept ones. Lower "
-         "holds the feet better and costs more."));
+      tr("Coefficients of the correction over those kept (r_IK in the paper). Lower values hold "
+         "the feet better and take more bytes."));
   value_->setDecimalsShown(1, 3);
   value_->setSuffix(tr(" : 1"));
   slider_->setAccessibleName(tr("IK ratio on a slider"));
   slider_->setToolTip(value_->toolTip());
   slider_->setRange(0, kScale.steps);
   slider_->setPageStep(50);
-  at_->setAccessibleName(tr("Where feet are held"));
+  at_->setAccessibleName(tr("When feet are held"));
   for (const CorrectAt at : {CorrectAt::EveryFrame, CorrectAt::Contacts})
     at_->addItem(displayName(at), static_cast<int>(at));
   at_->setToolTip(
-      tr("At every frame as in the paper, or only where they stand on the ground, "
+      tr("Hold the feet at every frame, as in the paper, or only while they stand on the ground, "
          "blended in and out."));
-  joints_->setAccessibleName(tr("Joints that are held"));
+  joints_->setAccessibleName(tr("Held joints"));
   joints_->setMenu(joint_menu_);
   joints_->setPopupMode(QToolButton::InstantPopup);
   joints_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  joints_->setToolTip(tr("Joints other than the feet can be held too."));
+  joints_->setToolTip(tr("Joints to hold; the feet by default."));
 
   auto* head = new QGridLayout;
   head->setContentsMargins(0, 0, 0, 0);
@@ -77,7 +77,7 @@ CorrectionControl::CorrectionControl(QWidget* parent)
   form->setVerticalSpacing(6);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form->addRow(head);
-  form->addRow(tr("Held at"), at_);
+  form->addRow(tr("Hold at"), at_);
   form->addRow(tr("Joints"), joints_);
 
   connect(hold_, &QCheckBox::toggled, this, [this] {

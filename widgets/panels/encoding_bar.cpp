@@ -52,8 +52,8 @@ void EncodingBar::setActive(bool active) {
   button_->setChecked(active);
   button_->setIcon(themedIcon(active ? QStringLiteral("pause") : QStringLiteral("play")));
   button_->setToolTip(active ? tr("Pause compressing clips in the background")
-                             : tr("Compress all clips in the background, each by its settings. The "
-                                  "clip that is open comes first."));
+                             : tr("Compress all clips in the background with their own settings, "
+                                  "the open clip first."));
   button_->setAccessibleName(button_->toolTip());
 }
 

@@ -26,17 +26,18 @@ FiguresBar::FiguresBar(QWidget* parent) : QWidget(parent) {
   eps_ = add(row, tr("eps_x"),
              tr("Root mean square distance between original and compressed, weighted by bone "
                 "length: the paper's distortion."));
-  p95_ = add(row, tr("p95"), tr("95 % of all points at all frames are nearer to the original."));
-  p99_ = add(row, tr("p99"), tr("99 % of all points at all frames are nearer to the original."));
-  max_ = add(row, tr("max"), tr("Greatest distance of any joint at any frame."));
-  footskate_ =
-      add(row, tr("foot drift"), tr("The furthest that a foot gets from where it should stand."));
+  p95_ = add(row, tr("p95"), tr("95 % of all points at all frames have a smaller error."));
+  p99_ = add(row, tr("p99"), tr("99 % of all points at all frames have a smaller error."));
+  max_ = add(row, tr("max"), tr("Largest error of any joint at any frame."));
+  footskate_ = add(row, tr("foot drift"),
+                   tr("Largest distance between a standing foot and its place in the original."));
   size_ =
-      add(row, tr("motion"), tr("Compressed motion bytes; the file has its skeleton beside them."));
+      add(row, tr("motion"), tr("Compressed motion bytes; the skeleton in the file takes more."));
   ratio_ = add(row, tr("ratio"),
-               tr("Channels as 32-bit floats over the compressed motion bytes, as in the paper."));
+               tr("Bytes of the channels as 32-bit floats, divided by the compressed motion bytes, "
+                  "as in the paper."));
   bits_ = add(row, tr("bits per joint-sample"),
-              tr("Motion bits for one joint at one frame: does not depend on a baseline."));
+              tr("Motion bits for one joint at one frame; unlike a ratio it needs no baseline."));
   row->addStretch(1);
   setFigures({});
 }

@@ -69,7 +69,7 @@ void FootskatePanel::addThreshold(QGridLayout* grid, int row, int column, double
   box->setSuffix(unit);
   box->setKeyboardTracking(false);
   box->setAccessibleName(name);
-  box->setToolTip(tr("%1, as measured on the original.").arg(name));
+  box->setToolTip(tr("%1, measured in the original.").arg(name));
   box->setValue(*value);
   connect(box, &QDoubleSpinBox::valueChanged, this, [this, value](double chosen) {
     *value = chosen;

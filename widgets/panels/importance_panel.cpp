@@ -35,14 +35,14 @@ ImportancePanel::ImportancePanel(QWidget* parent)
       note_(new QLabel(this)),
       contacts_(new FactorControl(
           tr("Contacts"),
-          tr("How many times its share a foot weighs while it stands. About 20 keeps feet planted "
-             "without inverse kinematics, for some more bytes at the same error."),
+          tr("Factor on the weight of a foot while it stands. About 20 keeps feet planted without "
+             "inverse kinematics, for some more bytes at the same error."),
           kContactScale, true, this)),
       drawer_(new QToolButton(this)),
       drawn_(new QWidget(this)),
       find_(new QLineEdit(drawn_)),
       joints_(new QTreeWidget(drawn_)),
-      even_(new QPushButton(tr("All Alike"), this)) {
+      even_(new QPushButton(tr("All Equal"), this)) {
   note_->setWordWrap(true);
   note_->setForegroundRole(QPalette::PlaceholderText);
   auto* form = new QFormLayout;
@@ -51,11 +51,11 @@ ImportancePanel::ImportancePanel(QWidget* parent)
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   for (const BodyPart part : kBodyParts) {
     const QString name = displayName(part);
-    parts_[part] = new FactorControl(
-        name,
-        tr("By how much the weight of these joints is multiplied. What they gain the others lose: "
-           "the size, or the error that is promised, stays."),
-        kPartScale, false, this);
+    parts_[part] =
+        new FactorControl(name,
+                          tr("Factor on the weight of these joints. Other joints get less accurate "
+                             "in return: the size or error that was asked for stays the same."),
+                          kPartScale, false, this);
     form->addRow(name, parts_[part]);
     connect(parts_[part], &FactorControl::valueChanged, this,
             [this, part](double factor) { choosePart(part, factor); });
@@ -66,7 +66,7 @@ ImportancePanel::ImportancePanel(QWidget* parent)
     tell();
   });
   makeJoints();
-  even_->setToolTip(tr("Take the same care of all joints again."));
+  even_->setToolTip(tr("Give all joints the same weight again."));
   connect(even_, &QPushButton::clicked, this, [this] {
     importance_ = {};
     tell();
@@ -86,7 +86,7 @@ ImportancePanel::ImportancePanel(QWidget* parent)
 
 void ImportancePanel::makeJoints() {
   drawer_->setText(tr("Any joint"));
-  drawer_->setToolTip(tr("Give single joints a factor of their own."));
+  drawer_->setToolTip(tr("Set factors of single joints."));
   drawer_->setCheckable(true);
   drawer_->setAutoRaise(true);
   drawer_->setArrowType(Qt::RightArrow);
@@ -149,7 +149,8 @@ void ImportancePanel::setImportance(const Importance& importance) {
 
 void ImportancePanel::setMethod(Method method) {
   const bool heeded = heeds(method);
-  note_->setText(heeded ? tr("What the encoder takes more care of, at the cost of the rest.")
+  note_->setText(heeded ? tr("Weights of errors by part of the body. Parts with more weight get "
+                             "more accurate, the rest less.")
                         : tr("This method ignores importance: choose %1 or %2.")
                               .arg(displayName(Method::ClosedLoop), displayName(Method::Annealed)));
   for (const auto& [part, control] : parts_)

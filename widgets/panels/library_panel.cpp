@@ -173,7 +173,7 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
       note_(new QLineEdit(this)) {
   filter_->setAccessibleName(tr("Filter of the clips"));
   filter_->setPlaceholderText(tr("Filter"));
-  filter_->setToolTip(tr("Words of a clip's name, folder or state: “walks missed”."));
+  filter_->setToolTip(tr("Words in a clip's name, folder or state, such as “walks missed”."));
   filter_->setClearButtonEnabled(true);
   view_->setModel(tree_);
   view_->setItemDelegateForColumn(0, new RowPainter(model, tree_, view_));
@@ -184,9 +184,9 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
   for (int grouping = 0; grouping <= static_cast<int>(Grouping::None); ++grouping)
     grouping_->addItem(displayName(static_cast<Grouping>(grouping)));
   shown_->setAccessibleName(tr("Clips that are shown"));
-  shown_->setToolTip(tr("Which clips are shown"));
+  shown_->setToolTip(tr("Filter of shown clips"));
   grouping_->setAccessibleName(tr("Groups of the clips"));
-  grouping_->setToolTip(tr("How clips are grouped"));
+  grouping_->setToolTip(tr("Grouping of clips"));
   for (QComboBox* box : {shown_, grouping_}) {
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(6);
@@ -204,16 +204,15 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
   ways->addAction(tr("&Clips…"), this, &LibraryPanel::addRequested);
   ways->addAction(tr("&Folder…"), this, &LibraryPanel::addFolderRequested);
   add_->setMenu(ways);
-  remove_->setToolTip(tr("Take the chosen clips out of the project; their files stay."));
+  remove_->setToolTip(tr("Remove the selected clips from the project; their files stay."));
   verdict_->setAccessibleName(tr("Verdict"));
-  verdict_->setToolTip(
-      tr("What you say about the selected clips, as their files are and are compressed now."));
+  verdict_->setToolTip(tr("Verdict on the selected clips, with their present files and settings."));
   verdict_->addItem(tr("Not reviewed"), static_cast<int>(Verdict::None));
   verdict_->addItem(tr("Approved"), static_cast<int>(Verdict::Approved));
   verdict_->addItem(tr("Rejected"), static_cast<int>(Verdict::Rejected));
   note_->setAccessibleName(tr("Note"));
   note_->setPlaceholderText(tr("Note about this clip"));
-  note_->setToolTip(tr("Kept in the project, with the verdict."));
+  note_->setToolTip(tr("The project keeps this note with the verdict."));
   note_->setClearButtonEnabled(true);
 
   auto* buttons = new QHBoxLayout;
@@ -363,7 +362,7 @@ void LibraryPanel::addSettings(QMenu* menu, const std::vector<int>& rows) {
   const int row = current();
   add(tr("Copy Settings"), row >= 0, [this, row] { emit copySettingsRequested(row); });
   add(tr("Paste Settings"), can_paste_, [this, rows] { emit pasteSettingsRequested(rows); });
-  add(tr("Paste Importance Alone"), can_paste_,
+  add(tr("Paste Importance Only"), can_paste_,
       [this, rows] { emit pasteImportanceRequested(rows); });
   menu->addSeparator();
   add(tr("Put a Character On…"), true, [this, rows] { emit putCharacterRequested(rows); });
@@ -382,10 +381,10 @@ QMenu* LibraryPanel::makeMenu() {
             [this, rows, preset] { emit presetChosen(rows, preset); });
   addSettings(menu, rows);
   menu->addSeparator();
-  QAction* selected = menu->addAction(tr("Export Selected, Each by Its Own Settings…"));
+  QAction* selected = menu->addAction(tr("Export Selected, Each with Its Own Settings…"));
   selected->setEnabled(!rows.empty());
   connect(selected, &QAction::triggered, this, [this, rows] { emit exportRequested(rows); });
-  QAction* all = menu->addAction(tr("Export All, Each by Its Own Settings…"));
+  QAction* all = menu->addAction(tr("Export All, Each with Its Own Settings…"));
   all->setEnabled(model_->rowCount() > 0);
   connect(all, &QAction::triggered, this, [this] { emit exportRequested({}); });
   menu->addSeparator();

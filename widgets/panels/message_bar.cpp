@@ -38,8 +38,8 @@ MessageBar::MessageBar(QWidget* parent)
   close->setAccessibleName(tr("Close message"));
   close->setToolTip(tr("Close"));
 
-  remedy_->setAccessibleName(tr("What may help"));
-  work_->setAccessibleName(tr("Something is being done"));
+  remedy_->setAccessibleName(tr("Possible solution"));
+  work_->setAccessibleName(tr("Work in progress"));
   work_->setRange(0, 0);  // an endless bar: the duration is unknown
   work_->setTextVisible(false);
   work_->setMaximumSize(160, 8);

@@ -41,10 +41,10 @@ PinnedPanel::PinnedPanel(PinnedModel* model, QWidget* parent)
     if (column != PinnedModel::Name) fitNames();
   });
   pin_->setToolTip(
-      tr("Keep the current result in view, as a figure of its own colour, while "
-         "other settings are tried."));
-  make_current_->setToolTip(tr("Continue with the settings of the chosen result. Can be undone."));
-  unpin_->setToolTip(tr("Take the chosen result out of the view."));
+      tr("Keep the current result in the view, as a figure with its own colour, while you try "
+         "other settings."));
+  make_current_->setToolTip(tr("Use the settings of the selected result. This can be undone."));
+  unpin_->setToolTip(tr("Remove the selected result from the view."));
 
   auto* buttons = new QHBoxLayout;
   for (QPushButton* button : {pin_, make_current_, unpin_}) buttons->addWidget(button, 1);

@@ -24,8 +24,8 @@ PresetChooser::PresetChooser(QWidget* parent)
     : QWidget(parent), box_(new QComboBox(this)), menu_(new QMenu(this)) {
   box_->setAccessibleName(tr("Preset"));
   box_->setToolTip(
-      tr("Settings that belong together: target, method, importance, effort and IK. Those of your "
-         "own are kept with this program's settings."));
+      tr("A preset sets target, method, importance, effort and IK. Your own presets are kept in "
+         "the settings of this program."));
   box_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   box_->setMinimumContentsLength(14);
@@ -106,7 +106,7 @@ void PresetChooser::setPreset(const Settings& preset) {
     return;
   }
   const QString name = displayName(preset);
-  box_->addItem(name.isEmpty() ? tr("Settings of its own")
+  box_->addItem(name.isEmpty() ? tr("Custom settings")
                 : origin       ? tr("%1, modified").arg(name)
                                : name);
   box_->setCurrentIndex(presets);

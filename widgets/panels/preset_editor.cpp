@@ -45,19 +45,19 @@ PresetEditor::PresetEditor(QWidget* parent)
 }
 
 void PresetEditor::addRows() {
-  kind_->setAccessibleName(tr("What is asked for"));
+  kind_->setAccessibleName(tr("Kind of target"));
   kind_->addItem(tr("Error, eps_x"), static_cast<int>(Target::Kind::Error));
   kind_->addItem(tr("Hard maximum"), static_cast<int>(Target::Kind::MaxError));
-  kind_->addItem(tr("What the eye notices"), static_cast<int>(Target::Kind::Visibility));
+  kind_->addItem(tr("Visibility"), static_cast<int>(Target::Kind::Visibility));
   kind_->addItem(tr("Ratio"), static_cast<int>(Target::Kind::Ratio));
   kind_->addItem(tr("Bytes"), static_cast<int>(Target::Kind::Size));
   kind_->addItem(tr("Coefficient ratio"), static_cast<int>(Target::Kind::CoefficientRatio));
   kind_->setToolTip(
-      tr("eps_x: the weighted root mean square error, which single frames may exceed. Hard "
-         "maximum: no point of the body is further off at any frame. What the eye notices: nothing "
-         "is off by more than so many times what people notice; at 1, nothing is visible. Quality "
-         "targets suit clips of all kinds; ratio and bytes do not know how hard a clip is."));
-  value_->setAccessibleName(tr("How much of it"));
+      tr("Error, eps_x: the weighted root mean square error; single frames may exceed it. Hard "
+         "maximum: largest error of any point of the body at any frame. Visibility: largest error "
+         "as a multiple of what people notice; at 1, no error is visible. Quality targets suit all "
+         "kinds of clips; ratio and bytes ignore how hard a clip is to compress."));
+  value_->setAccessibleName(tr("Value of the target"));
   value_->setKeyboardTracking(false);
   value_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   method_->setAccessibleName(tr("Method"));
@@ -72,15 +72,14 @@ void PresetEditor::addRows() {
   method_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   method_->setMinimumContentsLength(12);
   weighting_->setAccessibleName(tr("Weighting"));
-  weighting_->setToolTip(
-      tr("Which points the error eps_x counts. Surface: the body's skin, so that turned heads and "
-         "hands count. Skin: points on the mesh of the clip or of the batch's character; clips "
-         "without one are refused. Shell: three points 3 cm from every joint, as ACL does. Bone "
-         "ends and joint origins: points on the bones, by bone length; the latter are the "
-         "paper's."));
+  weighting_->setToolTip(tr(
+      "Points on which the error eps_x is measured. Surface: the body's skin, so that turned heads "
+      "and hands count. Skin: the mesh of the clip or of the batch's character; clips without a "
+      "mesh are refused. Shell: three points 3 cm from every joint, as in ACL. Bone ends and joint "
+      "origins: points on the bones, weighted by bone length; joint origins are the paper's."));
   for (const Weighting weighting : kWeightings)
     weighting_->addItem(displayName(weighting), static_cast<int>(weighting));
-  hold_feet_->setToolTip(tr("Feet stay where they stand in the original, for some more bytes."));
+  hold_feet_->setToolTip(tr("Keeps standing feet in place, for some more bytes."));
 
   auto* target = new QHBoxLayout;
   target->addWidget(kind_);

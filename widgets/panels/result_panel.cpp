@@ -39,12 +39,12 @@ QString kneeText(const ResultFigures& figures) {
 }
 
 QString seenExplanation() {
-  return ResultPanel::tr("Whether anything that is off is more than people notice.");
+  return ResultPanel::tr("The most visible error, beside the size that people notice.");
 }
 
 /// Names the most visible error and its time.
 QString reasonText(const SeenFigures& seen) {
-  return ResultPanel::tr("%1, %2 at %L3 s: %L4 times what people notice")
+  return ResultPanel::tr("%1, %2 at %L3 s: %L4 times the noticeable error")
       .arg(displayName(seen.cue), seen.joint)
       .arg(seen.seconds, 0, 'f', 2)
       .arg(seen.times_noticed, 0, 'f', 2);
@@ -59,8 +59,8 @@ ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent), grid_(new QGridLayo
   grid_->setColumnStretch(0, 1);
   grid_->setColumnStretch(1, 1);
   ratio_ = addHeadline(tr("compression ratio"),
-                       tr("Bytes of the channels as an array of 32-bit floats over the compressed "
-                          "motion bytes; the skeleton is left out of both, as in the paper."),
+                       tr("Bytes of the channels as 32-bit floats, divided by the compressed "
+                          "motion bytes. The skeleton counts in neither, as in the paper."),
                        0);
   eps_ = addHeadline(tr("eps_x"),
                      tr("Root mean square distance between original and compressed, weighted by "
@@ -70,7 +70,7 @@ ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent), grid_(new QGridLayo
   state_ = new QLabel(this);
   state_->setWordWrap(true);
   state_->setForegroundRole(QPalette::PlaceholderText);
-  state_->setAccessibleName(tr("State of the answer"));
+  state_->setAccessibleName(tr("State of the result"));
   grid_->addWidget(state_, 2, 0, 1, 2);
   grid_->setRowMinimumHeight(3, 4);
 
@@ -78,33 +78,35 @@ ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent), grid_(new QGridLayo
                 tr("95th percentile of the distance over all joints and frames, unweighted."));
   p99_ = addRow(tr("99 % of points within"),
                 tr("99th percentile of the distance over all joints and frames, unweighted."));
-  max_ = addRow(tr("Worst point"), tr("Greatest distance of any joint at any frame."));
+  max_ = addRow(tr("Worst point"), tr("Largest error of any joint at any frame."));
   skin_ = addRow(tr("On the skin: worst / RMS"),
-                 tr("Distances of points spread evenly over the mesh, at any frame."));
-  seen_ = addRow(tr("To the eye"), seenExplanation());
-  slide_ = addRow(tr("Foot drift: mean / worst"),
-                  tr("How far a foot gets from where it should stand, over its contacts."));
-  footskate_ = addRow(tr("Foot path: all / worst"),
-                      tr("Length of the feet's path over the ground while they stand, beyond the "
-                         "original's: summed over the clip, and of the worst contact. The "
-                         "trembling of a foot in its place sums up in it."));
+                 tr("Errors of points spread evenly over the mesh, over all frames."));
+  seen_ = addRow(tr("Visibility"), seenExplanation());
+  slide_ = addRow(
+      tr("Foot drift: mean / worst"),
+      tr("Distance between a standing foot and its place in the original, over all contacts."));
+  footskate_ = addRow(
+      tr("Foot path: all / worst"),
+      tr("Path of the feet over the ground while they stand, beyond the original's: sum over the "
+         "clip, and worst contact. A foot that trembles in place has a long path."));
   ends_ = addRow({}, {});
   elsewhere_ =
-      addRow(tr("Loop: elsewhere"),
-             tr("The largest such change between two frames in a row. A seam below it does "
-                "not stand out."));
+      addRow(tr("Loop: elsewhere"), tr("The largest change of errors between two neighbouring "
+                                       "frames. A smaller one at the seam does not stand out."));
   bytes_ = addRow(tr("Motion / file"),
                   tr("Compressed motion bytes, and bytes of the whole file with its skeleton."));
   coefficient_ratio_ =
       addRow(tr("Coefficient ratio"),
              tr("The paper's r: all wavelet coefficients over those that are kept."));
-  bits_ = addRow(tr("Bits per joint-sample"),
-                 tr("Motion bits for one joint at one frame: does not depend on a baseline."));
-  correction_ = addRow(tr("IK signals"),
-                       tr("The part of the motion bytes that holds the feet, and its ratio r_IK."));
+  bits_ =
+      addRow(tr("Bits per joint-sample"),
+             tr("Motion bits for one joint at one frame; unlike a ratio it needs no baseline."));
+  correction_ =
+      addRow(tr("IK signals"),
+             tr("Motion bytes of the correction that holds the feet, and its ratio r_IK."));
   knee_ = addRow(tr("Fastest knee"),
-                 tr("The greatest speed of a held leg's knee, and that of the original's: a "
-                    "correction must not make knees snap."));
+                 tr("Highest speed of a held leg's knee, and that of the original. A much higher "
+                    "speed means that the correction makes the knee snap."));
   setFigures({});
 }
 
@@ -198,11 +200,11 @@ void ResultPanel::setEnds(const ResultFigures& figures) {
   };
   const EndErrors ends = figures.ends.value_or(EndErrors());
   const QString name = is_loop ? tr("Loop: seam") : tr("First / last pose");
-  const QString explanation =
-      is_loop ? tr("By how much errors of poses and velocities change from the last frame to "
-                   "the first: what jumps where the loop starts again.")
-              : tr("How far the first and the last pose are from the original's, over the body's "
-                   "surface: where clips are blended.");
+  const QString explanation = is_loop
+                                  ? tr("Change of the errors of pose and velocity from the last "
+                                       "frame to the first: the jump where the loop starts again.")
+                                  : tr("RMS error of the first and the last pose on the body's "
+                                       "surface. Clips are blended there.");
   nameOf(ends_)->setText(name);
   ends_->setAccessibleName(name);
   for (QLabel* label : {nameOf(ends_), ends_}) label->setToolTip(explanation);

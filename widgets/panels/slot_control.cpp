@@ -25,7 +25,7 @@ SlotControl::SlotControl(QWidget* parent) : QWidget(parent), copy_(new QToolButt
     buttons_[i]->setMinimumWidth(fontMetrics().horizontalAdvance(kWidestSlot) + 12);
     buttons_[i]->setAccessibleName(tr("Settings %1").arg(kNames[i]));
     buttons_[i]->setToolTip(
-        tr("Two settings to compare: tune one, switch to the other (A) and look at both."));
+        tr("Two settings to compare: tune one, switch to the other (A), and compare the results."));
     row->addWidget(buttons_[i], 1);
     connect(buttons_[i], &QToolButton::clicked, this, [this, i] {
       buttons_[static_cast<std::size_t>(active_)]->setChecked(true);

@@ -43,7 +43,7 @@ StudyClips::StudyClips(QWidget* parent)
   files->setToolTip(tr("Add motions"));
   auto* folder = new QPushButton(tr("Add Folder…"), this);
   folder->setToolTip(tr("Add every motion below a folder"));
-  remove_->setToolTip(tr("Take the selected clips off the list (Del)"));
+  remove_->setToolTip(tr("Remove the selected clips from the list (Del)"));
   remove_->setEnabled(false);
 
   auto* buttons = new QHBoxLayout;
@@ -133,7 +133,7 @@ StudyPanel::StudyPanel(QWidget* parent)
   status_->setWordWrap(true);
   status_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   run_->setDefault(true);
-  run_->setToolTip(tr("What was measured before is not measured again."));
+  run_->setToolTip(tr("Measurements that are already there are kept."));
 
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(10, 8, 10, 10);
@@ -183,10 +183,10 @@ void StudyPanel::fillMethods() {
 
 QWidget* StudyPanel::makeFeet() {
   hold_feet_->setToolTip(
-      tr("One more curve: annealed wavelets with feet held by inverse kinematics, at the ratios "
-         "asked for."));
+      tr("Adds a curve of annealed wavelets with feet held by inverse kinematics, at the same "
+         "ratios."));
   ik_ratio_->setAccessibleName(tr("IK ratio of the study"));
-  ik_ratio_->setToolTip(tr("How much the correction signals are compressed (r_IK)."));
+  ik_ratio_->setToolTip(tr("Coefficient ratio of the IK correction (r_IK)."));
   ik_ratio_->setRange(1, 200);
   ik_ratio_->setDecimals(1);
   ik_ratio_->setSuffix(tr(":1"));
@@ -206,12 +206,12 @@ QWidget* StudyPanel::makeTargets() {
   ratios_->setAccessibleName(tr("Ratios to reach"));
   ratios_->setToolTip(tr("Compression ratios, separated by spaces."));
   errors_->setAccessibleName(tr("Errors to keep, in cm"));
-  errors_->setToolTip(tr("Bounds of eps_x in centimetres, separated by spaces."));
+  errors_->setToolTip(tr("Errors eps_x to compress to, in centimetres, separated by spaces."));
   weighting_->setAccessibleName(tr("Weighting of the study"));
-  weighting_->setToolTip(
-      tr("Which points the error eps_x counts. Surface: the body's skin, so that turned heads and "
-         "hands count. Shell: three points 3 cm from every joint, as ACL does. Bone ends and joint "
-         "origins: points on the bones, by bone length; the latter are the paper's."));
+  weighting_->setToolTip(tr(
+      "Points on which the error eps_x is measured. Surface: the body's skin, so that turned heads "
+      "and hands count. Shell: three points 3 cm from every joint, as in ACL. Bone ends and joint "
+      "origins: points on the bones, weighted by bone length; joint origins are the paper's."));
   for (const Weighting weighting : kWeightings)
     weighting_->addItem(displayName(weighting), static_cast<int>(weighting));
   auto* targets = new QWidget(this);
@@ -265,8 +265,8 @@ void StudyPanel::change() {
 void StudyPanel::setFolder(const QString& folder) {
   folder_->setText(folder.isEmpty() ? tr("This computer's cache") : QDir(folder).dirName());
   folder_->setAccessibleName(tr("Folder of the study: %1").arg(folder_->text()));
-  folder_->setToolTip(tr("Where measurements are kept, so that a stopped study can continue. Click "
-                         "to choose a folder; a study that it holds is shown.\n%1")
+  folder_->setToolTip(tr("Folder for measurements, from which a stopped study continues. Click to "
+                         "choose a folder; if it holds a study, that study is shown.\n%1")
                           .arg(QDir::toNativeSeparators(folder)));
 }
 

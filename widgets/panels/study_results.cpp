@@ -36,7 +36,7 @@ StudyResults::StudyResults(StudyRowsModel* model, QWidget* parent)
       tools_(new QWidget(this)) {
   chooser_->setAccessibleName(tr("Clips shown"));
   chooser_->setToolTip(
-      tr("One clip, or the average over clips: the geometric mean of their ratios at equal error, "
+      tr("Show one clip, or the average: the geometric mean of all clips' ratios at equal error, "
          "with the points of all clips behind it."));
   chooser_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   auto* label = new QLabel(tr("S&how"), this);

@@ -63,20 +63,21 @@ TargetControl::TargetControl(QWidget* parent)
   kind_->addItem(tr("Size of the motion"), static_cast<int>(Target::Kind::Size));
   kind_->addItem(tr("Error (eps_x)"), static_cast<int>(Target::Kind::Error));
   kind_->addItem(tr("Hard maximum"), static_cast<int>(Target::Kind::MaxError));
-  kind_->addItem(tr("What the eye notices"), static_cast<int>(Target::Kind::Visibility));
+  kind_->addItem(tr("Visibility"), static_cast<int>(Target::Kind::Visibility));
   kind_->setToolTip(
-      tr("Ask for a size (compression ratio: bytes of the channels as 32-bit floats over the "
-         "compressed motion bytes; or these bytes themselves) or for a quality (weighted mean "
-         "error eps_x; a distance that no joint exceeds at any frame; or the most that anything "
-         "may be off, as a multiple of what people notice: at 1, nothing is visible)."));
+      tr("Sizes: the compression ratio (bytes of the channels as 32-bit floats, divided by "
+         "compressed motion bytes) or the motion bytes themselves. Qualities: the weighted RMS "
+         "error eps_x, the largest error of any point at any frame, or visibility, the largest "
+         "error as a multiple of what people notice: at 1, no error is visible."));
   slider_->setAccessibleName(tr("Target on a slider"));
   slider_->setRange(0, LogScale().steps);
   slider_->setPageStep(50);
-  slider_->setToolTip(tr("Drag: a draft follows at once, and is refined when you pause."));
+  slider_->setToolTip(
+      tr("Drag to change the target. A draft appears at once and is refined when you pause."));
   value_->setAccessibleName(tr("Target value"));
-  value_->setToolTip(tr("The target as a number; type it or step through it."));
+  value_->setToolTip(tr("Target as a number; type it or use the arrows."));
   trouble_->setWordWrap(true);
-  trouble_->setAccessibleName(tr("Trouble with the target"));
+  trouble_->setAccessibleName(tr("Problem with the target"));
   trouble_->hide();
 
   auto* grid = new QGridLayout(this);
@@ -98,7 +99,7 @@ TargetControl::TargetControl(QWidget* parent)
     choose({target_.kind, unitOf(target_.kind).scale.chosen(position)});
   });
   connect(value_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    if (value <= 0) return setTrouble(tr("There is nothing to ask for at zero."));
+    if (value <= 0) return setTrouble(tr("The target must be above zero."));
     choose({target_.kind, value});
   });
   show();

@@ -41,15 +41,15 @@ ChannelGraph::ChannelGraph(QWidget* parent)
       curves_plot_(new QCustomPlot(this)),
       bands_plot_(new QCustomPlot(this)) {
   channels_->setAccessibleName(tr("Channel"));
-  channels_->setToolTip(tr("One degree of freedom of the chosen joint."));
+  channels_->setToolTip(tr("One degree of freedom of the selected joint."));
   channels_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   curves_plot_->setAccessibleName(tr("Channel over time"));
-  curves_plot_->setToolTip(
-      tr("The channel as recorded and as compressed; below, the difference. Click to seek."));
+  curves_plot_->setToolTip(tr(
+      "The recorded and the compressed channel; below, their difference. Click to go to a frame."));
   bands_plot_->setAccessibleName(tr("Kept coefficients by scale"));
   bands_plot_->setToolTip(
-      tr("Wavelet coefficients of this channel that are kept, of all there are, from the coarsest "
-         "scale to the finest. Compression keeps the few that matter."));
+      tr("Share of this channel's wavelet coefficients that are kept, from the coarsest scale to "
+         "the finest."));
   bands_plot_->setFixedWidth(kBandsWidth);
 
   auto* head = new QHBoxLayout;
@@ -113,7 +113,7 @@ void ChannelGraph::setChannels(const QStringList& names, int current) {
   channels_->addItems(names);
   channels_->setCurrentIndex(current);
   channels_->setEnabled(!names.isEmpty());
-  hint_->setText(names.isEmpty() ? tr("The chosen joint does not move by itself.") : QString());
+  hint_->setText(names.isEmpty() ? tr("The selected joint has no motion of its own.") : QString());
 }
 
 void ChannelGraph::setCurves(const ChannelCurves& curves) {

@@ -15,7 +15,7 @@ ConvergencePlot::ConvergencePlot(QWidget* parent) : QWidget(parent), plot_(new Q
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(plot_);
   plot_->setAccessibleName(tr("Error while refining"));
-  plot_->setToolTip(tr("How the error falls while the answer is refined."));
+  plot_->setToolTip(tr("Error after each iteration of the refinement."));
   plot_->xAxis->setLabel(tr("Iteration"));
   plot_->yAxis->setLabel(tr("eps_x (cm)"));
   plot_->xAxis->ticker()->setTickCount(4);

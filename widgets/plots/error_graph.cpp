@@ -27,8 +27,8 @@ ErrorGraph::ErrorGraph(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot
   column->addWidget(plot_);
   plot_->setAccessibleName(tr("Error over time"));
   plot_->setToolTip(
-      tr("How far joints are from the original in the world, or by how much they are turned. Click "
-         "to seek, wheel to zoom, double click to see all."));
+      tr("World-space distance or angle between joints and the original. Click to go to a frame, "
+         "turn the wheel to zoom, double-click to show all."));
   plot_->xAxis->setLabel(tr("Time (s)"));
   plot_->axisRect()->setRangeZoom(Qt::Horizontal);
   plot_->setInteraction(QCP::iRangeZoom);

@@ -35,7 +35,7 @@ LibraryPlot::LibraryPlot(const LibraryFilter* clips, QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(plot_);
   plot_->setAccessibleName(tr("Clips of the library, error over ratio"));
-  plot_->setAccessibleDescription(tr("The library's columns have every figure."));
+  plot_->setAccessibleDescription(tr("The columns of the library show all measurements."));
   plot_->xAxis->setLabel(tr("Compression ratio (smaller →)"));
   plot_->yAxis->setLabel(tr("Error of a clip, eps_x (cm)"));
   for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) axis->setScaleType(QCPAxis::stLogarithmic);
@@ -50,7 +50,7 @@ LibraryPlot::LibraryPlot(const LibraryFilter* clips, QWidget* parent)
   plot_->legend->setIconSize(10, fontMetrics().height());
   hint_->position->setType(QCPItemPosition::ptAxisRectRatio);
   hint_->position->setCoords(0.5, 0.5);
-  hint_->setText(tr("Compress the library's clips to see them here"));
+  hint_->setText(tr("Clips appear here after they are compressed"));
   redraw_later_.setSingleShot(true);
   redraw_later_.setInterval(kRedrawInterval);
   connect(&redraw_later_, &QTimer::timeout, this, &LibraryPlot::redraw);

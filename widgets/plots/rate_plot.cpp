@@ -56,7 +56,8 @@ RatePlot::RatePlot(QWidget* parent)
   plot_->setMinimumHeight(kLeastHeight);
   plot_->setAccessibleName(tr("Rate-distortion plot"));
   plot_->setAccessibleDescription(
-      tr("Error over compression ratio, one curve a method. The table below has every point."));
+      tr("Error over compression ratio, one curve for each method. The table below lists every "
+         "point."));
   plot_->xAxis->setLabel(tr("Compression ratio (smaller →)"));
   for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) axis->setScaleType(QCPAxis::stLogarithmic);
   plot_->xAxis->setTicker(QSharedPointer<LogTicker>::create(QStringLiteral(":1")));
@@ -68,7 +69,7 @@ RatePlot::RatePlot(QWidget* parent)
 
   hint_->position->setType(QCPItemPosition::ptAxisRectRatio);
   hint_->position->setCoords(0.5, 0.5);
-  here_label_->setText(tr("you are here"));
+  here_label_->setText(tr("current result"));
   connect(plot_, &QCustomPlot::beforeReplot, this, &RatePlot::placeHereLabel);
   connectMouse();
   applyColours();

@@ -129,9 +129,8 @@ double ContactStrip::slideOf(const ContactSpan& span) const {
 }
 
 QString ContactStrip::describe(const ContactSpan& span) const {
-  return tr("%1 on the ground, frames %L2–%L3; drifts by %4 against the original. Drag an "
-            "end "
-            "to move it.")
+  return tr("%1 stands in frames %L2–%L3 and drifts by %4 from the original. Drag an end to move "
+            "it.")
       .arg(names_[static_cast<std::size_t>(span.landmark)])
       .arg(span.first_frame + 1)
       .arg(span.last_frame + 1)

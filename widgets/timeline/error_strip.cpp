@@ -29,7 +29,7 @@ ErrorStrip::ErrorStrip(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setAccessibleName(tr("Error strip"));
   setAccessibleDescription(
-      tr("Greatest and mean error at every frame. The table of joints has the numbers."));
+      tr("Largest and mean error at every frame. The table of joints has the numbers."));
 }
 
 void ErrorStrip::setErrors(ErrorProfile profile, const ErrorScale& scale, int frames) {
@@ -212,10 +212,10 @@ bool ErrorStrip::event(QEvent* event) {
   const auto* help = static_cast<QHelpEvent*>(event);
   QString text =
       help->pos().x() < axis().left
-          ? tr("Errors of this size and more are drawn at full height and lightest. Click to "
+          ? tr("Errors of this size or more have full height and the lightest colour. Click to "
                "choose another scale.")
-          : tr("Greatest error at every frame as a column, the mean as a line. The wheel zooms, "
-               "with Shift it moves along; Shift and drag chooses the range that is played.");
+          : tr("Largest error at every frame as a column, mean error as a line. Turn the wheel to "
+               "zoom, with Shift to scroll; drag with Shift to choose the range to play.");
   for (const Glitch& glitch : glitches_)
     if (std::abs(axis().xOf(glitch.frame + 0.5) - help->pos().x()) < kMarkSize &&
         help->pos().y() < 2 * kAbove)

@@ -18,9 +18,9 @@ constexpr int kFree = 4;
 
 SightStrip::SightStrip(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  setAccessibleName(tr("What the eye sees"));
+  setAccessibleName(tr("Visible errors"));
   setAccessibleDescription(
-      tr("Where people notice that the clip is compressed. The heat map has it by joint."));
+      tr("Times at which errors are visible. The heat map shows them by joint."));
 }
 
 void SightStrip::setSight(SightPtr sight, std::vector<QString> names, int frames) {
@@ -88,8 +88,7 @@ bool SightStrip::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
   QString text =
-      tr("Where people notice that the clip is compressed: half a column is borderline, a whole "
-         "one is visible.");
+      tr("Times at which errors are visible (full column) or borderline (half a column).");
   if (sight_ && help->pos().x() >= axis().left) {
     const WorstSight seen = sight_->at(axis().frameAt(help->pos().x()));
     text =

@@ -34,7 +34,7 @@ Timeline::Timeline(QWidget* parent)
       sight_(new SightStrip(this)),
       contacts_(new ContactStrip(this)),
       scroll_(new QScrollBar(Qt::Horizontal, this)) {
-  scroll_->setAccessibleName(tr("Part of the clip in sight"));
+  scroll_->setAccessibleName(tr("Visible part of the clip"));
   scroll_->setFocusPolicy(Qt::NoFocus);
   scroll_->hide();
   auto* column = new QVBoxLayout(this);

@@ -68,9 +68,9 @@ TransportActions TransportBar::makeActions(Playback* playback, QObject* parent) 
     action->setShortcut(shortcut);
     return action;
   };
-  actions.backwards = plain(tr("Play backwards, again: faster"), Qt::Key_J);
+  actions.backwards = plain(tr("Play backwards; press again to go faster"), Qt::Key_J);
   actions.halt = plain(tr("Pause"), Qt::Key_K);
-  actions.forwards = plain(tr("Play forwards, again: faster"), Qt::Key_L);
+  actions.forwards = plain(tr("Play forwards; press again to go faster"), Qt::Key_L);
   actions.ten_back = plain(tr("Ten frames back"), Qt::SHIFT | Qt::Key_Left);
   actions.ten_on = plain(tr("Ten frames on"), Qt::SHIFT | Qt::Key_Right);
   actions.range_from = plain(tr("Play from here"), Qt::Key_BracketLeft);
@@ -109,7 +109,7 @@ TransportBar::TransportBar(Playback* playback, const TransportActions& actions, 
     : QWidget(parent), playback_(playback) {
   takes_ = new QComboBox(this);
   takes_->setAccessibleName(tr("Take"));
-  takes_->setToolTip(tr("Which of the animations in the file is read."));
+  takes_->setToolTip(tr("Animation of the file to read."));
   takes_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   takes_->setMinimumContentsLength(kTakeLetters);
   takes_->hide();
@@ -120,7 +120,7 @@ TransportBar::TransportBar(Playback* playback, const TransportActions& actions, 
   frame_ = makeReadOut(tr("Frame read-out"), this);
   speed_ = new QComboBox(this);
   speed_->setAccessibleName(tr("Speed"));
-  speed_->setToolTip(tr("Playing speed; 1× is as recorded."));
+  speed_->setToolTip(tr("Playing speed; 1× is the recorded speed."));
   for (const double speed : kSpeeds) speed_->addItem(tr("%L1×").arg(speed), speed);
   speed_->setCurrentIndex(speed_->findData(1.0));
 

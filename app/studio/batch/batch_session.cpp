@@ -116,7 +116,7 @@ void BatchSession::apply(const BatchSettings& settings) {
 
 /// Refuses changes to the queue of a running batch and tells the user.
 bool BatchSession::refused() {
-  if (running()) emit noted(tr("Clips can be added when the batch has ended."));
+  if (running()) emit noted(tr("Clips can be added after the batch has ended."));
   return running();
 }
 
@@ -351,12 +351,12 @@ QString BatchSession::obstacle() const {
   const QString example = exampleName(&wrong);
   if (queue_.clips().empty()) return tr("Add clips to begin.");
   if (queue_.countLeftOut() == queue_.rowCount())
-    return tr("Every clip is left out. Tick those to export.");
-  if (settings_.folder.isEmpty()) return tr("Choose the folder the files go to.");
-  if (settings_.formats.empty()) return tr("Choose at least one kind of file.");
+    return tr("Every clip is left out. Tick the clips to export.");
+  if (settings_.folder.isEmpty()) return tr("Choose a folder for the files.");
+  if (settings_.formats.empty()) return tr("Choose at least one file format.");
   if (settings_.bank &&
       std::ranges::find(settings_.formats, OutputFormat::Mcpr) == settings_.formats.end())
-    return tr("A bank is made of compressed files: choose these too.");
+    return tr("A bank needs compressed files: choose Compressed (.mcpr) too.");
   return wrong ? example : QString();
 }
 
@@ -453,7 +453,9 @@ QString BatchSession::report() const {
 
 void BatchSession::writeSlurm(const QString& path, int tasks) {
   if (settings_.bank) {
-    emit noted(tr("No task has all clips of a bank: choose none to write a script."));
+    emit noted(
+        tr("A cluster's tasks cannot make a bank, since none has all clips: set Bank to None to "
+           "write a script."));
     return;
   }
   try {

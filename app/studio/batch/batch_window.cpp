@@ -73,8 +73,8 @@ QString soFar(const BatchCounts& counts) {
 }
 
 QString atBank(const BankProgress& bank, bool learns) {
-  if (bank.clips == 0) return Status::tr("Waiting: another program is changing the bank…");
-  if (bank.done == 0 && learns) return Status::tr("Learning from the clips for their bank…");
+  if (bank.clips == 0) return Status::tr("Waiting for another program that is changing the bank…");
+  if (bank.done == 0 && learns) return Status::tr("Fitting the coder to the clips of the bank…");
   return Status::tr("Making the bank: %L1 of %L2").arg(bank.done).arg(bank.clips);
 }
 
@@ -161,7 +161,7 @@ BatchWindow::BatchWindow(BatchSession* session, QWidget* parent)
       character_(new CharacterChoice(this)),
       output_(new BatchOutput(this)),
       whose_(makeHeading({}, this)),
-      unlock_(new QPushButton(tr("Give Them the Shared Settings"), this)),
+      unlock_(new QPushButton(tr("Use Shared Settings for Selection"), this)),
       start_(new QPushButton(this)),
       stop_(new QPushButton(tr("&Stop after Current"), this)),
       cancel_(new QPushButton(tr("&Cancel"), this)),
@@ -273,11 +273,14 @@ QWidget* BatchWindow::makeFoot() {
   start_->setDefault(true);
   start_->setMinimumWidth(120);
   start_->setToolTip(
-      tr("Compress, read back, measure and put in place. What is done and unchanged is kept."));
-  stop_->setToolTip(tr("Finish the clips that are being worked on and begin no other"));
-  cancel_->setToolTip(tr("Drop the clips that are being worked on: they are waiting again"));
-  report_->setToolTip(tr("Every clip with its figures, and the worst frames drawn"));
-  slurm_->setToolTip(tr("Have a cluster do this queue: a script for sbatch"));
+      tr("Compress each clip, read the file back, measure it and put it in place. Finished clips "
+         "that have not changed are kept."));
+  stop_->setToolTip(tr("Finish the clips in progress and start no others"));
+  cancel_->setToolTip(tr("Stop the clips in progress and put them back in the queue"));
+  report_->setToolTip(
+      tr("Open a page with the measurements of every clip and pictures of the worst frames"));
+  slurm_->setToolTip(
+      tr("Write a script for Slurm's sbatch that compresses this queue on a cluster"));
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(6);
   buttons->addWidget(start_);
@@ -425,7 +428,7 @@ void BatchWindow::showSelection() {
                                : tr("Settings of %Ln selected clip(s)", nullptr,
                                     static_cast<int>(rows.size())));
   whose_->setToolTip(
-      tr("A change while clips are selected applies to them alone, and locks them."));
+      tr("Changes made while clips are selected apply to these clips only, and lock them."));
   unlock_->setVisible(locked);
   editor_->setPreset(rows.empty() ? queue.common() : queue.presetOf(rows.front()));
 }

@@ -60,18 +60,16 @@ ErrorDisplay::ErrorDisplay(QObject* parent)
       distances_(new ErrorScaleChoice(ErrorQuantity::Distance, this)),
       angles_(new ErrorScaleChoice(ErrorQuantity::Angle, this)),
       in_degrees_(new QAction(tr("Errors in &Degrees"), this)),
-      as_seen_(new QAction(tr("What the Eye Sees"), this)) {
+      as_seen_(new QAction(tr("Visible Errors"), this)) {
   in_degrees_->setIconText(tr("Degrees"));
   in_degrees_->setShortcut(Qt::SHIFT | Qt::Key_E);
-  in_degrees_->setToolTip(
-      tr("Heat map and error graph: by how many degrees joints are turned in the world, instead of "
-         "how far they are off (%1)")
-          .arg(in_degrees_->shortcut().toString(QKeySequence::NativeText)));
+  in_degrees_->setToolTip(tr("Show rotation errors of joints (in degrees, world space) instead of "
+                             "distances in heat map and error graph (%1)")
+                              .arg(in_degrees_->shortcut().toString(QKeySequence::NativeText)));
   as_seen_->setIconText(tr("Seen"));
   as_seen_->setShortcut(Qt::SHIFT | Qt::Key_S);
-  as_seen_->setToolTip(
-      tr("Heat map: where people notice that joints are off, instead of how far they are off (%1)")
-          .arg(as_seen_->shortcut().toString(QKeySequence::NativeText)));
+  as_seen_->setToolTip(tr("Show visible errors of joints instead of distances in the heat map (%1)")
+                           .arg(as_seen_->shortcut().toString(QKeySequence::NativeText)));
   auto* one_of_them = new QActionGroup(this);
   one_of_them->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
   for (const auto& [action, setting] : {std::pair(in_degrees_, kInDegrees), {as_seen_, kAsSeen}}) {

@@ -73,15 +73,15 @@ QString stateOf(const Document& document) {
   const Method method = decoded.compressed.provenance.method;
   if (!decoded.distortion) return Figures::tr("As recorded in the file");
   if (!decoded.coefficient_ratio && document.savedPath().isEmpty())
-    return Figures::tr("%1, as in the study").arg(displayMethod(decoded));
+    return Figures::tr("%1, with the settings of the study").arg(displayMethod(decoded));
   if (!decoded.coefficient_ratio)
-    return Figures::tr("%1, from the file, measured against the original")
+    return Figures::tr("%1, read from the file and measured against the original")
         .arg(displayMethod(decoded));
-  if (!document.final()) return Figures::tr("Draft; the refined answer is on its way");
+  if (!document.final()) return Figures::tr("Draft; the refined result follows");
   if (document.unanswered())
     return decoded.effort == Effort::Draft || method != document.options().method
-               ? Figures::tr("No answer to these settings; the draft is kept")
-               : Figures::tr("No answer to these settings; the last one is kept");
+               ? Figures::tr("No result for these settings; the draft is kept")
+               : Figures::tr("No result for these settings; the last one is kept");
   if (!decoded.complete) return Figures::tr("Refinement cancelled; the best so far is kept");
   if (method != document.options().method || decoded.effort == Effort::Draft)
     return Figures::tr("Refinement cancelled; the draft is kept");
@@ -101,13 +101,12 @@ QString footskateSummary(const Document& document) {
   if (contacts == 0) return Figures::tr("No foot stands on the ground in this clip.");
   const SlidePerContact each =
       slide_per_contact(*footskate, document.contacts().size()).value_or(SlidePerContact());
-  const QString slid =
-      Figures::tr(
-          "%Ln contact(s): feet drift by %1 in the mean, by %2 at worst; their path is %3 "
-          "longer than the original's",
-          nullptr, contacts)
-          .arg(lengthText(each.drift_mean_cm), lengthText(each.drift_worst_cm),
-               lengthText(footskate->total_cm));
+  const QString slid = Figures::tr(
+                           "%Ln contact(s): mean drift of the feet %1, worst %2; their path is %3 "
+                           "longer than the original's",
+                           nullptr, contacts)
+                           .arg(lengthText(each.drift_mean_cm), lengthText(each.drift_worst_cm),
+                                lengthText(footskate->total_cm));
   return document.uncorrected() ? Figures::tr("%1, without IK").arg(slid) : slid;
 }
 

@@ -125,7 +125,7 @@ void Inspector::connectViews() {
   connect(views_.curve, &RatePlot::pointChosen, this, &Inspector::chooseRatio);
   views_.channel->installEventFilter(this);
   views_.curve->installEventFilter(this);
-  views_.curve->setHint(tr("The curve of this clip is drawn once it is compressed."));
+  views_.curve->setHint(tr("The curve of this clip appears after it is compressed."));
 }
 
 /// Puts the scales of the shown quantity into the heat map's menu.

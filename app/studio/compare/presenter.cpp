@@ -88,7 +88,7 @@ void Presenter::connectDocument() {
   connect(session_, &Session::compressFailed, target,
           [target](const QString& message, bool out_of_reach) {
             if (out_of_reach)
-              target->setTrouble(tr("Out of reach for this clip by this method."), message);
+              target->setTrouble(tr("This method cannot reach the target for this clip."), message);
           });
 }
 

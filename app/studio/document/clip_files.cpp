@@ -242,13 +242,14 @@ void ClipFiles::write(const QString& path, const QString& worn) {
   // The dialog asked about replacing `path`, but not about the original or a skeleton beside it.
   QString doubt;
   if (session_->isOpen(path))
-    doubt = tr("%1 is the original that is open. Replace it by its compressed motion?")
+    doubt = tr("%1 is the original that is open. Replace it with the compressed motion?")
                 .arg(fileName(path));
   else if (kind == QLatin1String("amc") && QFileInfo::exists(skeleton))
-    doubt = tr("The skeleton goes into %1, which is there already. Replace it?")
+    doubt = tr("The skeleton is written to %1, which exists already. Replace it?")
                 .arg(fileName(skeleton));
   else if (!worn.isEmpty() && QFileInfo(path) == QFileInfo(worn))
-    doubt = tr("%1 is the character. Replace it by one that moves so?").arg(fileName(path));
+    doubt = tr("%1 is the file of the character. Replace it with a file that also has this motion?")
+                .arg(fileName(path));
   // Another extension may have been typed.
   const QString onto = can_be_onto(path.toStdU16String(), worn.toStdU16String()) ? worn : QString();
   if (doubt.isEmpty()) return session_->exportMotion(path, onto);

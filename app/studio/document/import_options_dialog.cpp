@@ -74,9 +74,9 @@ ImportOptionsDialog::ImportOptionsDialog(const OriginalClip& clip, QWidget* pare
   const bool says_all =
       source.kind == SourceFormat::Kind::Fbx || source.kind == SourceFormat::Kind::Gltf;
 
-  unit_->addItem(says_all ? tr("As the file says")
+  unit_->addItem(says_all ? tr("As in the file")
                  : bvh    ? tr("Guessed by the figure's height")
-                          : tr("As the skeleton says"));
+                          : tr("As in the skeleton file"));
   unit_->addItem(tr("Centimetre"), 1.0);
   unit_->addItem(tr("Metre"), 100.0);
   unit_->addItem(tr("Millimetre"), 0.1);
@@ -84,13 +84,13 @@ ImportOptionsDialog::ImportOptionsDialog(const OriginalClip& clip, QWidget* pare
   unit_->addItem(tr("CMU's unit (0.45 to the inch)"), 2.54 / 0.45);
   unit_->addItem(tr("Other"));
   cm_per_unit_->setValue(source.cm_per_unit);
-  up_->addItem(says_all ? tr("As the file says") : tr("Y, as usual"));
+  up_->addItem(says_all ? tr("As in the file") : tr("Y, as usual"));
   up_->addItem(QStringLiteral("Y"), static_cast<int>(UpAxis::Y));
   up_->addItem(QStringLiteral("Z"), static_cast<int>(UpAxis::Z));
   root_->addItem(tr("Guessed by the root's values"));
   root_->addItem(tr("Adds to its OFFSET"), static_cast<int>(TranslationConvention::Adds));
   root_->addItem(tr("Replaces its OFFSET"), static_cast<int>(TranslationConvention::Replaces));
-  rate_->addItem(clip.states_rate ? tr("As the file says")
+  rate_->addItem(clip.states_rate ? tr("As in the file")
                                   : tr("%L1 Hz, CMU's: the file does not say").arg(kUsualAmcRate));
   for (const double hz : {24.0, 25.0, 30.0, 60.0, 100.0, 120.0})
     rate_->addItem(tr("%L1 Hz").arg(hz), hz);
@@ -106,12 +106,12 @@ ImportOptionsDialog::ImportOptionsDialog(const OriginalClip& clip, QWidget* pare
   root_->setVisible(bvh);
   unit_->setAccessibleName(tr("Length unit"));
   rate_->setAccessibleName(tr("Frame rate"));
-  cm_per_unit_->setAccessibleName(tr("Centimetres to the unit"));
+  cm_per_unit_->setAccessibleName(tr("Centimetres in one unit"));
   rate_hz_->setAccessibleName(tr("Frames per second"));
   qobject_cast<QLabel*>(form->labelForField(unit_->parentWidget()))->setBuddy(unit_);
   qobject_cast<QLabel*>(form->labelForField(rate_->parentWidget()))->setBuddy(rate_);
 
-  QString now = tr("Now read as: %L1 cm to the unit, %2 up, %L3 Hz")
+  QString now = tr("Now read with %L1 cm to the unit, %2 up, %L3 Hz")
                     .arg(source.cm_per_unit, 0, 'g', 6)
                     .arg(source.up == UpAxis::Y ? QStringLiteral("Y") : QStringLiteral("Z"))
                     .arg(clip.motion().clip.sample_rate_hz, 0, 'g', 6);

@@ -57,7 +57,7 @@ bool PresetShelf::isBuiltIn(const std::string& name) {
 
 bool PresetShelf::isFree(const std::string& name) {
   if (!name.empty() && !isBuiltIn(name)) return true;
-  emit noted(tr("The name of a built-in preset cannot be given to another."));
+  emit noted(tr("This is the name of a built-in preset. Choose another name."));
   return false;
 }
 
@@ -156,7 +156,7 @@ bool PresetShelf::setAside() {
     return false;
   }
   unreadable_ = false;
-  emit noted(tr("The presets kept before could not be read; their file is %1 now.")
+  emit noted(tr("The presets could not be read; their file was renamed to %1.")
                  .arg(QDir::toNativeSeparators(kept)));
   return true;
 }

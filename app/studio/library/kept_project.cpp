@@ -154,8 +154,8 @@ bool KeptProject::open(const QString& path) {
   }
   if (shelf_ && (!lock->held() || !QFileInfo(file).isWritable())) {
     if (!openCopy(file)) return false;
-    emit noted(tr("%1 cannot be changed where it is. This is a copy without a name.")
-                   .arg(QDir::toNativeSeparators(file)));
+    emit noted(
+        tr("%1 is read-only. This is a copy without a name.").arg(QDir::toNativeSeparators(file)));
     return true;
   }
   try {

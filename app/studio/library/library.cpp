@@ -563,7 +563,8 @@ void Library::noteEncoded(const TunedClip& tuned, const BatchStep& step) {
     show(*clip);
   }
   if (step.source.empty() || step.source == clip->stamp.source) return;
-  clip->failure = tr("Its files changed while it was compressed.");  // until they are looked at
+  clip->failure =
+      tr("The clip's files changed while it was compressed.");  // until they are looked at
   show(*clip);
   checkFiles();
 }

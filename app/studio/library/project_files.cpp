@@ -70,7 +70,7 @@ void ProjectFiles::leave(std::function<void()> then) {
                          static_cast<int>(library_->project().clips.size())),
                       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
   question->setInformativeText(
-      tr("Without a name it stays under File > Recent Projects, with its date."));
+      tr("A project without a name stays in File > Recent Projects, under its date."));
   question->button(QMessageBox::Discard)->setText(tr("&Keep It Unnamed"));
   question->setAttribute(Qt::WA_DeleteOnClose);
   connect(question, &QMessageBox::finished, this, [this, then = std::move(then)](int button) {
@@ -84,7 +84,7 @@ void ProjectFiles::askToQuit(std::function<void()> then) {
       new QMessageBox(QMessageBox::Warning, tr("Project Not Written"),
                       tr("The last changes of the project cannot be written. Quit without them?"),
                       QMessageBox::Discard | QMessageBox::Cancel, window_);
-  question->setInformativeText(tr("Save Project As puts them elsewhere."));
+  question->setInformativeText(tr("Use Save Project As to save them to another file."));
   question->setAttribute(Qt::WA_DeleteOnClose);
   connect(question, &QMessageBox::finished, this, [then = std::move(then)](int button) {
     if (button == QMessageBox::Discard) then();

@@ -98,8 +98,9 @@ QString hintOf(const StudySession& session) {
   if (settings.clips.isEmpty()) return Status::tr("Add a clip to study");
   if (settings.methods.isEmpty()) return Status::tr("Check a method to study");
   if (settings.ratios.empty() && settings.errors.empty())
-    return Status::tr("Name a ratio or an error to reach");
-  return session.running() ? Status::tr("Measuring…") : Status::tr("Run the study to see curves");
+    return Status::tr("Enter a ratio or an error");
+  return session.running() ? Status::tr("Measuring…")
+                           : Status::tr("Curves appear after the study has run");
 }
 
 namespace {
@@ -239,7 +240,7 @@ void StudyWindow::connectPanel() {
 
 QPushButton* StudyWindow::makeExportButton() {
   auto* button = new QPushButton(tr("&Export"), this);
-  button->setToolTip(tr("Write what is measured to a file"));
+  button->setToolTip(tr("Write the measurements to a file"));
   auto* menu = new QMenu(button);
   button->setMenu(menu);
   const auto add = [&](const QString& text, const QString& filter, const QString& ending,

@@ -81,26 +81,28 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
   actions.export_motion =
       make(window, Texts::tr("E&xport Motion…"), Qt::CTRL | Qt::SHIFT | Qt::Key_E);
   actions.export_motion->setToolTip(
-      Texts::tr("Write the decompressed motion, by the conventions of its source"));
+      Texts::tr("Write the decompressed motion with the unit, axes and rate of its source"));
   actions.export_review = make(window, Texts::tr("Export Review Pa&ge…"));
   actions.export_review->setToolTip(
-      Texts::tr("Write a page that shows original and compressed clip in a browser"));
+      Texts::tr("Write a web page that shows original and compressed clip"));
   actions.export_review->setVisible(has_review_viewer());
   actions.import_options = make(window, Texts::tr("&Import Options…"));
   actions.import_options->setToolTip(
-      Texts::tr("Read the open motion again with another unit, up axis, rate or root"));
+      Texts::tr("Read the open motion again with another length unit, up axis, frame rate or root "
+                "convention"));
   actions.put_character = make(window, Texts::tr("Put a C&haracter on It…"));
   actions.put_character->setToolTip(
-      Texts::tr("Show the clip, and all clips of its rig, with the skin of an FBX or glTF that has "
-                "joints of its names"));
+      Texts::tr("Show the clip, and all clips with the same rig, on the mesh of an FBX or glTF "
+                "whose joints have the same names"));
   actions.take_character_off = make(window, Texts::tr("Ta&ke Its Character Off"));
   actions.take_character_off->setToolTip(
-      Texts::tr("Show the clip, and all clips of its rig, as their files say"));
+      Texts::tr("Show the clip, and all clips with the same rig, as in their files"));
   actions.batch = make(window, Texts::tr("&Batch Export…"), Qt::CTRL | Qt::Key_E);
-  actions.batch->setToolTip(Texts::tr("Compress many clips, verify each, and report on all"));
+  actions.batch->setToolTip(
+      Texts::tr("Compress many clips, verify each of them and write a report"));
   actions.export_library = make(window, Texts::tr("Batch Export of the &Library…"));
   actions.export_library->setToolTip(
-      Texts::tr("Export all clips of the library, each by its own settings"));
+      Texts::tr("Export all clips of the library, each with its own settings"));
   actions.add_clips = make(window, Texts::tr("A&dd Clips to Library…"));
   actions.add_folder = make(window, Texts::tr("Add &Folder to Library…"));
   actions.new_project = make(window, Texts::tr("&New Project"), QKeySequence::New);
@@ -109,7 +111,8 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
   actions.switch_slot = make(window, Texts::tr("Switch between &A and B"), Qt::Key_A);
   actions.copy_slot = make(window, Texts::tr("&Copy Settings to the Other"), Qt::SHIFT | Qt::Key_A);
   actions.pin = make(window, Texts::tr("&Pin This Result"), Qt::Key_D, QStringLiteral("pin"));
-  actions.pin->setToolTip(Texts::tr("Keep this result in view beside those of other settings (D)"));
+  actions.pin->setToolTip(
+      Texts::tr("Keep this result in the view beside results of other settings (D)"));
   actions.quit = make(window, Texts::tr("&Quit"), QKeySequence::Quit);
   actions.undo = history->createUndoAction(window, Texts::tr("&Undo"));
   actions.undo->setShortcut(QKeySequence::Undo);
@@ -120,7 +123,7 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
   actions.next_worst =
       make(window, Texts::tr("Next &Worst Frame"), Qt::Key_N, QStringLiteral("worst"));
   actions.next_worst->setToolTip(
-      Texts::tr("Go to the frame with the greatest error; again for the next worst (N)"));
+      Texts::tr("Go to the frame with the largest error, then to the next largest (N)"));
   actions.previous_worst = make(window, Texts::tr("P&revious Worst Frame"), Qt::SHIFT | Qt::Key_N);
   actions.hold_feet = make(window, Texts::tr("&Hold Feet"), Qt::Key_I);
   actions.hold_feet->setToolTip(Texts::tr("Compress with or without inverse kinematics (I)"));
@@ -128,17 +131,18 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
       make(window, Texts::tr("Without I&K"), Qt::Key_B, QStringLiteral("without-ik"));
   actions.without_ik->setCheckable(true);
   actions.without_ik->setToolTip(
-      Texts::tr("See the compressed figure before its feet are held (B)"));
+      Texts::tr("Show the compressed figure without the IK correction of its feet (B)"));
   actions.reset_layout = make(window, Texts::tr("Reset La&yout"));
   actions.study = make(window, Texts::tr("&Study…"), Qt::CTRL | Qt::Key_T);
-  actions.study->setToolTip(Texts::tr("Compare methods on many clips: size against error"));
+  actions.study->setToolTip(
+      Texts::tr("Compare the file sizes and errors of methods on many clips"));
   actions.guide = make(window, Texts::tr("&Guide"), QKeySequence::HelpContents);
   actions.shortcuts = make(window, Texts::tr("&Keyboard Shortcuts"), Qt::Key_Question);
   actions.themes = makeChoices(
       window,
-      {{Texts::tr("As the &System"), 0}, {Texts::tr("&Light"), 1}, {Texts::tr("&Dark"), 2}});
+      {{Texts::tr("Like the &System"), 0}, {Texts::tr("&Light"), 1}, {Texts::tr("&Dark"), 2}});
   // Each language has its own name in itself, which its speakers can read.
-  actions.languages = makeChoices(window, {{Texts::tr("As the &System"), QString()},
+  actions.languages = makeChoices(window, {{Texts::tr("Like the &System"), QString()},
                                            {QStringLiteral("English"), QStringLiteral("en")},
                                            {QStringLiteral("Français"), QStringLiteral("fr")},
                                            {QStringLiteral("日本語"), QStringLiteral("ja")}});

@@ -51,7 +51,7 @@ QString shortcutSheet(const QMenuBar& menus) {
       HelpTexts::tr("Left drag in the 3D view: turn"),
       HelpTexts::tr("Right or middle drag: move"),
       HelpTexts::tr("Wheel: nearer or further"),
-      HelpTexts::tr("Click on a joint: choose it"),
+      HelpTexts::tr("Click on a joint: select it"),
       HelpTexts::tr("Wheel over the timeline: zoom; with Shift: move along"),
       HelpTexts::tr("Click on the scale of the error strip: choose another"),
       HelpTexts::tr("Drag an end of a contact: move it; right button: add or remove"),

@@ -32,28 +32,25 @@ bool asksForWords(std::span<char* const> arguments) {
 LaunchOptions parseLaunchOptions(const QCoreApplication& application) {
   QCommandLineParser parser;
   parser.setApplicationDescription(
-      Launch::tr("Compress human motion capture clips with wavelets, and see what it does."));
+      Launch::tr("Compress human motion capture clips with wavelets, and look at the result."));
   parser.addHelpOption();
   parser.addVersionOption();
-  parser.addPositionalArgument(
-      QStringLiteral("file"),
-      Launch::tr("A project (.mocapress), a motion or a .mcpr file. Several, and folders, "
-                 "come into the library."),
-      QStringLiteral("[FILE|FOLDER...]"));
-  const QCommandLineOption skeleton(QStringLiteral("skeleton"),
-                                    Launch::tr("The .asf skeleton of an .amc."),
-                                    QStringLiteral("ASF"));
-  const QCommandLineOption ratio(QStringLiteral("ratio"),
-                                 Launch::tr("The compression ratio to begin with."),
-                                 QStringLiteral("R"));
+  parser.addPositionalArgument(QStringLiteral("file"),
+                               Launch::tr("A project (.mocapress), a motion or a .mcpr file. "
+                                          "Several files, and folders, are added to the library."),
+                               QStringLiteral("[FILE|FOLDER...]"));
+  const QCommandLineOption skeleton(
+      QStringLiteral("skeleton"), Launch::tr("Skeleton (.asf) of an .amc."), QStringLiteral("ASF"));
+  const QCommandLineOption ratio(
+      QStringLiteral("ratio"), Launch::tr("Compression ratio at the start."), QStringLiteral("R"));
   const QCommandLineOption ik(QStringLiteral("ik"),
-                              Launch::tr("Hold the feet, with this IK ratio to begin with."),
+                              Launch::tr("Hold the feet, with this IK ratio at the start."),
                               QStringLiteral("R_IK"));
   const QCommandLineOption trace(QStringLiteral("trace"),
                                  Launch::tr("Write timings to standard error."));
   const QCommandLineOption screenshot(
       QStringLiteral("screenshot"),
-      Launch::tr("Write a picture of the window once the clip is compressed, and quit."),
+      Launch::tr("After the clip is compressed, write a picture of the window and quit."),
       QStringLiteral("PNG"));
   parser.addOptions({skeleton, ratio, ik, trace, screenshot});
   parser.process(application);

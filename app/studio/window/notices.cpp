@@ -77,7 +77,7 @@ void Notices::tellOfLibrary() {
           [this](const QString& message) { bar_->showError(message); });
   connect(library_, &Library::noted, this, &Notices::keep);
   connect(library_, &Library::recovered, this, [this](int clips) {
-    keep(tr("The last session ended unexpectedly. Its project is here again: %Ln clip(s).", nullptr,
+    keep(tr("The last session ended unexpectedly. Its project was restored: %Ln clip(s).", nullptr,
             clips));
   });
 }

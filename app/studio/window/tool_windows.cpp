@@ -87,7 +87,7 @@ void ToolWindows::keepWithProject(BatchSession* session) {
   library_->setLeaveCheck([session] {
     session->rememberNow();
     return session->running()
-               ? tr("The batch of this project is running: stop it first, or let it end.")
+               ? tr("The batch of this project is running. Stop it or wait until it ends.")
                : QString();
   });
 }

@@ -61,13 +61,13 @@ ViewActions makeViewActions(QMainWindow* window) {
                                   const QKeySequence& shortcut, const QString& explanation) {
     return make(window, icon, text, shortcut, explanation);
   };
-  actions.mode = {
-      make_here("overlay", ViewTexts::tr("&Overlay"), Qt::Key_1,
-                ViewTexts::tr("The original as a ghost over the compressed figure")),
-      make_here("side-by-side", ViewTexts::tr("&Side by Side"), Qt::Key_2,
-                ViewTexts::tr("Original and compressed figure beside each other")),
-      make_here("wipe", ViewTexts::tr("&Wipe"), Qt::Key_3,
-                ViewTexts::tr("One picture with a divider to drag, also while it plays"))};
+  actions.mode = {make_here("overlay", ViewTexts::tr("&Overlay"), Qt::Key_1,
+                            ViewTexts::tr("The original as a ghost over the compressed figure")),
+                  make_here("side-by-side", ViewTexts::tr("&Side by Side"), Qt::Key_2,
+                            ViewTexts::tr("Original and compressed figure beside each other")),
+                  make_here("wipe", ViewTexts::tr("&Wipe"), Qt::Key_3,
+                            ViewTexts::tr("Original on one side of a divider that can be dragged, "
+                                          "compressed figure on the other"))};
   actions.modes = new QActionGroup(window);
   for (QAction* mode : actions.mode) {
     mode->setCheckable(true);
@@ -75,7 +75,7 @@ ViewActions makeViewActions(QMainWindow* window) {
   }
   actions.mode[0]->setChecked(true);
   actions.swap = make_here("swap", ViewTexts::tr("Sw&ap"), Qt::Key_X,
-                           ViewTexts::tr("Exchange the places of original and compressed figure"));
+                           ViewTexts::tr("Swap original and compressed figure"));
   actions.blink =
       make_here("blink", ViewTexts::tr("&Blink"), Qt::Key_C,
                 ViewTexts::tr("Original and compressed figure take turns in one place"));
@@ -83,12 +83,14 @@ ViewActions makeViewActions(QMainWindow* window) {
       make_here("by-error", ViewTexts::tr("Colour by &Error"), Qt::Key_E,
                 ViewTexts::tr("Colour every joint by its distance from the original, in cm"));
   actions.skin = make_here("skin", ViewTexts::tr("Show Skin"), Qt::Key_M,
-                           ViewTexts::tr("Figures with their skin, or as skeletons"));
-  actions.path = make_here("path", ViewTexts::tr("&Path of the Joint"), Qt::Key_P,
-                           ViewTexts::tr("The path of the chosen joint, half a second around now"));
-  actions.trail = make_here(
-      "trail", ViewTexts::tr("Ghost &Trail"), Qt::Key_T,
-      ViewTexts::tr("Where the compressed figure was (blue) and will be (orange), faded"));
+                           ViewTexts::tr("Show figures with their skin or as skeletons"));
+  actions.path = make_here(
+      "path", ViewTexts::tr("&Path of the Joint"), Qt::Key_P,
+      ViewTexts::tr(
+          "Path of the selected joint, half a second before and after the current frame"));
+  actions.trail = make_here("trail", ViewTexts::tr("Ghost &Trail"), Qt::Key_T,
+                            ViewTexts::tr("Faded poses of the compressed figure before (blue) and "
+                                          "after (orange) the current frame"));
   actions.trail_poses = new QActionGroup(window);
   for (const int poses : {2, 4, 8}) {
     QAction* choice = actions.trail_poses->addAction(
@@ -100,7 +102,7 @@ ViewActions makeViewActions(QMainWindow* window) {
   actions.follow = make_here("follow", ViewTexts::tr("&Follow"), Qt::Key_F,
                              ViewTexts::tr("The camera moves with the figure"));
   actions.in_place = make_here("in-place", ViewTexts::tr("I&n Place"), Qt::Key_G,
-                               ViewTexts::tr("Play without the root's way over the ground"));
+                               ViewTexts::tr("Play without the root's travel over the ground"));
   actions.floor = make_here("floor", ViewTexts::tr("F&loor View"), Qt::Key_V,
                             ViewTexts::tr("Look straight down, as on a plan"));
   actions.reset_camera = make_here("fit", ViewTexts::tr("&Reset Camera"), Qt::Key_R,
