@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/base64.h"
 
+#include <algorithm>
+
 namespace mocapress {
 namespace {
 

@@ -13,6 +13,7 @@
 #include "core/report/markup.h"
 #include "core/report/report_style.h"
 #include "core/report/review_page.h"
+#include "core/report/verdict.h"
 
 namespace mocapress {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Cooks any bytes that open as a .mcpr. The cooked clip must pass its check and be played in every
 // way, with loops and root motion.
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 

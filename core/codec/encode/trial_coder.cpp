@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/byte_cursor.h"
 #include "core/codec/encode/mend/end_fit.h"
 #include "core/codec/encode/search/size_estimate.h"
 #include "core/codec/encode/search/split_search.h"

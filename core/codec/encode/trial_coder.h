@@ -9,6 +9,7 @@
 #include "core/codec/encode/mend/correction_encoder.h"
 #include "core/codec/encode/options/encode_settings.h"
 #include "core/codec/encode/search/goal.h"
+#include "core/feet/footskate.h"
 
 namespace mocapress {
 
