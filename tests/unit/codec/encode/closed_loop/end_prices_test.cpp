@@ -43,14 +43,14 @@ TEST(EndPrices, CountAsFarAsAFunctionReachesThere) {
 TEST(EndPrices, FallWhereErrorsAreLargerAndRiseWhereTheyAreSmallerAtEachEndByItself) {
   EndPrices prices(kFrames);
   prices.observe({4, 0.5}, 1);
-  EXPECT_DOUBLE_EQ(price_of(prices, ones(0, 16), 1), 0.25);
-  EXPECT_DOUBLE_EQ(price_of(prices, ones(184, 16), 1), 0.5 * std::sqrt(2.0));
+  EXPECT_DOUBLE_EQ(price_of(prices, ones(0, 16), 1), 0.5 * std::pow(4.0, -0.75));
+  EXPECT_DOUBLE_EQ(price_of(prices, ones(184, 16), 1), 0.5 * std::pow(2.0, 0.75));
 }
 
-TEST(EndPrices, StayWithinATenthAndTheWhole) {
+TEST(EndPrices, StayWithinThreeHundredthsAndTheWhole) {
   EndPrices prices(kFrames);
   for (int i = 0; i < 5; ++i) prices.observe({100, 0.01}, 1);
-  EXPECT_DOUBLE_EQ(price_of(prices, ones(0, 16), 1), 0.1);
+  EXPECT_DOUBLE_EQ(price_of(prices, ones(0, 16), 1), 0.03);
   EXPECT_DOUBLE_EQ(price_of(prices, ones(184, 16), 1), 1);
 }
 
