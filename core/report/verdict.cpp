@@ -86,9 +86,4 @@ std::string verdict_text(const ClipReview& review, const std::optional<std::stri
   return text;
 }
 
-Verdict valid_verdict(const ClipReview& review, std::string_view source_hash,
-                      std::string_view settings_hash) {
-  return stale_reason(review, source_hash, settings_hash) ? Verdict::None : review.verdict;
-}
-
 }  // namespace mocapress

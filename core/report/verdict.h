@@ -39,8 +39,4 @@ std::optional<std::string> stale_reason(const ClipReview& review, std::string_vi
 /// verdict.
 std::string verdict_text(const ClipReview& review, const std::optional<std::string>& stale_reason);
 
-/// The verdict that counts: None for a stale one.
-Verdict valid_verdict(const ClipReview& review, std::string_view source_hash,
-                      std::string_view settings_hash);
-
 }  // namespace mocapress

@@ -23,7 +23,6 @@ class PinnedPanel : public QWidget {
   QTreeView* view() const { return view_; }
   QPushButton* pinButton() const { return pin_; }
   QPushButton* makeCurrentButton() const { return make_current_; }
-  QPushButton* unpinButton() const { return unpin_; }
 
   QSize sizeHint() const override { return {310, 200}; }
 

@@ -43,8 +43,6 @@ class BatchWindow : public QWidget {
   CharacterChoice* character() { return character_; }
   BatchOutput* output() { return output_; }
   QPushButton* startButton() { return start_; }
-  QPushButton* stopButton() { return stop_; }
-  QPushButton* cancelButton() { return cancel_; }
   QPushButton* reportButton() { return report_; }
 
  signals:

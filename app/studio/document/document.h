@@ -81,8 +81,6 @@ class Document : public QObject {
   const Tuning& tuning() const { return tuning_; }
   const ClipSettings& settings() const { return tuning_.now(); }
   const EncodeSettings& options() const { return settings().encode; }
-  /// Thresholds of contact detection on the original.
-  const ContactSettings& contactSettings() const { return settings().contacts; }
 
   /// Contacts of the original; empty without it.
   std::vector<ContactSpan> contacts() const;

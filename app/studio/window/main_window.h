@@ -72,7 +72,6 @@ class MainWindow : public QMainWindow {
   const InspectionViews& inspection() const { return panels_.inspection; }
   const Actions& actions() const { return actions_; }
   PresetShelf& presets() { return *presets_; }
-  PresetViews& presetViews() { return *preset_views_; }
   PinnedPanel& pinnedPanel() { return *panels_.pinned; }
   LibraryPanel& libraryPanel() { return *panels_.library; }
   MessageBar& messages() { return *panels_.messages; }

@@ -45,12 +45,6 @@ std::string_view name(Target::Kind kind) {
   return "";
 }
 
-std::optional<Target::Kind> target_kind(std::string_view name) {
-  for (const auto& [value, word] : kKinds)
-    if (word == name) return value;
-  return std::nullopt;
-}
-
 bool reached(const Target& target, double achieved) {
   constexpr double kRatioTolerance = 0.02;
   constexpr double kRounding = 1e-9;

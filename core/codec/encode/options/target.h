@@ -42,9 +42,6 @@ std::string out_of_reach(const Target& target, double nearest);
 /// "ratio", "coefficient-ratio", "size", "error", "max-error", "not-visible".
 std::string_view name(Target::Kind kind);
 
-/// The inverse of name(); unset for other names.
-std::optional<Target::Kind> target_kind(std::string_view name);
-
 inline bool operator==(const Target& a, const Target& b) {
   return a.kind == b.kind && a.value == b.value;
 }
