@@ -112,12 +112,21 @@ std::uint64_t selection_bytes(const mcpr_cooked& clip, std::uint32_t joint_count
   return memory.used();
 }
 
+mcpr_result check_scratch_of(const mcpr_cooked& clip, const mcpr_sample_request& request) {
+  const std::size_t needed = scratch_of(clip, request);
+  return needed == 0 ? kOk
+                     : check_memory(request.scratch, request.scratch_size, needed,
+                                    "too little scratch memory");
+}
+
 mcpr_result sample_checked(const mcpr_cooked* clip, const mcpr_sample_request* request, double time,
                            float* out, mcpr_cursor* cursor) {
   const mcpr_result result = check_sample_request(clip, request);
   if (failed(result)) return result;
   if (!std::isfinite(frame_of(*clip, request->unit, time)) || out == nullptr)
     return refused("no finite instant, or no output");
+  if (const mcpr_result scratch = check_scratch_of(*clip, *request); failed(scratch))
+    return scratch;
   sample(*clip, *poses_of(request->path), place_in_clip(*clip, *request, time), *request, out,
          cursor);
   return kOk;
@@ -174,6 +183,8 @@ class JointMotion {
     if (request_.wrap == MCPR_LOOP_BLEND && clip.loop != LoopKind::Follows)
       request_.wrap = MCPR_LOOP_HOLD;
   }
+
+  mcpr_result check_scratch() const { return check_scratch_of(clip_, request_); }
 
   Rigid between(double from, double to) const {
     const int frames = clip_.wrapping(request_.wrap).cycle();
@@ -312,6 +323,11 @@ size_t mcpr_sample_values(const mcpr_cooked* cooked, const mcpr_sample_request* 
   return runtime::joints_of(*cooked, *request) * runtime::values_of_joint(request->layout);
 }
 
+size_t mcpr_sample_scratch_bytes(const mcpr_cooked* cooked, const mcpr_sample_request* request) {
+  if (runtime::failed(runtime::check_sample_request(cooked, request))) return 0;
+  return runtime::scratch_of(*cooked, *request);
+}
+
 mcpr_result mcpr_convention_of(mcpr_engine engine, mcpr_convention* out) {
   if (out == nullptr) return runtime::refused("no place was given for the convention");
   switch (engine) {
@@ -441,8 +457,10 @@ mcpr_result sample_motion(const mcpr_cooked* cooked, const mcpr_sample_request* 
   const double last = frame_of(*cooked, request->unit, to);
   if (!std::isfinite(first) || !std::isfinite(last) || out == nullptr)
     return refused("no finite instants, or no output");
-  const Rigid moved = JointMotion(*cooked, *request, static_cast<std::uint16_t>(joint), on_ground)
-                          .between(first, last);
+  const JointMotion of_joint(*cooked, *request, static_cast<std::uint16_t>(joint), on_ground);
+  const mcpr_result scratch = of_joint.check_scratch();
+  if (failed(scratch)) return scratch;
+  const Rigid moved = of_joint.between(first, last);
   double wxyz[4];
   quaternion_of(moved.rotation, wxyz);
   *out = {};

@@ -7,7 +7,7 @@
  * frames and any level of detail, without decoding the rest.
  *
  * Memory and threads: the decoder allocates, throws and locks nothing and has no globals. The
- * caller provides all memory, aligned to MCPR_ALIGNMENT. A built clip is read-only. Any number of
+ * caller provides all memory, aligned to MCPR_ALIGNMENT, but for 16 KiB of stack at most in any call. A built clip is read-only. Any number of
  * threads may decode from it, each with its own scratch memory.
  *
  * Errors: every function that can fail returns an mcpr_result, which says where and why. If a call
@@ -425,9 +425,12 @@ typedef struct mcpr_sample_request {
                               clip has no parents: mcpr_clip_joint and mcpk_joint tell them */
   const uint16_t* stepped; /* joints that jump from frame to frame, such as props that change hands:
                               between two frames they have the transform of the earlier. The clip's
-                              numbers; others than those of the output are ignored. Each takes the
-                              time of another pose */
+                              numbers; others than those of the output are ignored. All together
+                              take the time of another pose at most */
   uint32_t stepped_count;  /* length of `stepped` */
+  void* scratch;           /* memory to work in, where mcpr_sample_scratch_bytes() asks for it; not
+                              shared by threads at a time */
+  size_t scratch_size;
 } mcpr_sample_request;
 
 /* Returns the bytes that a selection of this many joints takes, about 1.5 KB for 30 joints; 0
@@ -445,8 +448,14 @@ MCPR_API mcpr_result mcpr_make_selection(const mcpr_cooked* cooked, const uint16
 /* Returns the number of floats that one sampled pose takes; 0 if the request is not possible. */
 MCPR_API size_t mcpr_sample_values(const mcpr_cooked* cooked, const mcpr_sample_request* request);
 
+/* Returns the bytes of scratch memory that sampling needs: 0 for a clip of up to 1,100 columns,
+ * which are its moving channels and a few more, so for about 350 joints that turn about three axes.
+ * A list of joints and stepped joints count, too. A larger clip needs 64 KiB at most. */
+MCPR_API size_t mcpr_sample_scratch_bytes(const mcpr_cooked* cooked,
+                                          const mcpr_sample_request* request);
+
 /* Samples the local transforms at one finite instant into mcpr_sample_values() floats. Needs no
- * scratch memory, but up to 112 KiB of stack. Between two frames channels are interpolated
+ * scratch memory but for very large clips, see above. Between two frames channels are interpolated
  * linearly, as in mcpr_decode_moment, and so are angles that a cooked IK correction changed. An
  * instant within 2^-16 frames of a frame gives that frame. Results are within 5e-4 radians and 2e-3
  * cm of mcpr_decode_moment (with an IK correction: at frames), and all paths give the same bits.
@@ -508,7 +517,7 @@ MCPR_API size_t mcpr_sort_crowd_scratch_bytes(uint32_t count);
 MCPR_API mcpr_result mcpr_sort_crowd(const mcpr_crowd_request* request, mcpr_character* characters,
                                      uint32_t count, void* scratch, size_t scratch_size);
 
-/* Returns the bytes of scratch memory that mcpr_sample_crowd needs: about 140 KB for any number of
+/* Returns the bytes of scratch memory that mcpr_sample_crowd needs: about 190 KB for any number of
  * characters. */
 MCPR_API size_t mcpr_crowd_scratch_bytes(void);
 
@@ -525,7 +534,8 @@ MCPR_API mcpr_result mcpr_sample_crowd(const mcpr_crowd_request* request,
 /* Computes the motion of one joint, usually the root, between two instants in the unit of the
  * request: *out = inverse(transform at `from`) * (transform at `to`). In a loop the motion of whole
  * cycles is accumulated. `to` may be before `from`. Ignores the layout, joints, selection and
- * parents of the request, but not its convention. */
+ * parents of the request, but not its convention. Needs the scratch memory of a request with a list
+ * of joints. */
 MCPR_API mcpr_result mcpr_sample_motion(const mcpr_cooked* cooked,
                                         const mcpr_sample_request* request, uint32_t joint,
                                         double from, double to, mcpr_transform* out);

@@ -100,6 +100,32 @@ TEST_F(JoinedRuntime, IsOfTheSizeThatItsReadmeTells) {
   EXPECT_NEAR(told, size / 1000, 0.05 * told);
 }
 
+/// A call with a painted stack tells how much of it is overwritten.
+TEST_F(JoinedRuntime, TakesNoMoreStackThanItsReadmeTells) {
+  const fs::path tests = fs::path(MOCAPRESS_SOURCE_DIR) / "tests";
+  std::string inputs;
+  for (const char* name :
+       {"golden/v1_axes.mcpr", "golden/v1_ends.mcpr", "golden/v1_joints.mcpr",
+        "golden/v1_segments.mcpr", "golden/v1_source.mcpr", "golden/v1_tracks.mcpr",
+        "golden/v1_velocity.mcpr", "golden/v1_bank.mcpk", "fuzz/corpus/bank/cooked.mcpk"})
+    inputs += " " + (tests / name).string();
+  for (const std::string compiler : {"g++", "clang++"}) {
+    if (std::system(("command -v " + compiler + " > /dev/null").c_str()) != 0) continue;
+    run(compiler + " -std=c++20 -O2 -fno-exceptions -fno-rtti -c mocapress_runtime.cpp");
+    run("g++ -std=c++20 -I. " + (tests / "system/stack_use.cpp").string() +
+        " mocapress_runtime.o -pthread -Wl,-z,now -o stack_use");
+    std::istringstream lines(run("./stack_use" + inputs));
+    std::string call;
+    int calls = 0;
+    for (std::size_t bytes = 0; lines >> call >> bytes; ++calls)
+      EXPECT_LE(bytes, std::size_t{16} << 10) << call << ", " << compiler;
+    EXPECT_GT(calls, 20);
+  }
+  EXPECT_NE(read_text(fs::path(MOCAPRESS_SOURCE_DIR) / "core/runtime/README.md")
+                .find("at most 16 KiB of stack in any call"),
+            std::string::npos);
+}
+
 TEST_F(JoinedRuntime, IsOfTheVersionThatThePackageHas) {
   std::string version = run("PKG_CONFIG_PATH=$(dirname $(find " + prefix() +
                             " -name mocapress-runtime.pc)) pkg-config --modversion "

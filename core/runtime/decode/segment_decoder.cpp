@@ -2,6 +2,7 @@
 #include "core/runtime/decode/segment_decoder.h"
 
 #include <algorithm>
+#include <new>
 
 namespace mocapress::runtime {
 
@@ -16,15 +17,13 @@ float blended(float earlier, float later, float share_of_later) {
 
 SegmentDecoder::SegmentDecoder(Memory& memory, const ClipBlock& clip, const SignalRequest& request)
     : clip_(clip), request_(request) {
-  if (clip.segments.count() == 1) {
-    slots_[0].decoder.emplace(memory, clip.motion(0), request);
-    slots_[0].segment = 0;
-    return;
-  }
   Memory measuring;
+  measuring.take<SignalDecoder>(1);
   const SignalDecoder largest(measuring, clip.largest, request);
   slot_bytes_ = measuring.used();
-  for (SegmentSlot& slot : slots_) slot.memory = memory.take<std::byte>(slot_bytes_);
+  slots_[0].memory = memory.take<std::byte>(slot_bytes_);
+  if (clip.segments.count() == 1) return;
+  slots_[1].memory = memory.take<std::byte>(slot_bytes_);
   later_rows_ = memory.take<float>(static_cast<std::uint64_t>(kWindow) *
                                    static_cast<std::uint64_t>(request.columns));
 }
@@ -34,7 +33,8 @@ void SegmentDecoder::make_of(int segment, int first, int count, float* out,
   SegmentSlot& slot = slots_[segment % 2];
   if (slot.segment != segment) {
     Memory memory(slot.memory, static_cast<std::size_t>(slot_bytes_));
-    slot.decoder.emplace(memory, clip_.motion(segment), request_);
+    auto* const place = memory.take<SignalDecoder>(1);
+    slot.decoder = new (place) SignalDecoder(memory, clip_.motion(segment), request_);
     slot.segment = segment;
   }
   slot.decoder->decode_window(first - clip_.segments.first(segment), count, out, out_step);

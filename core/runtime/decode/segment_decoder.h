@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-
 #include "core/runtime/decode/clip.h"
 #include "core/runtime/decode/signal_decoder.h"
 
@@ -20,12 +18,12 @@ class SegmentDecoder {
   void decode_window(int first, int count, float* out, std::ptrdiff_t out_step);
 
  private:
-  /// A segment that is being decoded, and its work space. A single segment uses the decoder's own
-  /// memory.
+  /// A segment that is being decoded. Its decoder lies in the caller's memory, as it is large for a
+  /// stack.
   struct SegmentSlot {
-    std::byte* memory = nullptr;
+    std::byte* memory = nullptr;  // the decoder and its work space
     int segment = -1;
-    std::optional<SignalDecoder> decoder;
+    SignalDecoder* decoder = nullptr;
   };
 
   void make_of(int segment, int first, int count, float* out, std::ptrdiff_t out_step);

@@ -6,6 +6,8 @@ Limb::Limb(Memory& memory, int most_links) {
   const auto links = static_cast<std::uint64_t>(most_links);
   places_ = memory.take<JointPlace>(links);
   values_ = memory.take<double>(kMostChannelsOfJoint * links);
+  velocities_ =
+      memory.take<double>(links > 0 ? std::uint64_t{kMostRows} * std::uint64_t{kMostAngles} : 0);
 }
 
 template <typename Real>

@@ -37,6 +37,9 @@ struct LimbPlan {
   const LimbTurn* turn = nullptr;  // ordered by link and channel
 };
 
+/// Coordinates of all effectors of a limb.
+inline constexpr int kMostRows = 3 * kMostEffectorsOfLimb;
+
 /// Forward kinematics of a limb, for the solver. `angles` are the rotation channels of the
 /// effectors' chains, which may change; all other channels keep the values of the frame.
 class Limb {
@@ -75,6 +78,10 @@ class Limb {
   /// Mean squared motion of the limb's joints per unit of `angle`, in cm^2 per radian^2.
   double disturbance(int angle) const;
 
+  /// Room for the velocities of all effectors: kMostRows rows of kMostAngles numbers, for the
+  /// solver. It is the caller's memory, as it is large for a stack.
+  double* velocities() { return velocities_; }
+
   /// Axis (unit vector) and centre of an angle's rotation, in world space.
   const Vector3& axis(int angle) const { return axes_[angle]; }
   const Vector3& center(int angle) const { return places_[plan_.turn[angle].link].origin; }
@@ -90,6 +97,7 @@ class Limb {
   const JointModel* joints_ = nullptr;
   JointPlace* places_;  // one per link
   double* values_;      // channels of the links, with the current angles
+  double* velocities_;
   double angles_[kMostAngles] = {};
   Vector3 axes_[kMostAngles];
 };

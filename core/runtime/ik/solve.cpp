@@ -107,8 +107,6 @@ bool solve_two_bones(Limb& limb, const Vector3& target) {
   return true;
 }
 
-constexpr int kMostRows = 3 * kMostEffectorsOfLimb;
-
 /// The normal matrix of a damped least-squares step.
 class Normal {
  public:
@@ -144,7 +142,7 @@ void step_to(Limb& limb, const Vector3* targets, const double* ease) {
   constexpr double kDamping = 0.01;  // relative to a normal matrix with values of about 1
   const int angles = limb.plan().turns;
   const int rows = 3 * limb.plan().effectors;
-  double jacobian[kMostRows][kMostAngles];
+  const auto jacobian = reinterpret_cast<double(*)[kMostAngles]>(limb.velocities());
   double error[kMostRows];
   for (int e = 0; e < limb.plan().effectors; ++e) {
     const Vector3 lacking = targets[e] - limb.position(e);

@@ -35,7 +35,9 @@ mcpr_sample_request request_of(const mcpr_crowd_request& request, const mcpr_cha
           .convention = request.convention,
           .parents = character.parents,
           .stepped = character.stepped,
-          .stepped_count = character.stepped_count};
+          .stepped_count = character.stepped_count,
+          .scratch = nullptr,
+          .scratch_size = 0};
 }
 
 CrowdSorter::CrowdSorter(Memory& memory, std::uint32_t count)
@@ -76,7 +78,8 @@ void CrowdSorter::sort_keys() {
 PoseCrowd::PoseCrowd(Memory& memory)
     : frames_(
           reinterpret_cast<mcpr_cursor*>(memory.take<std::byte>(mcpr_cursor::kHead + kFrameBytes))),
-      entries_(memory.take<std::int32_t>(kMostEntryValues)),
+      lifting_(memory.take<std::int16_t>(kLiftingNumbers)),
+      posing_(memory.take<std::byte>(kMostScratchOfPose)),
       spots_(memory.take<Spot>(kAhead)) {}
 
 PoseCrowd::Spot PoseCrowd::spot_of(const mcpr_crowd_request& request,
@@ -133,8 +136,11 @@ void PoseCrowd::pose(const mcpr_crowd_request& request, const mcpr_character* ch
   const PoseKernels& kernels = *poses_of(request.path);
   const auto pose_one = [&](std::uint32_t i, mcpr_cursor* frames) {
     const mcpr_character& character = characters[i];
-    sample(*character.clip, kernels, {spots_[i].frame, spots_[i].across},
-           request_of(request, character), character.out, frames);
+    mcpr_sample_request one = request_of(request, character);
+    one.scratch = posing_;
+    one.scratch_size = kMostScratchOfPose;
+    sample(*character.clip, kernels, {spots_[i].frame, spots_[i].across}, one, character.out,
+           frames);
   };
   for (std::uint32_t begin = 0; begin < count;) {
     const std::uint32_t ahead = std::min(count - begin, kAhead);
@@ -149,7 +155,8 @@ void PoseCrowd::pose(const mcpr_crowd_request& request, const mcpr_character* ch
       const int first = spots_[i].before;
       new (frames_) mcpr_cursor(mcpr_cursor::empty(clip, kFrameBytes, kFewestLifted));
       frames_->keep_run(kernels, first, lifted.last - first + 1,
-                        static_cast<int>(characters[i].bands_left_out), entries_);
+                        static_cast<int>(characters[i].bands_left_out),
+                        {lifting_, kLiftingNumbers});
       for (const std::uint32_t end = i + lifted.count; i < end; ++i) pose_one(i, frames_);
     }
     begin += ahead;

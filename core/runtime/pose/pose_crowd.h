@@ -49,9 +49,8 @@ class PoseCrowd {
   static constexpr std::uint32_t kAhead = 256;       // characters looked at in advance
   static constexpr std::size_t kFrameBytes = 16384;  // bytes of lifted frames
   static constexpr int kFewestLifted = 8;            // frames are lifted only if this many fit
-  static constexpr int kMostEntryValues =
-      mcpr_cursor::most_entry_values(kFrameBytes, kFewestLifted);
-
+  // Work space for lifting, with which the entries of most clips are looked through once.
+  static constexpr std::size_t kLiftingNumbers = 12 * kFrameBytes / sizeof(float);
   /// The instant of a character.
   struct Spot {
     double frame;
@@ -68,7 +67,8 @@ class PoseCrowd {
   Together together(const mcpr_character* characters, std::uint32_t first, std::uint32_t end) const;
 
   mcpr_cursor* frames_;
-  std::int32_t* entries_;
+  std::int16_t* lifting_;
+  std::byte* posing_;
   Spot* spots_;
 };
 

@@ -31,12 +31,14 @@ LiftLevel level_below(Wavelet wavelet, int length, RowRange samples, bool only_e
   return level;
 }
 
-/// Adds a band's entries into full rows.
+/// Adds a band's entries, which add up to 16 bits, into rows of the columns from `first_column` on,
+/// where entries count theirs.
 void spread_entries(const mcpr_cooked& clip, const CookedEntries& entries, RowRange rows,
-                    int row_columns, std::int32_t* out) {
+                    int first_column, int columns, std::int16_t* out) {
   const auto* const begins = clip.at<std::uint16_t>(entries.begins);
   const std::uint16_t* const all = begins + entries.blocks + 1;
-  const auto count = static_cast<unsigned>(rows.end - rows.first);
+  const auto row_count = static_cast<unsigned>(rows.end - rows.first);
+  const auto column_count = static_cast<unsigned>(columns);
   const int end = std::min(((rows.end - 1) >> entries.log2_rows) + 1, int{entries.blocks});
   for (int block = rows.first >> entries.log2_rows; block < end; ++block) {
     const int first = block << entries.log2_rows;
@@ -44,11 +46,18 @@ void spread_entries(const mcpr_cooked& clip, const CookedEntries& entries, RowRa
       const int bits = static_cast<std::int16_t>(all[i]);
       const int row =
           (((bits >> kColumnBits) - first) & ((1 << kRowBits) - 1)) + (first - rows.first);
-      if (static_cast<unsigned>(row) >= count) continue;
-      out[row * row_columns + (bits & ((1 << kColumnBits) - 1))] +=
-          bits >> (kColumnBits + kRowBits);
+      const int column = (bits & ((1 << kColumnBits) - 1)) - first_column;
+      if (static_cast<unsigned>(row) >= row_count || static_cast<unsigned>(column) >= column_count)
+        continue;
+      std::int16_t& sum = out[row * columns + column];
+      sum = static_cast<std::int16_t>(sum + (bits >> (kColumnBits + kRowBits)));
     }
   }
+}
+
+/// The groups that two ranges share.
+RowRange shared(RowRange a, RowRange b) {
+  return {std::max(a.first, b.first), std::min(a.end, b.end)};
 }
 
 }  // namespace
@@ -80,7 +89,7 @@ std::size_t mcpr_cursor::bytes_for(const mcpr_cooked& clip) {
 }
 
 bool mcpr_cursor::keep(const runtime::PoseKernels& kernels, int number, bool and_next,
-                       int left_out_bands) {
+                       int left_out_bands, std::span<std::int16_t> work) {
   if (capacity == 0) return false;
   if (std::exchange(left_out, left_out_bands) != left_out_bands) count = 0;
   const int before = std::exchange(last, number);
@@ -98,25 +107,25 @@ bool mcpr_cursor::keep(const runtime::PoseKernels& kernels, int number, bool and
     first -=
         std::min(number - first_of_stretch, step * (capacity - (and_next ? 2 : 1))) / step * step;
   count = std::min(capacity, (number + stretch.frames - 1 - first) / step + 1);
-  alignas(32) std::int32_t entries[most_entry_values(kMostBytes - kHead, kFewestFrames)];
-  fill(kernels, stretch.segment, entries);
+  fill(kernels, stretch.segment, work);
   return true;
 }
 
 void mcpr_cursor::keep_run(const runtime::PoseKernels& kernels, int from, int frames,
-                           int left_out_bands, std::int32_t* entries) {
+                           int left_out_bands, std::span<std::int16_t> work) {
   first = from;
   count = frames;
   step = 1;
   left_out = left_out_bands;
-  fill(kernels, clip->layout().stretch_at(from).segment, entries);
+  fill(kernels, clip->layout().stretch_at(from).segment, work);
 }
 
-void mcpr_cursor::fill(const runtime::PoseKernels& kernels, int segment, std::int32_t* entries) {
+/// Lifts as many groups at a time as the entries of which fit into the work space.
+void mcpr_cursor::fill(const runtime::PoseKernels& kernels, int segment,
+                       std::span<std::int16_t> work) {
   using namespace runtime;
   const SegmentLayout layout = clip->layout();
   LiftLevel levels[kMostKeptBands];
-  std::int32_t* next = entries;
   int length = layout.frames_of(segment);
   int level_count = 0;
   const int first_sample = first - layout.first(segment);
@@ -124,40 +133,59 @@ void mcpr_cursor::fill(const runtime::PoseKernels& kernels, int segment, std::in
   int most_levels = 0;
   for (int p = 0; p < clip->parts; ++p)
     most_levels = std::max<int>(most_levels, clip->part(p).kept_bands);
+  int rows_of_entries = 0;
   for (; level_count < most_levels && length >= kCoarsest; length = evens_in(length)) {
     LiftLevel& level = levels[level_count];
     level = level_below(clip->wavelet, length, samples[level_count], step == 2 && level_count == 0);
-    const int values = (level.details.end - level.details.first) * columns;
-    level.entries = next;
     level.is_left_out = level_count < left_out;
-    kernels.clear(next, values);
-    for (int e = 0; e < clip->entry_parts() && !level.is_left_out; ++e) {
-      const CookedEntries& band = clip->entries_of(segment, e, level_count);
-      if (band.blocks > 0)
-        spread_entries(*clip, band, level.details, columns, next + kGroup * kMostGroupsOfPart * e);
-    }
-    next += values;
+    rows_of_entries += level.details.end - level.details.first;
     samples[++level_count] = level.evens;
   }
-  float* const frames = const_cast<float*>(frame(first));
-  for (int p = 0; p < clip->parts; ++p) {
-    const CookedPart& part = clip->part(p);
-    const CookedRows& rows = clip->rows_of(segment, p);
-    const int kept = std::min<int>(part.kept_bands, level_count);
-    LiftPart lift{.levels = levels,
-                  .level_count = kept,
-                  .bands = clip->at<CookedBand>(rows.bands),
-                  .clip = clip->at<std::byte>(std::uint32_t{0}),
-                  .samples = clip->at<std::byte>(rows.samples),
-                  .sample_rows = samples[kept],
-                  .sample_step = kept == 0 ? step : 1,
-                  .unit = rows.unit,
-                  .scales = clip->at<std::byte>(rows.scales),
-                  .groups = part.groups,
-                  .wide = part.wide_samples != 0,
-                  .first_column = kGroup * part.first_group,
-                  .row_columns = columns,
-                  .frames = frames};
-    kernels.lift(lift);
+  const int groups_at_once = rows_of_entries > 0
+                                 ? static_cast<int>(work.size()) / (kGroup * rows_of_entries)
+                                 : static_cast<int>(clip->row_groups);
+  for (int group = 0; group < static_cast<int>(clip->row_groups); group += groups_at_once) {
+    const RowRange groups{group,
+                          std::min(group + groups_at_once, static_cast<int>(clip->row_groups))};
+    const int entry_columns = kGroup * (groups.end - groups.first);
+    std::fill_n(work.data(), rows_of_entries * entry_columns, 0);
+    std::int16_t* next = work.data();
+    for (int b = 0; b < level_count; ++b) {
+      LiftLevel& level = levels[b];
+      level.entries = next;
+      for (int e = 0; e < clip->entry_parts() && !level.is_left_out; ++e) {
+        const CookedEntries& band = clip->entries_of(segment, e, b);
+        const int first_of_part = kMostGroupsOfPart * e;
+        const RowRange wanted = shared(groups, {first_of_part, first_of_part + kMostGroupsOfPart});
+        if (band.blocks > 0 && wanted.first < wanted.end)
+          spread_entries(*clip, band, level.details, kGroup * (groups.first - first_of_part),
+                         entry_columns, next);
+      }
+      next += (level.details.end - level.details.first) * entry_columns;
+    }
+    for (int p = 0; p < clip->parts; ++p) {
+      const CookedPart& part = clip->part(p);
+      const RowRange wanted = shared(groups, {part.first_group, part.first_group + part.groups});
+      if (wanted.first >= wanted.end) continue;
+      const CookedRows& rows = clip->rows_of(segment, p);
+      const int kept = std::min<int>(part.kept_bands, level_count);
+      kernels.lift({.levels = levels,
+                    .level_count = kept,
+                    .bands = clip->at<CookedBand>(rows.bands),
+                    .clip = clip->at<std::byte>(std::uint32_t{0}),
+                    .samples = clip->at<std::byte>(rows.samples),
+                    .sample_rows = samples[kept],
+                    .sample_step = kept == 0 ? step : 1,
+                    .unit = rows.unit,
+                    .scales = clip->at<std::byte>(rows.scales),
+                    .groups_of_part = part.groups,
+                    .first_group = wanted.first - part.first_group,
+                    .groups = wanted.end - wanted.first,
+                    .wide = part.wide_samples != 0,
+                    .first_entry = kGroup * (wanted.first - groups.first),
+                    .entry_columns = entry_columns,
+                    .frames = const_cast<float*>(frame(first)) + kGroup * wanted.first,
+                    .frame_columns = columns});
+    }
   }
 }

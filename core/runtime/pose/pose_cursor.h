@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "core/runtime/pose/cooked_clip.h"
 #include "core/runtime/pose/pose_kernels.h"
@@ -31,12 +32,11 @@ struct mcpr_cursor {
   /// A cursor without cached frames.
   static mcpr_cursor empty(const mcpr_cooked& clip, std::size_t bytes = kMostBytes - kHead,
                            int fewest = kFewestFrames);
-  /// Upper bound for the work space of entries while lifting: for all levels together half of the
-  /// frames, a quarter and so on, and a margin at each level.
-  static constexpr int most_entry_values(std::size_t bytes, int fewest) {
-    const auto values = static_cast<int>(bytes / sizeof(float));
-    return 2 * values + 8 * mocapress::runtime::kMostKeptBands * (values / fewest);
-  }
+  /// Numbers of work space for lifting: at least the entries of one group in all rows of all
+  /// levels. With room for more groups a clip's entries are looked through less often.
+  static constexpr int kFewestNumbers =
+      mocapress::runtime::kGroup *
+      (2 * mocapress::runtime::kMostLiftedFrames + 8 * mocapress::runtime::kMostKeptBands);
 
   const float* frame(int number) const {
     return reinterpret_cast<const float*>(reinterpret_cast<const std::byte*>(this) + kHead) +
@@ -44,19 +44,19 @@ struct mcpr_cursor {
   }
 
   /// Caches a frame, and with `and_next` the next one. Neither may be in an overlap of segments.
-  /// False if the cursor cannot cache frames.
+  /// False if the cursor cannot cache frames. `work` has kFewestNumbers or more.
   bool keep(const mocapress::runtime::PoseKernels& kernels, int number, bool and_next,
-            int left_out_bands);
+            int left_out_bands, std::span<std::int16_t> work);
 
-  /// Caches a run of frames of one segment outside overlaps, as many as fit. `entries` has room for
-  /// most_entry_values().
+  /// Caches a run of frames of one segment outside overlaps, as many as fit.
   void keep_run(const mocapress::runtime::PoseKernels& kernels, int from, int frames,
-                int left_out_bands, std::int32_t* entries);
+                int left_out_bands, std::span<std::int16_t> work);
 
  private:
   bool has(int number) const {
     const int after = number - first;
     return after >= 0 && after < step * count && after % step == 0;
   }
-  void fill(const mocapress::runtime::PoseKernels& kernels, int segment, std::int32_t* entries);
+  void fill(const mocapress::runtime::PoseKernels& kernels, int segment,
+            std::span<std::int16_t> work);
 };

@@ -94,6 +94,12 @@ struct Wholes {
     std::memcpy(out.lane, from, sizeof out.lane);
     return out;
   }
+  static Wholes of_words(const std::int16_t* from) {
+    Wholes out;
+    for (int i = 0; i < kGroup; ++i)
+      out.lane[i] = static_cast<std::uint32_t>(std::int32_t{from[i]});
+    return out;
+  }
   void store(std::int32_t* to) const { std::memcpy(to, lane, sizeof lane); }
   void store_words(std::int16_t* to) const {
     for (int i = 0; i < kGroup; ++i)
@@ -260,7 +266,6 @@ namespace mocapress::runtime {
 const PoseKernels kPlainPoses = {.set_band = plain_poses::set_band,
                                  .sum_entries = plain_poses::sum_entries,
                                  .make_columns = plain_poses::make_columns,
-                                 .clear = plain_poses::clear,
                                  .blend = plain_poses::blend,
                                  .lift = plain_poses::lift,
                                  .turn = plain_poses::turn,

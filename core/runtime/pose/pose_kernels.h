@@ -79,12 +79,12 @@ struct LiftLevel {
   RowRange samples = {};
   RowRange evens = {};
   RowRange details = {};
-  const std::int32_t* entries = nullptr;  // added to the details; rows of all columns
+  const std::int16_t* entries = nullptr;  // added to the details, row by row
 };
 
 inline constexpr int kMostLiftedFrames = 32;
 
-/// Consecutive frames of a part's columns.
+/// Consecutive frames of a range of groups in one part.
 struct LiftPart {
   const LiftLevel* levels;  // the finest first
   int level_count;
@@ -95,11 +95,14 @@ struct LiftPart {
   int sample_step;          // distance between wanted sample rows
   float unit;               // multiplied to all steps
   const std::byte* scales;  // CookedRows::scales
+  int groups_of_part;
+  int first_group;  // within the part
   int groups;
   bool wide;
-  int first_column;  // in `frames` and in rows of entries
-  int row_columns;   // columns of these rows
-  float* frames;
+  int first_entry;    // the first group's place in rows of entries
+  int entry_columns;  // columns of these rows
+  float* frames;      // output, from the first group on
+  int frame_columns;  // from one frame to the next
 };
 
 /// Quaternions of the eight joints of a group: w of all joints, then x, y, z.
@@ -117,7 +120,6 @@ struct PoseKernels {
   void (*sum_entries)(const std::byte* clip, const CookedEntries* bands, const BandWeights* weights,
                       int count, int groups, std::int32_t* whole);
   void (*make_columns)(const PartRows&);
-  void (*clear)(std::int32_t* values, int count);  // `count` is a multiple of eight
   /// out = from + share * (to - from); `count` is a multiple of eight.
   void (*blend)(const float* from, const float* to, float share, int count, float* out);
   void (*lift)(const LiftPart&);

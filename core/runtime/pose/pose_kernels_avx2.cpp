@@ -70,6 +70,9 @@ struct Wholes {
   MOCAPRESS_AVX2 static Wholes load(const std::int32_t* from) {
     return {_mm256_loadu_si256(reinterpret_cast<const __m256i*>(from))};
   }
+  MOCAPRESS_AVX2 static Wholes of_words(const std::int16_t* from) {
+    return {_mm256_cvtepi16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(from)))};
+  }
   MOCAPRESS_AVX2 void store(std::int32_t* to) const {
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), lanes);
   }
@@ -278,7 +281,6 @@ namespace mocapress::runtime {
 const PoseKernels kAvx2Poses = {.set_band = avx2_poses_of::set_band,
                                 .sum_entries = avx2_poses_of::sum_entries,
                                 .make_columns = avx2_poses_of::make_columns,
-                                .clear = avx2_poses_of::clear,
                                 .blend = avx2_poses_of::blend,
                                 .lift = avx2_poses_of::lift,
                                 .turn = avx2_poses_of::turn,

@@ -81,6 +81,10 @@ struct Wholes {
   static Wholes load(const std::int32_t* from) {
     return {Ints4::load(from), Ints4::load(from + 4)};
   }
+  static Wholes of_words(const std::int16_t* from) {
+    const Words8 words = Words8::load(from);
+    return {words.low(), words.high()};
+  }
   void store(std::int32_t* to) const {
     lower.store(to);
     upper.store(to + 4);
@@ -215,7 +219,6 @@ namespace mocapress::runtime {
 const PoseKernels kFourPoses = {.set_band = four_poses_of::set_band,
                                 .sum_entries = four_poses_of::sum_entries,
                                 .make_columns = four_poses_of::make_columns,
-                                .clear = four_poses_of::clear,
                                 .blend = four_poses_of::blend,
                                 .lift = four_poses_of::lift,
                                 .turn = four_poses_of::turn,

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <iterator>
+#include <new>
 
 #include "core/runtime/decode/row_kernels.h"
 #include "core/runtime/format/end_poses.h"
@@ -49,28 +50,48 @@ class ColumnKinds {
   std::bitset<kMostColumns> angles_;
 };
 
+/// Groups are made in sets of kMostGroupsOfPart, so that work space is small.
+constexpr int kSetColumns = kGroup * kMostGroupsOfPart;
+
+/// Work space for a pose beside its columns.
+struct PoseWork {
+  InstantWeights weights;
+  alignas(32) std::int32_t entries[kSetColumns];
+  float later[kSetColumns];
+  float next[kSetColumns];
+  float before[kSetColumns];
+};
+
 class Sampler {
  public:
+  /// `columns` has room for all columns of the clip. `cursor` holds the frames that are asked for,
+  /// or is null.
   Sampler(const mcpr_cooked& clip, const PoseKernels& kernels, const mcpr_sample_request& request,
-          const mcpr_selection* selection, mcpr_cursor* cursor)
+          const mcpr_selection* selection, const mcpr_cursor* cursor, PoseWork& work,
+          float* columns)
       : clip_(clip),
         kernels_(kernels),
         request_(request),
         selection_(selection),
         cursor_(cursor),
-        left_out_(static_cast<int>(request.bands_left_out)) {
+        left_out_(static_cast<int>(request.bands_left_out)),
+        work_(work),
+        columns_(columns) {
     for (int p = 0; p < clip.parts; ++p)
       kept_bands_ = std::max<int>(kept_bands_, clip.part(p).kept_bands);
     for (int p = 0; p < clip.parts; ++p) wanted_samples_ |= 1U << clip.part(p).kept_bands;
   }
 
   void run(const PlaceInClip& place, float* out) {
-    if (place.across > 0)
-      make_columns_across(place.across);
-    else
-      make_columns(place.frame);
-    add_columns();
-    put_out(out);
+    make(place);
+    put_rest(out);
+    put_moving(out);
+  }
+
+  /// Overwrites, in a pose that is there, what moves of the joints of the selection.
+  void run_over(const PlaceInClip& place, float* out) {
+    make(place);
+    put_moving(out);
   }
 
  private:
@@ -78,28 +99,26 @@ class Sampler {
     return selection_ == nullptr || selection_->wanted[static_cast<std::size_t>(group)];
   }
 
-  /// Sums the entries of a segment for each column.
-  void sum_entries(int segment, const InstantWeights& weights, std::int32_t* whole) const {
-    for (int e = 0; e < clip_.entry_parts(); ++e) {
-      const int first = kMostGroupsOfPart * e;
-      kernels_.sum_entries(clip_.at<std::byte>(std::uint32_t{0}),
-                           &clip_.entries_of(segment, e, left_out_), weights.band + left_out_,
-                           weights.levels - left_out_,
-                           std::min(static_cast<int>(clip_.row_groups) - first, kMostGroupsOfPart),
-                           whole + kGroup * first);
-    }
+  GroupRange groups_of_set(int set) const {
+    const int first = kMostGroupsOfPart * set;
+    return {static_cast<std::uint16_t>(first),
+            static_cast<std::uint16_t>(
+                std::min(static_cast<int>(clip_.row_groups) - first, kMostGroupsOfPart))};
   }
 
-  void make_part(int segment, int p, const InstantWeights& weights, const std::int32_t* entries,
-                 float* columns) const {
+  /// Makes the groups of a part that are in a set, the columns of which are given.
+  void make_part(int segment, int p, GroupRange set, float* columns) const {
+    const InstantWeights& weights = work_.weights;
     const CookedPart& part = clip_.part(p);
-    const GroupRange groups =
+    const GroupRange wanted =
         selection_ == nullptr ? GroupRange{0, part.groups} : selection_->parts[p];
-    if (groups.count == 0) return;
+    const int first = std::max<int>(part.first_group + wanted.first, set.first);
+    const int end = std::min(part.first_group + wanted.first + wanted.count, set.first + set.count);
+    if (first >= end) return;
     const CookedRows& rows = clip_.rows_of(segment, p);
     const int kept = std::min<int>(part.kept_bands, weights.levels);
     const SampleWeights& samples = weights.samples[kept];
-    const int first = kGroup * (part.first_group + groups.first);
+    const int column = kGroup * (first - set.first);
     kernels_.make_columns({.clip = clip_.at<std::byte>(std::uint32_t{0}),
                            .bands = clip_.at<CookedBand>(rows.bands),
                            .weights_of_bands = weights.band,
@@ -109,60 +128,83 @@ class Sampler {
                            .first_sample = samples.first_row,
                            .weights = samples.of_row,
                            .groups_of_part = part.groups,
-                           .first_group = groups.first,
-                           .groups = groups.count,
+                           .first_group = first - part.first_group,
+                           .groups = end - first,
                            .wide = part.wide_samples != 0,
                            .unit = weights.unit * rows.unit,
-                           .entries = entries + first,
+                           .entries = work_.entries + column,
                            .scales = clip_.at<std::byte>(rows.scales),
-                           .columns = columns + first});
+                           .columns = columns + column});
   }
 
-  void make_segment(int segment, int frame, float share, float* columns) const {
+  /// Makes a set of groups from one segment, by the weights in the work space.
+  void make_set(int segment, int set, float* columns) const {
+    const InstantWeights& weights = work_.weights;
+    const GroupRange groups = groups_of_set(set);
+    kernels_.sum_entries(clip_.at<std::byte>(std::uint32_t{0}),
+                         &clip_.entries_of(segment, set, left_out_), weights.band + left_out_,
+                         weights.levels - left_out_, groups.count, work_.entries);
+    for (int p = 0; p < clip_.parts; ++p) make_part(segment, p, groups, columns);
+  }
+
+  void set_weights(int segment, int frame, float share) const {
     const SegmentLayout layout = clip_.layout();
-    InstantWeights weights;
-    weights.set(kernels_, clip_.wavelet, layout.frames_of(segment), frame - layout.first(segment),
-                share, kept_bands_, wanted_samples_);
-    alignas(32) std::int32_t entries[kMostColumns];
-    sum_entries(segment, weights, entries);
-    for (int p = 0; p < clip_.parts; ++p) make_part(segment, p, weights, entries, columns);
+    work_.weights.set(kernels_, clip_.wavelet, layout.frames_of(segment),
+                      frame - layout.first(segment), share, kept_bands_, wanted_samples_);
   }
 
-  /// Makes a frame, which may lie in an overlap of two segments.
-  void make_frame(int frame, float* columns) const {
+  void make_segment(int segment, int frame, float share) const {
+    set_weights(segment, frame, share);
+    for (int set = 0; set < clip_.entry_parts(); ++set)
+      make_set(segment, set, columns_ + kSetColumns * set);
+  }
+
+  /// Makes a set of groups at a frame, which may lie in an overlap of two segments.
+  void make_frame(int frame, int set, float* columns) const {
     const SegmentLayout layout = clip_.layout();
     const SegmentLayout::Stretch stretch = layout.stretch_at(frame);
-    if (stretch.shared < 0) return make_segment(stretch.segment, frame, 0, columns);
-    float later[kMostColumns];
-    make_segment(stretch.segment - 1, frame, 0, columns);
-    make_segment(stretch.segment, frame, 0, later);
-    mix(later, share_of_later(layout, stretch.shared), columns);
+    if (stretch.shared >= 0) {
+      set_weights(stretch.segment - 1, frame, 0);
+      make_set(stretch.segment - 1, set, columns);
+    }
+    set_weights(stretch.segment, frame, 0);
+    make_set(stretch.segment, set, stretch.shared < 0 ? columns : work_.later);
+    if (stretch.shared >= 0) mix(set, work_.later, share_of_later(layout, stretch.shared), columns);
   }
 
-  /// columns += share * (others - columns), for the wanted groups.
-  void mix(const float* others, float share, float* columns) const {
-    for (int g = 0; g < static_cast<int>(clip_.row_groups); ++g) {
-      if (!is_wanted(g)) continue;
+  /// columns += share * (others - columns), for the wanted groups of a set.
+  void mix(int set, const float* others, float share, float* columns) const {
+    const GroupRange groups = groups_of_set(set);
+    for (int g = 0; g < groups.count; ++g) {
+      if (!is_wanted(groups.first + g)) continue;
       for (int c = kGroup * g; c < kGroup * g + kGroup; ++c)
         columns[c] += share * (others[c] - columns[c]);
     }
   }
 
+  void make(const PlaceInClip& place) {
+    if (place.across > 0)
+      make_columns_across(place.across);
+    else
+      make_columns(place.frame);
+    add_columns();
+  }
+
   void make_columns(double frame) {
     const SegmentLayout layout = clip_.layout();
     const auto [before, share] = between_frames(layout.frames, frame);
-    if (const SegmentLayout::Stretch stretch = layout.stretch_at(before);
-        is_liftable(stretch, {before, share})) {
-      if (cursor_ != nullptr && cursor_->keep(kernels_, before, share > 0, left_out_))
-        blend_kept(before, share);
-      else
-        make_segment(stretch.segment, before, share, columns_);
+    if (cursor_ != nullptr) {
+      blend_kept(before, share);
+    } else if (const SegmentLayout::Stretch stretch = layout.stretch_at(before);
+               is_liftable(stretch, {before, share})) {
+      make_segment(stretch.segment, before, share);
     } else {
-      make_frame(before, columns_);
-      if (share > 0) {
-        float next[kMostColumns];
-        make_frame(before + 1, next);
-        mix(next, share, columns_);
+      for (int set = 0; set < clip_.entry_parts(); ++set) {
+        float* const columns = columns_ + kSetColumns * set;
+        make_frame(before, set, columns);
+        if (share == 0) continue;
+        make_frame(before + 1, set, work_.next);
+        mix(set, work_.next, share, columns);
       }
     }
     add_ends(before, share);
@@ -216,25 +258,27 @@ class Sampler {
   void make_columns_across(float share) {
     constexpr float kHalfTurn = 3.14159265F;
     const int last = static_cast<int>(clip_.frames) - 1;
-    float first[kMostColumns];
-    float before[kMostColumns];
-    make_frame(last, columns_);
-    make_frame(0, first);
-    make_frame(std::max(last - 1, 0), before);
     const ColumnKinds kinds(clip_);
-    for (int c = 0; c < kGroup * static_cast<int>(clip_.row_groups); ++c) {
-      float way = first[c] - columns_[c];
-      switch (kinds.of(c)) {
-        case ColumnKind::Straight:
-          break;
-        case ColumnKind::HalfAngle:
-          way = std::remainder(way, kHalfTurn);
-          break;
-        case ColumnKind::Root:
-          way = columns_[c] - before[c];
-          break;
+    for (int set = 0; set < clip_.entry_parts(); ++set) {
+      const int first_column = kSetColumns * set;
+      float* const columns = columns_ + first_column;
+      make_frame(last, set, columns);
+      make_frame(0, set, work_.next);
+      make_frame(std::max(last - 1, 0), set, work_.before);
+      for (int c = 0; c < kGroup * groups_of_set(set).count; ++c) {
+        float way = work_.next[c] - columns[c];
+        switch (kinds.of(first_column + c)) {
+          case ColumnKind::Straight:
+            break;
+          case ColumnKind::HalfAngle:
+            way = std::remainder(way, kHalfTurn);
+            break;
+          case ColumnKind::Root:
+            way = columns[c] - work_.before[c];
+            break;
+        }
+        columns[c] += share * way;
       }
-      columns_[c] += share * way;
     }
     if (!clip_.end_reaches.any()) return;
     add_end(0, share);
@@ -254,8 +298,7 @@ class Sampler {
       if (is_wanted(added[i].to / kGroup)) columns_[added[i].to] += columns_[added[i].from];
   }
 
-  void put_out(float* out) {
-    put_rest(out);
+  void put_moving(float* out) {
     const std::uint32_t groups =
         selection_ == nullptr ? std::uint32_t{clip_.rotor_groups} : selection_->rotor_groups;
     for (std::uint32_t i = 0; i < groups; ++i) {
@@ -373,11 +416,12 @@ class Sampler {
   const PoseKernels& kernels_;
   const mcpr_sample_request& request_;
   const mcpr_selection* const selection_;  // null: all joints
-  mcpr_cursor* const cursor_;
+  const mcpr_cursor* const cursor_;
   const int left_out_;  // finest bands left out
   int kept_bands_ = 0;
   unsigned wanted_samples_ = 0;  // bit n: some part keeps n bands
-  alignas(32) float columns_[kMostColumns];
+  PoseWork& work_;
+  float* const columns_;
 };
 
 }  // namespace
@@ -394,53 +438,92 @@ std::size_t values_of_joint(mcpr_layout layout) {
 
 namespace {
 
-/// Overwrites the joints that step with their transforms at the earlier frame.
-void hold_stepped(const mcpr_cooked& clip, const PoseKernels& kernels, const PlaceInClip& place,
-                  const mcpr_sample_request& request, const mcpr_selection* selection, float* out) {
+/// Clips need not more than this to be sampled, but for those with thousands of columns or joints.
+/// It is on the stack, of which a call takes 16 KiB at most.
+constexpr std::size_t kRoomOnStack = 7680;
+static_assert(kRoomOnStack >= sizeof(std::int16_t) * mcpr_cursor::kFewestNumbers);
+
+/// A selection for one call.
+mcpr_selection* take_selection(Memory& memory, const mcpr_cooked& clip) {
+  auto* const place = memory.take<mcpr_selection>(1);
+  if (place != nullptr) return new (place) mcpr_selection(memory, clip);
+  const mcpr_selection measured(memory, clip);
+  return nullptr;
+}
+
+PoseWork* take_work(Memory& memory) {
+  auto* const place = memory.take<PoseWork>(1);
+  return place == nullptr ? nullptr : new (place) PoseWork;
+}
+
+float* take_columns(Memory& memory, const mcpr_cooked& clip) {
+  return memory.take<float>(std::uint64_t{kGroup} * clip.groups);
+}
+
+void sample_in(void* room, std::size_t size, const mcpr_cooked& clip, const PoseKernels& kernels,
+               const PlaceInClip& place, const mcpr_sample_request& request, float* out,
+               mcpr_cursor* cursor) {
+  const bool is_across = place.across > 0;
+  bool is_kept = false;
   const BetweenFrames between = between_frames(static_cast<int>(clip.frames), place.frame);
-  if (between.share == 0 && place.across == 0) return;
-  const std::size_t joints = selection == nullptr ? clip.joints : selection->joint_count;
-  for (std::uint32_t i = 0; i < request.stepped_count; ++i) {
-    const std::uint16_t joint = request.stepped[i];
-    const std::size_t at = selection == nullptr ? joint : selection->places[joint];
-    if (at == mcpr_selection::kNowhere) continue;
-    mcpr_sample_request one = request;
-    one.joints = &joint;
-    one.joint_count = 1;
-    one.selection = nullptr;
-    one.convention = nullptr;
-    one.parents = nullptr;
-    one.stepped_count = 0;
-    float values[12];
-    sample(clip, kernels, {static_cast<double>(between.before), 0}, one, values);
-    const std::size_t count = values_of_joint(request.layout);
-    const bool is_apart = request.layout == MCPR_ARRAYS;
-    for (std::size_t k = 0; k < count; ++k)
-      out[is_apart ? k * joints + at : at * count + k] = values[k];
+  const bool has_steps = request.stepped_count > 0 && (is_across || between.share > 0);
+  // A cursor needs the room before anything else, and no longer.
+  if (cursor != nullptr && (!is_across || has_steps) &&
+      is_liftable(clip.layout().stretch_at(between.before), between))
+    is_kept = cursor->keep(kernels, between.before, between.share > 0,
+                           static_cast<int>(request.bands_left_out),
+                           {static_cast<std::int16_t*>(room), size / sizeof(std::int16_t)});
+  Memory memory(room, size);
+  PoseWork& work = *take_work(memory);
+  float* const columns = take_columns(memory, clip);
+  const mcpr_selection* selection = request.selection;
+  if (request.joints != nullptr) {
+    mcpr_selection* const made = take_selection(memory, clip);
+    made->select(request.joints, request.joint_count);
+    selection = made;
   }
+  Sampler(clip, kernels, request, selection, is_kept && !is_across ? cursor : nullptr, work,
+          columns)
+      .run(place, out);
+  if (has_steps) {
+    mcpr_selection* const stepped = take_selection(memory, clip);
+    stepped->select_within(selection, request.stepped, request.stepped_count);
+    Sampler(clip, kernels, request, stepped, is_kept ? cursor : nullptr, work, columns)
+        .run_over({static_cast<double>(between.before), 0}, out);
+  }
+  const std::uint32_t joints = selection == nullptr ? clip.joints : selection->joint_count;
+  if (request.parents != nullptr) place_in_model(request.layout, request.parents, joints, out);
+  if (request.convention != nullptr)
+    runtime::convert(*request.convention, request.layout, joints, out);
 }
 
 }  // namespace
 
+/// Upper bound for a selection of any clip.
+constexpr std::size_t kMostOfSelection =
+    sizeof(mcpr_selection) + sizeof(std::uint16_t) * kMostJoints +
+    sizeof(RotorPlaces) * (kMostJoints / kGroup) + sizeof(GroupRange) * (kMostColumns / kGroup) +
+    4 * kAlignment;
+static_assert(sizeof(PoseWork) + sizeof(float) * kMostColumns + 2 * kMostOfSelection +
+                  2 * kAlignment <=
+              kMostScratchOfPose);
+
+std::size_t scratch_of(const mcpr_cooked& clip, const mcpr_sample_request& request) {
+  Memory memory;
+  take_work(memory);
+  take_columns(memory, clip);
+  if (request.joints != nullptr) take_selection(memory, clip);
+  if (request.stepped_count > 0) take_selection(memory, clip);
+  return memory.used() <= kRoomOnStack ? 0 : static_cast<std::size_t>(memory.used());
+}
+
 void sample(const mcpr_cooked& clip, const PoseKernels& kernels, const PlaceInClip& place,
             const mcpr_sample_request& request, float* out, mcpr_cursor* cursor) {
-  const auto run = [&](const mcpr_selection* selection) {
-    Sampler(clip, kernels, request, selection, cursor).run(place, out);
-    if (request.stepped_count > 0) hold_stepped(clip, kernels, place, request, selection, out);
-    const std::uint32_t joints = selection == nullptr ? clip.joints : selection->joint_count;
-    if (request.parents != nullptr) place_in_model(request.layout, request.parents, joints, out);
-    if (request.convention != nullptr) convert(*request.convention, request.layout, joints, out);
-  };
-  if (request.joints == nullptr) return run(request.selection);
-  // Upper bound for places, rotors and parts.
-  constexpr std::size_t kMost = sizeof(std::uint16_t) * kMostJoints +
-                                sizeof(RotorPlaces) * (kMostJoints / kGroup) +
-                                sizeof(GroupRange) * (kMostColumns / kGroup) + 3 * kAlignment;
-  alignas(kAlignment) std::byte bytes[kMost];
-  Memory memory(bytes, kMost);
-  mcpr_selection selection(memory, clip);
-  selection.select(request.joints, request.joint_count);
-  run(&selection);
+  if (scratch_of(clip, request) > 0)
+    return sample_in(request.scratch, request.scratch_size, clip, kernels, place, request, out,
+                     cursor);
+  alignas(kAlignment) std::byte room[kRoomOnStack];
+  sample_in(room, sizeof room, clip, kernels, place, request, out, cursor);
 }
 
 }  // namespace mocapress::runtime

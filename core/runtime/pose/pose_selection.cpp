@@ -28,6 +28,23 @@ void mcpr_selection::select(const std::uint16_t* from, std::uint32_t count) {
   joint_count = count;
   std::fill_n(places, clip->joints, kNowhere);
   for (std::uint32_t i = 0; i < count; ++i) places[joints[i]] = static_cast<std::uint16_t>(i);
+  find_rotors();
+  want_columns();
+}
+
+void mcpr_selection::select_within(const mcpr_selection* whole, const std::uint16_t* from,
+                                   std::uint32_t count) {
+  using namespace mocapress::runtime;
+  joint_count = whole == nullptr ? clip->joints : whole->joint_count;
+  std::fill_n(places, clip->joints, kNowhere);
+  for (std::uint32_t i = 0; i < count; ++i)
+    places[from[i]] = whole == nullptr ? from[i] : whole->places[from[i]];
+  find_rotors();
+  want_columns();
+}
+
+void mcpr_selection::find_rotors() {
+  using namespace mocapress::runtime;
   rotor_groups = 0;
   for (std::uint16_t g = 0; g < clip->rotor_groups; ++g) {
     const RotorGroup& group = clip->at<RotorGroup>(clip->rotors)[g];
@@ -43,7 +60,6 @@ void mcpr_selection::select(const std::uint16_t* from, std::uint32_t count) {
     }
     if (made.joints > 0) rotors[rotor_groups++] = made;
   }
-  want_columns();
 }
 
 void mcpr_selection::want_columns() {

@@ -48,7 +48,11 @@ struct mcpr_selection {
   mcpr_selection(mocapress::runtime::Memory& memory, const mcpr_cooked& of);
   /// Selects joints; the array must outlive the selection.
   void select(const std::uint16_t* from, std::uint32_t count);
+  /// Selects those of a list that another selection has, in its places; null: all of the clip's. A
+  /// joint may be listed twice.
+  void select_within(const mcpr_selection* whole, const std::uint16_t* from, std::uint32_t count);
 
  private:
+  void find_rotors();
   void want_columns();
 };

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+// Prints the most stack that any call of the runtime takes, in bytes, for each call. Every call
+// runs on a thread whose stack was painted before. Usage: stack_use FILE.mcpr|BANK.mcpk...
+#include <mocapress_runtime.h>
+#include <pthread.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+constexpr std::size_t kStack = std::size_t{1} << 20;
+constexpr unsigned char kPaint = 0xA5;
+std::map<std::string, std::size_t> most_of_call;
+
+/// Memory for the runtime, with room for an alignment.
+class Block {
+ public:
+  explicit Block(std::size_t size = 0, std::size_t alignment = MCPR_ALIGNMENT)
+      : bytes_(size + alignment), alignment_(alignment), size_(size) {}
+  unsigned char* data() {
+    const auto at = reinterpret_cast<std::uintptr_t>(bytes_.data());
+    return bytes_.data() + (alignment_ - at % alignment_) % alignment_;
+  }
+  std::size_t size() const { return size_; }
+
+ private:
+  std::vector<unsigned char> bytes_;
+  std::size_t alignment_;
+  std::size_t size_;
+};
+
+/// Bytes of the painted stack that a call overwrote.
+std::size_t overwritten_by(const std::function<void()>& call) {
+  static Block stack(kStack, 4096);
+  std::fill_n(stack.data(), kStack, kPaint);
+  pthread_attr_t attributes;
+  pthread_t thread;
+  pthread_attr_init(&attributes);
+  const bool is_set = pthread_attr_setstack(&attributes, stack.data(), kStack) == 0;
+  const auto run = [](void* argument) -> void* {
+    (*static_cast<const std::function<void()>*>(argument))();
+    return nullptr;
+  };
+  if (!is_set ||
+      pthread_create(&thread, &attributes, run, const_cast<std::function<void()>*>(&call)) != 0) {
+    std::fprintf(stderr, "no thread with a stack of its own\n");
+    std::exit(1);
+  }
+  pthread_join(thread, nullptr);
+  pthread_attr_destroy(&attributes);
+  const unsigned char* const first = std::find_if(stack.data(), stack.data() + kStack,
+                                                  [](unsigned char b) { return b != kPaint; });
+  return static_cast<std::size_t>(stack.data() + kStack - first);
+}
+
+void measure(const char* name, const std::function<mcpr_result()>& call) {
+  static const std::size_t of_nothing = overwritten_by([] {});
+  mcpr_result result{};
+  const std::size_t all = overwritten_by([&] { result = call(); });
+  if (result.status != MCPR_OK) {
+    std::fprintf(stderr, "%s: %s\n", name, result.message);
+    std::exit(1);
+  }
+  std::size_t& most = most_of_call[name];
+  most = std::max(most, all - of_nothing);
+}
+
+std::size_t size_by(const char* name, const std::function<std::size_t()>& call) {
+  std::size_t size = 0;
+  measure(name, [&] {
+    size = call();
+    return mcpr_result{};
+  });
+  return size;
+}
+
+std::vector<mcpr_path> paths() {
+  std::vector<mcpr_path> found;
+  for (const mcpr_path path :
+       {MCPR_PATH_PLAIN, MCPR_PATH_SSE2, MCPR_PATH_AVX2, MCPR_PATH_NEON, MCPR_PATH_WASM})
+    if (mcpr_path_exists(path) != 0) found.push_back(path);
+  return found;
+}
+
+void decode(const mcpr_clip* clip) {
+  const mcpr_clip_info info = mcpr_clip_describe(clip);
+  for (const mcpr_path path : paths())
+    for (int output = MCPR_CHANNELS; output <= MCPR_POSITIONS; ++output) {
+      const std::uint16_t first_channel = 0;
+      mcpr_request request{};
+      request.output = static_cast<mcpr_output>(output);
+      request.apply_ik = 1;
+      request.path = path;
+      if (output == MCPR_CHANNELS) {
+        request.channels = &first_channel;
+        request.channel_count = 1;
+      }
+      Block scratch(
+          size_by("mcpr_scratch_bytes", [&] { return mcpr_scratch_bytes(clip, &request); }));
+      std::vector<float> out(info.frames * mcpr_frame_values(clip, &request));
+      measure("mcpr_decode_frames", [&] {
+        return mcpr_decode_frames(clip, &request, 0, info.frames, out.data(), scratch.data(),
+                                  scratch.size());
+      });
+      request.wrap = MCPR_LOOP_BLEND;
+      for (double frame = 0.3; frame < info.frames; frame += 7)
+        measure("mcpr_decode_moment", [&] {
+          return mcpr_decode_moment(clip, &request, frame, out.data(), scratch.data(),
+                                    scratch.size());
+        });
+    }
+}
+
+void play(const mcpr_tracks* tracks) {
+  if (mcpr_track_count(tracks) == 0) return;
+  mcpr_track_request request{};
+  request.wrap = MCPR_PING_PONG;
+  Block scratch(size_by("mcpr_track_scratch_bytes",
+                        [&] { return mcpr_track_scratch_bytes(tracks, &request); }));
+  std::vector<float> out(mcpr_track_values(tracks, &request));
+  measure("mcpr_track_frames", [&] {
+    return mcpr_track_frames(tracks, &request, 0, 1, out.data(), scratch.data(), scratch.size());
+  });
+  measure("mcpr_track_moment", [&] {
+    return mcpr_track_moment(tracks, &request, 0.5, out.data(), scratch.data(), scratch.size());
+  });
+  std::uint32_t count = 0;
+  measure("mcpr_track_changes",
+          [&] { return mcpr_track_changes(tracks, &request, -30, 30, nullptr, 0, &count); });
+}
+
+void sample(const mcpr_cooked* cooked) {
+  const mcpr_cooked_info info = mcpr_cooked_describe(cooked);
+  const std::uint16_t first_joint = 0;
+  const double last = info.frames - 1.0;
+  play(mcpr_cooked_tracks(cooked));
+  Block memory(mcpr_cursor_bytes(cooked));
+  mcpr_cursor* cursor = nullptr;
+  measure("mcpr_make_cursor",
+          [&] { return mcpr_make_cursor(cooked, memory.data(), memory.size(), &cursor); });
+  Block selection_memory(mcpr_selection_bytes(cooked, 1));
+  const mcpr_selection* selection = nullptr;
+  measure("mcpr_make_selection", [&] {
+    return mcpr_make_selection(cooked, &first_joint, 1, selection_memory.data(),
+                               selection_memory.size(), &selection);
+  });
+  std::vector<float> out(std::size_t{12} * info.joints);
+  for (const mcpr_path path : paths()) {
+    for (int layout = MCPR_TRANSFORMS; layout <= MCPR_MATRICES; ++layout)
+      for (int listed = 0; listed <= 1; ++listed) {
+        mcpr_convention convention{};
+        mcpr_convention_of(MCPR_UNITY, &convention);
+        mcpr_sample_request request{};
+        request.layout = static_cast<mcpr_layout>(layout);
+        request.path = path;
+        request.wrap = MCPR_LOOP_BLEND;
+        request.stepped = &first_joint;
+        request.stepped_count = 1;
+        request.convention = &convention;
+        if (listed != 0) {
+          request.joints = &first_joint;
+          request.joint_count = 1;
+        }
+        size_by("mcpr_sample_values", [&] { return mcpr_sample_values(cooked, &request); });
+        for (double frame = 0.3; frame < info.frames; frame += last / 40) {
+          measure("mcpr_sample", [&] { return mcpr_sample(cooked, &request, frame, out.data()); });
+          measure("mcpr_sample_next",
+                  [&] { return mcpr_sample_next(cursor, &request, frame, out.data()); });
+        }
+        mcpr_transform moved;
+        for (double frame = 0.3; frame < info.frames; frame += last / 10)
+          measure("mcpr_sample_motion",
+                  [&] { return mcpr_sample_motion(cooked, &request, 0, frame, 3 * last, &moved); });
+      }
+    std::vector<std::vector<float>> poses(64, out);
+    std::vector<mcpr_character> all(64);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      all[i].clip = cooked;
+      all[i].selection = i % 3 == 0 ? selection : nullptr;
+      all[i].time = last * static_cast<double>(63 - i) / 640;
+      all[i].out = poses[i].data();
+      all[i].stepped = &first_joint;
+      all[i].stepped_count = 1;
+    }
+    mcpr_crowd_request request{};
+    request.path = path;
+    Block sorting(mcpr_sort_crowd_scratch_bytes(64));
+    Block scratch(mcpr_crowd_scratch_bytes());
+    measure("mcpr_sort_crowd", [&] {
+      return mcpr_sort_crowd(&request, all.data(), 64, sorting.data(), sorting.size());
+    });
+    measure("mcpr_sample_crowd", [&] {
+      return mcpr_sample_crowd(&request, all.data(), 64, scratch.data(), scratch.size());
+    });
+  }
+}
+
+void use(Block& scratch, std::size_t bytes) {
+  Block resident(bytes);
+  const mcpr_clip* clip = nullptr;
+  measure("mcpr_build", [&] {
+    return mcpr_build(scratch.data(), scratch.size(), resident.data(), bytes, &clip);
+  });
+  decode(clip);
+  play(mcpr_clip_tracks(clip));
+  for (const float ik_error : {0.0F, 0.5F}) {
+    mcpr_cook_options options{};
+    options.apply_ik = 1;
+    options.ik_error = ik_error;
+    Block space(size_by("mcpr_cook_scratch_bytes",
+                        [&] { return mcpr_cook_scratch_bytes(clip, &options); }));
+    std::size_t size = 0;
+    measure("mcpr_cook_size",
+            [&] { return mcpr_cook_size(clip, &options, space.data(), space.size(), &size); });
+    Block memory(size);
+    const mcpr_cooked* cooked = nullptr;
+    measure("mcpr_cook", [&] {
+      return mcpr_cook(clip, &options, space.data(), space.size(), memory.data(), size, &cooked);
+    });
+    measure("mcpr_open_cooked", [&] { return mcpr_open_cooked(memory.data(), size, 1, &cooked); });
+    sample(cooked);
+  }
+}
+
+void use_file(Block& file) {
+  mcpr_info info{};
+  measure("mcpr_inspect", [&] { return mcpr_inspect(file.data(), file.size(), nullptr, &info); });
+  Block scratch(info.read_bytes);
+  std::size_t bytes = 0;
+  measure("mcpr_read", [&] {
+    return mcpr_read(file.data(), file.size(), nullptr, scratch.data(), scratch.size(), &bytes);
+  });
+  use(scratch, bytes);
+}
+
+void use_bank(Block& file) {
+  const mcpk_bank* bank = nullptr;
+  measure("mcpk_open", [&] { return mcpk_open(file.data(), file.size(), 1, &bank); });
+  char name[MCPK_NAME_BYTES];
+  for (std::uint32_t clip = 0; clip < mcpk_describe(bank).clips; ++clip) {
+    size_by("mcpk_name", [&] { return mcpk_name(bank, clip, name); });
+    size_by("mcpk_find", [&] { return static_cast<std::size_t>(mcpk_find(bank, name)); });
+    measure("mcpk_check", [&] { return mcpk_check(bank, clip); });
+    if (mcpk_describe(bank).is_cooked != 0) {
+      const mcpr_cooked* cooked = nullptr;
+      measure("mcpk_cooked", [&] { return mcpk_cooked(bank, clip, &cooked); });
+      mcpr_joint joint;
+      measure("mcpk_joint", [&] { return mcpk_joint(bank, clip, 0, &joint); });
+      sample(cooked);
+      continue;
+    }
+    mcpr_info info{};
+    measure("mcpk_inspect", [&] { return mcpk_inspect(bank, clip, nullptr, &info); });
+    Block scratch(info.read_bytes);
+    std::size_t bytes = 0;
+    measure("mcpk_read",
+            [&] { return mcpk_read(bank, clip, nullptr, scratch.data(), scratch.size(), &bytes); });
+    use(scratch, bytes);
+  }
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  for (int i = 1; i < count; ++i) {
+    std::ifstream stream(arguments[i], std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    Block file(bytes.size());
+    std::copy(bytes.begin(), bytes.end(), file.data());
+    if (std::string(arguments[i]).ends_with(".mcpk"))
+      use_bank(file);
+    else
+      use_file(file);
+  }
+  for (const auto& [name, bytes] : most_of_call) std::printf("%s %zu\n", name.c_str(), bytes);
+  return 0;
+}
