@@ -7,8 +7,9 @@
  * frames and any level of detail, without decoding the rest.
  *
  * Memory and threads: the decoder allocates, throws and locks nothing and has no globals. The
- * caller provides all memory, aligned to MCPR_ALIGNMENT, but for 16 KiB of stack at most in any call. A built clip is read-only. Any number of
- * threads may decode from it, each with its own scratch memory.
+ * caller provides all memory, aligned to MCPR_ALIGNMENT, but for 16 KiB of stack at most in any
+ * call. A built clip is read-only. Any number of threads may decode from it, each with its own
+ * scratch memory.
  *
  * Errors: every function that can fail returns an mcpr_result, which says where and why. If a call
  * fails, the contents of its output arguments are unspecified. A null argument, an unknown enum
@@ -710,7 +711,7 @@ typedef struct mcpr_track_request {
   const uint16_t* tracks; /* tracks to decode, in any order, without duplicates; null: all */
   uint32_t track_count;   /* length of `tracks`; 0 if that is null */
   double sample_rate;     /* for instants in seconds: frames per second, those of the clip. 0:
-                             instants are in frames */
+                             instants are in frames. Below 0: not possible */
   mcpr_wrap wrap;         /* for instants */
 } mcpr_track_request;
 
@@ -746,7 +747,9 @@ typedef struct mcpr_change {
  * at the frames in (from, to], or at those in (to, from], latest first, if `to` is earlier. So
  * calls that start where the one before ended tell each change once. Sets *count to their number,
  * and writes as many as `capacity` allows; `changes` may be null if that is 0. Takes time in
- * proportion to the frames between. Fails with MCPR_ARGUMENT if these are more than 2^22. */
+ * proportion to the frames between. Fails with MCPR_ARGUMENT if these are more than 2^22, or
+ * further than frame 2^52. On the way back of MCPR_PING_PONG mcpr_track_moment has the value after
+ * a change from just behind its frame on, not at it. */
 MCPR_API mcpr_result mcpr_track_changes(const mcpr_tracks* tracks,
                                         const mcpr_track_request* request, double from, double to,
                                         mcpr_change* changes, uint32_t capacity, uint32_t* count);

@@ -21,13 +21,17 @@ constexpr mcpr_result wrong_track(const char* message) {
   return failure(MCPR_ARGUMENT, 0, message);
 }
 
+constexpr mcpr_result impossible_request() {
+  return wrong_track("a list of tracks that the clip does not have, or a sample rate below zero");
+}
+
 bool may_ask(const mcpr_tracks* tracks, const mcpr_track_request* request) {
   return tracks != nullptr && request != nullptr && is_possible(*tracks, *request);
 }
 
 mcpr_result check_track_call(const mcpr_tracks* tracks, const mcpr_track_request* request,
                              const float* out, const void* scratch, std::size_t size) {
-  if (!may_ask(tracks, request)) return wrong_track("a list of tracks that the clip does not have");
+  if (!may_ask(tracks, request)) return impossible_request();
   if (out == nullptr) return wrong_track("no output");
   const std::size_t needed = mcpr_track_scratch_bytes(tracks, request);
   return needed == 0 ? kOk : check_memory(scratch, size, needed, "too little scratch memory");
@@ -133,16 +137,20 @@ mcpr_result mcpr_track_moment(const mcpr_tracks* tracks, const mcpr_track_reques
 mcpr_result mcpr_track_changes(const mcpr_tracks* tracks, const mcpr_track_request* request,
                                double from, double to, mcpr_change* changes, uint32_t capacity,
                                uint32_t* count) {
-  if (!may_ask(tracks, request)) return wrong_track("a list of tracks that the clip does not have");
+  if (!may_ask(tracks, request)) return impossible_request();
   if (count == nullptr || (changes == nullptr && capacity > 0))
     return wrong_track("no place was given for the changes, or for their number");
   const Wrapping wrapping = wrapping_of(*tracks, *request);
   if (!wrapping.is_possible()) return wrong_track("no such wrap, or the clip is not a loop");
   const double first = std::floor(frame_at(*request, std::min(from, to)));
   const double last = std::floor(frame_at(*request, std::max(from, to)));
-  // Beyond what a double holds, the difference is no number.
+  // Beyond what a double holds, the difference is no number; beyond 2^52 there is nothing between
+  // two frames.
+  constexpr double kFurthest = 0x1p52;
   if (!std::isfinite(from) || !std::isfinite(to) || !(last - first <= double{kMostFrames}))
     return wrong_track("no finite instants, or too many frames between them");
+  if (std::abs(first) > kFurthest || std::abs(last) > kFurthest)
+    return wrong_track("instants beyond 2^52 frames");
   *count = 0;
   const auto frames = static_cast<std::uint32_t>(last - first);
   const std::size_t asked = mcpr_track_values(tracks, request);

@@ -10,6 +10,7 @@
 namespace mocapress::runtime {
 
 bool is_possible(const mcpr_tracks& tracks, const mcpr_track_request& request) {
+  if (!(request.sample_rate >= 0)) return false;
   if (request.tracks == nullptr) return request.track_count == 0;
   if (request.track_count > tracks.count) return false;
   std::bitset<kMostTracks> seen;

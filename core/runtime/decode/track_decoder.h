@@ -11,7 +11,7 @@
 
 namespace mocapress::runtime {
 
-/// True if all requested tracks exist, without duplicates.
+/// True if all requested tracks exist, without duplicates, and the sample rate is not below zero.
 bool is_possible(const mcpr_tracks& tracks, const mcpr_track_request& request);
 
 class TrackDecoder {

@@ -222,6 +222,28 @@ TEST_F(RuntimeTracks, RefuseChangesOfTooManyFrames) {
             MCPR_ARGUMENT);
 }
 
+/// Beyond 2^52 nothing lies between two frames.
+TEST_F(RuntimeTracks, RefuseChangesWhereFramesHaveNothingBetween) {
+  const OpenedClip clip(file());
+  const mcpr_track_request all{};
+  std::uint32_t count = 0;
+  const auto status = [&](double from, double to) {
+    return mcpr_track_changes(mcpr_clip_tracks(clip.clip), &all, from, to, nullptr, 0, &count)
+        .status;
+  };
+  EXPECT_EQ(status(0x1p52 - 4, 0x1p52), MCPR_OK);
+  EXPECT_EQ(status(0x1p53, 0x1p53 + 8), MCPR_ARGUMENT);
+  EXPECT_EQ(status(-0x1p53 - 8, -0x1p53), MCPR_ARGUMENT);
+}
+
+TEST_F(RuntimeTracks, RefuseASampleRateBelowZero) {
+  const OpenedClip clip(file());
+  for (const double rate : {-30.0, std::nan("")}) {
+    const mcpr_track_request request{.sample_rate = rate};
+    EXPECT_EQ(mcpr_track_values(mcpr_clip_tracks(clip.clip), &request), 0U);
+  }
+}
+
 TEST_F(RuntimeTracks, ImpossibleCallsAreRefused) {
   const OpenedClip clip(file());
   std::vector<float> out(5);
