@@ -42,7 +42,7 @@ double frame_at(const mcpr_track_request& request, double time) {
   if (!(request.sample_rate > 0)) return time;
   const double frame = time * request.sample_rate;
   const double whole = std::round(frame);
-  return std::abs(frame - whole) < double{kAtFrame} ? whole : frame;
+  return std::abs(frame - whole) < static_cast<double>(kAtFrame) ? whole : frame;
 }
 
 Wrapping wrapping_of(const mcpr_tracks& tracks, const mcpr_track_request& request) {

@@ -210,5 +210,22 @@ TEST(PoseCursor, WrongNumbersAreHarmless) {
   EXPECT_GT(opened, 0);
 }
 
+/// Between frames a stepped joint has the transform that the cursor gives at the earlier one, to
+/// the bit, on the way to the next cycle, too.
+TEST(PoseCursor, SteppedJointsHaveTheBitsOfTheCursorsFrames) {
+  Player player(clip_of_frames(60));
+  const std::uint16_t stepped[] = {1};
+  mcpr_sample_request request{.wrap = MCPR_LOOP_BLEND};
+  for (int frame = 0; frame < 60; ++frame) {
+    request.stepped_count = 0;
+    request.stepped = nullptr;
+    const std::vector<float> at_frame = player.next(request, frame);
+    request.stepped = stepped;
+    request.stepped_count = 1;
+    const std::vector<float> held = player.next(request, frame + 0.4);
+    EXPECT_EQ(std::memcmp(held.data() + 8, at_frame.data() + 8, 8 * sizeof(float)), 0) << frame;
+  }
+}
+
 }  // namespace
 }  // namespace mocapress
