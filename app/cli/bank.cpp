@@ -25,6 +25,7 @@
 #include "core/base/number_text.h"
 #include "core/base/parallel_in_order.h"
 #include "core/base/staged_file.h"
+#include "core/base/utf8_path.h"
 #include "core/codec/format/format_error.h"
 #include "core/formats/text_cursor.h"
 
@@ -89,7 +90,7 @@ void tell_of(const std::string& path, bool is_whole, const ClipCount& count) {
     std::fprintf(stderr, "Stopped after %s. Nothing was written.\n", count.text().c_str());
     throw EndedWith{128 + stop_signal};
   }
-  const mcpk_bank bank = read_bank_head(path).value_or(mcpk_bank{});
+  const mcpk_bank bank = read_bank_head(utf8_path(path)).value_or(mcpk_bank{});
   std::fprintf(stderr, "%s: %u clips, %llu bytes, %s\n", printable(path).c_str(), bank.clips,
                static_cast<unsigned long long>(bank.bytes), name(bank.form).data());
   if (count.ik_bytes() > 0)
@@ -151,9 +152,9 @@ struct BankFilling {
       options.texts.emplace_back(text.substr(0, at), text.substr(at + 1));
     }
     ClipCount count;
-    std::vector<BankSource> sources = find_bank_sources({inputs.begin(), inputs.end()});
+    std::vector<BankSource> sources = find_bank_sources(utf8_paths(inputs));
     const bool is_whole = (make ? make_bank : add_to_bank)(
-        bank, std::move(sources), options,
+        utf8_path(bank), std::move(sources), options,
         [&](const BankProgress& progress) { return count.done(progress); });
     tell_of(bank, is_whole, count);
   }
@@ -166,7 +167,7 @@ struct BankRemoval {
   void run() const {
     ClipCount count;
     const bool is_whole = remove_from_bank(
-        bank, names, [&](const BankProgress& progress) { return count.done(progress); });
+        utf8_path(bank), names, [&](const BankProgress& progress) { return count.done(progress); });
     tell_of(bank, is_whole, count);
   }
 };
@@ -219,7 +220,7 @@ void print_json(const BankFile& bank, const std::string& path) {
 }
 
 void list_bank(const std::string& path, bool json) {
-  const BankFile bank(path);
+  const BankFile bank(utf8_path(path));
   if (!json) {
     const SkeletonsInBank skeletons = bank.skeletons();
     for (const auto& [key, value] : bank.texts())
@@ -252,9 +253,9 @@ struct Extraction {
 
   void run() const {
     ClipCount count;
-    const BankFile file(bank);
+    const BankFile file(utf8_path(bank));
     const std::vector<std::uint32_t> clips = asked(file);
-    const std::vector<std::string> places = places_of(file, clips);
+    const std::vector<fs::path> places = places_of(file, clips);
     constexpr std::size_t kTogether = 256;  // number of files written to the disk together
     const auto existing = overwrite ? StagedFile::Existing::Replace : StagedFile::Existing::Refuse;
     std::vector<StagedFile> staged;
@@ -267,7 +268,7 @@ struct Extraction {
     parallel_in_order(
         clips.size(), [&](std::size_t i) { return file.extract(file.entry(clips[i])); },
         [&](std::size_t i, const std::vector<std::byte>& bytes) {
-          stage(fs::path(folder) / places[i], bytes, staged);
+          stage(utf8_path(folder) / places[i], bytes, staged);
           if (staged.size() == kTogether || i + 1 == clips.size()) commit();
           return count.done(written, clips.size());
         });
@@ -294,23 +295,23 @@ struct Extraction {
 
   /// Output paths below the folder, whatever the clips' names are. No two are equal, and none is an
   /// existing file unless --overwrite is given.
-  std::vector<std::string> places_of(const BankFile& file,
-                                     const std::vector<std::uint32_t>& clips) const {
-    std::vector<std::string> places;
+  std::vector<fs::path> places_of(const BankFile& file,
+                                  const std::vector<std::uint32_t>& clips) const {
+    std::vector<fs::path> places;
     std::unordered_set<std::string> taken;
     for (const std::uint32_t clip : clips) {
       const std::string name = file.entry(clip).name;
-      const fs::path below = fs::path(name + ".mcpr").lexically_normal();
-      if (below.is_absolute() || *below.begin() == "..")
+      const fs::path below = utf8_path(name + ".mcpr").lexically_normal();
+      if (below.has_root_path() || *below.begin() == "..")
         throw InputError(bank, 0, 0, "the clip '" + name + "' leaves the folder");
-      if (!taken.insert(below.string()).second)
+      if (!taken.insert(utf8(below)).second)
         throw InputError(bank, 0, 0, "the clip '" + name + "' would take another's place");
-      places.push_back(below.string());
-      const fs::path place = fs::path(folder) / below;
-      refuse_source(place, {bank});
+      places.push_back(below);
+      const fs::path place = utf8_path(folder) / below;
+      refuse_source(place, {utf8_path(bank)});
       std::error_code error;
       if (!overwrite && fs::exists(fs::symlink_status(place, error)))
-        throw WriteError(place.string() + " exists: not overwritten");
+        throw WriteError(utf8(place) + " exists: not overwritten");
     }
     return places;
   }
@@ -324,7 +325,7 @@ struct Extraction {
 
 void verify_bank(const std::string& path) {
   ClipCount count;
-  const BankFile bank(path);
+  const BankFile bank(utf8_path(path));
   std::uint32_t unplayed = 0;
   bool is_stopped = false;
   parallel_in_order(

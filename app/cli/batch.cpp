@@ -16,6 +16,7 @@
 #include "core/base/make_folders.h"
 #include "core/base/memory_limit.h"
 #include "core/base/number_text.h"
+#include "core/base/utf8_path.h"
 #include "core/batch/batch_folder.h"
 #include "core/batch/gate.h"
 #include "core/batch/project_batch.h"
@@ -44,6 +45,10 @@ CLI::Validator parsed_by(Parse parse) {
         }
       },
       "");
+}
+
+std::string absolute(const std::string& path) {
+  return utf8(fs::absolute(utf8_path(path)).lexically_normal());
 }
 
 struct BatchCommand {
@@ -82,12 +87,12 @@ struct BatchCommand {
   }
 
   Batch asked() const {
-    const bool is_queue = inputs.size() == 1 && fs::path(inputs.front()).extension() == ".json";
+    const bool is_queue = inputs.size() == 1 && utf8_path(inputs.front()).extension() == ".json";
     if (is_queue) {
       for (const CLI::Option* option : of_queue)
         if (option->count() > 0)
           throw CLI::ValidationError(option->get_name(), "is set by the queue file");
-      return parse_queue(inputs.front(), read_text(inputs.front()));
+      return parse_queue(inputs.front(), read_text(utf8_path(inputs.front())));
     }
     const bool is_project = inputs.size() == 1 && is_project_file(inputs.front());
     Batch batch{
@@ -108,7 +113,7 @@ struct BatchCommand {
     if (!is_project) check_folders();
     try {
       if (is_project)
-        add_project(batch, inputs.front(), read_text(inputs.front()), names);
+        add_project(batch, inputs.front(), read_text(utf8_path(inputs.front())), names);
       else
         add_items(batch, sources(), 0, names);
     } catch (const InputError&) {
@@ -129,9 +134,9 @@ struct BatchCommand {
   /// Refuses output folders that are inputs too: the next run would take the outputs for clips.
   void check_folders() const {
     if (formats == std::vector<std::string>{"mcpr"}) return;
-    const std::optional<FileIdentity> target = identity_of(folder);
+    const std::optional<FileIdentity> target = identity_of(utf8_path(folder));
     for (const std::string& input : inputs)
-      if (target && identity_of(input) == target)
+      if (target && identity_of(utf8_path(input)) == target)
         throw CLI::ValidationError(
             "--output", folder + " is an input, too: motion files need a folder of their own");
   }
@@ -168,11 +173,11 @@ struct BatchCommand {
 
   /// Refuses to write reports onto a queue, a project or a preset.
   void refuse_inputs_as_reports() const {
-    std::vector<fs::path> read(inputs.begin(), inputs.end());
-    if (fs::path(preset.preset).has_extension()) read.emplace_back(preset.preset);
+    std::vector<fs::path> read = utf8_paths(inputs);
+    if (utf8_path(preset.preset).has_extension()) read.push_back(utf8_path(preset.preset));
     for (const char* extension : {".html", ".csv", ".json"})
       refuse_source(
-          (fs::path(folder) / report_name(parse_shard(shard))).replace_extension(extension), read);
+          (utf8_path(folder) / report_name(parse_shard(shard))).replace_extension(extension), read);
   }
 
   void run_clips(const Batch& batch) const {
@@ -188,15 +193,15 @@ struct BatchCommand {
     give_back_freed_memory();  // the search for clips has fragmented the heap
     const StopOnSignals signals;
     BatchReporter reporter(batch, json_progress);
-    reporter.begin(folder, options.shard);
+    reporter.begin(utf8_path(folder), options.shard);
     BatchControl control;
-    const BatchOutcome outcome =
-        run_batch_in(folder, batch, options, control, [&](const BatchProgress& progress) {
-          reporter.tell(progress);
-          if (progress.row) keeper.look_at(*progress.row);
-          return stop_signal == 0;
-        });
-    reporter.end(outcome, fs::path(folder) / report_name(options.shard));
+    const BatchOutcome outcome = run_batch_in(utf8_path(folder), batch, options, control,
+                                              [&](const BatchProgress& progress) {
+                                                reporter.tell(progress);
+                                                if (progress.row) keeper.look_at(*progress.row);
+                                                return stop_signal == 0;
+                                              });
+    reporter.end(outcome, utf8_path(folder) / report_name(options.shard));
     if (stop_signal != 0 && !outcome.complete) {
       std::fprintf(stderr, "Stopped. To continue, run the same command with --resume.\n");
       throw EndedWith{128 + stop_signal};
@@ -206,14 +211,13 @@ struct BatchCommand {
   }
 
   void run_merge() const {
-    const std::vector<fs::path> folders(inputs.begin(), inputs.end());
-    const fs::path target = folder.empty() ? folders.front() : fs::path(folder);
+    const std::vector<fs::path> folders = utf8_paths(inputs);
+    const fs::path target = folder.empty() ? folders.front() : utf8_path(folder);
     GateKeeper keeper = gate_keeper();
     const MergedBatch merged =
         merge_batch(folders, target, [&](const BatchRow& row) { keeper.look_at(row); });
     std::fprintf(stderr, "%zu clips, %zu failed, %zu still waiting\n%s\n", merged.clips,
-                 merged.failed, merged.waiting,
-                 printable((target / report_name({})).string()).c_str());
+                 merged.failed, merged.waiting, printable(utf8(target / report_name({}))).c_str());
     if (merged.failed > 0 || merged.waiting > 0) throw EndedWith{kSomeFailed};
     keeper.end();
   }
@@ -221,11 +225,11 @@ struct BatchCommand {
   /// Writes the list of clips to a file, so that all tasks use the same list.
   void write_slurm(Batch batch) const {
     std::error_code error;
-    const fs::path target = fs::absolute(folder).lexically_normal();
+    const fs::path target = fs::absolute(utf8_path(folder)).lexically_normal();
     const fs::path queue = target / kQueueFile;
-    SlurmJob job{.program = fs::read_symlink("/proc/self/exe", error).string(),
-                 .arguments = {queue.string()},
-                 .folder = target.string(),
+    SlurmJob job{.program = utf8(fs::read_symlink("/proc/self/exe", error)),
+                 .arguments = {utf8(queue)},
+                 .folder = utf8(target),
                  .shards = slurm_tasks};
     if (jobs > 0) job.processors = jobs;
     if (overwrite) job.arguments.emplace_back("--overwrite");
@@ -236,26 +240,23 @@ struct BatchCommand {
     const std::string script = slurm_script(job);
     if (error) throw Error("/proc/self/exe: cannot be read: " + error.message());
     const std::set<FileIdentity> sources = source_files(batch);
-    for (const fs::path& place : {queue, fs::path(slurm_file)}) {
-      refuse_source(place, {inputs.begin(), inputs.end()});
+    for (const fs::path& place : {queue, utf8_path(slurm_file)}) {
+      refuse_source(place, utf8_paths(inputs));
       if (const auto there = identity_of(place); there && sources.contains(*there))
-        throw WriteError(place.string() + ": is one of the inputs: not overwritten");
+        throw WriteError(utf8(place) + ": is one of the inputs: not overwritten");
     }
     make_folders(target);
     for (std::size_t i = 0; i < batch.items.size(); ++i) {
       BatchItem item = batch.items[i];
-      item.input = fs::absolute(item.input).lexically_normal().string();
-      if (!item.skeleton.empty())
-        item.skeleton = fs::absolute(item.skeleton).lexically_normal().string();
+      item.input = absolute(item.input);
+      if (!item.skeleton.empty()) item.skeleton = absolute(item.skeleton);
       if (item.reading && item.reading->character)
-        item.reading->character =
-            fs::absolute(*item.reading->character).lexically_normal().string();
+        item.reading->character = absolute(*item.reading->character);
       batch.items.replace(i, item);
     }
-    if (batch.reading.character)
-      batch.reading.character = fs::absolute(*batch.reading.character).lexically_normal().string();
+    if (batch.reading.character) batch.reading.character = absolute(*batch.reading.character);
     write_text(queue, queue_text(batch));
-    write_text(slurm_file, script);
+    write_text(utf8_path(slurm_file), script);
     std::fprintf(stderr, "%zu clips in %d tasks: sbatch %s\n", batch.items.size(), slurm_tasks,
                  printable(slurm_file).c_str());
   }

@@ -6,6 +6,7 @@
 
 #include "app/cli/motion_input.h"
 #include "core/base/number_text.h"
+#include "core/base/utf8_path.h"
 #include "core/batch/batch_folder.h"
 #include "core/mocapress/settings_json.h"
 
@@ -22,7 +23,7 @@ void print_line(const Json& json) {
 }
 
 std::string described(const BatchRow& row) {
-  std::string text = std::filesystem::path(row.input).filename().string();
+  std::string text = utf8(utf8_path(row.input).filename());
   if (!row.done()) return text + ": " + row.error;
   return text + " " + fixed_text(row.measured->ratio, 1) + ":1 " +
          fixed_text(row.measured->eps_cm(row.preset.weighting), 3) + " cm";
@@ -37,7 +38,7 @@ Json counts_json(const BatchCounts& counts, const std::optional<double>& seconds
 }
 
 std::string bank_beside(const std::filesystem::path& report) {
-  return (report.parent_path() / kBankOfBatch).string();
+  return utf8(report.parent_path() / kBankOfBatch);
 }
 
 }  // namespace
@@ -48,7 +49,7 @@ BatchReporter::BatchReporter(const Batch& batch, bool json)
 void BatchReporter::begin(const std::filesystem::path& folder, const Shard& shard) const {
   if (!json_) return;
   print_line({{"event", "begin"},
-              {"folder", folder.string()},
+              {"folder", utf8(folder)},
               {"clips_in_all", batch_.items.size()},
               {"shard", shard.index},
               {"shards", shard.count}});
@@ -130,7 +131,7 @@ void BatchReporter::end(const BatchOutcome& outcome, const std::filesystem::path
   if (json_) {
     print_line({{"event", outcome.complete ? "end" : "stopped"},
                 {"batch", counts_json(counts, time_left_.seconds())},
-                {"report", outcome.complete ? Json(report.string()) : Json()},
+                {"report", outcome.complete ? Json(utf8(report)) : Json()},
                 {"bank", outcome.has_bank ? Json(bank_beside(report)) : Json()}});
     return;
   }
@@ -139,7 +140,7 @@ void BatchReporter::end(const BatchOutcome& outcome, const std::filesystem::path
   if (warned_ > 0) std::fprintf(stderr, ", %zu of them with warnings", warned_);
   if (counts.failed > 0) std::fprintf(stderr, "; %zu failed", counts.failed);
   std::fprintf(stderr, "\n");
-  if (outcome.complete) std::fprintf(stderr, "%s\n", printable(report.string()).c_str());
+  if (outcome.complete) std::fprintf(stderr, "%s\n", printable(utf8(report)).c_str());
   if (outcome.has_bank) std::fprintf(stderr, "%s\n", printable(bank_beside(report)).c_str());
 }
 

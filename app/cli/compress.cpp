@@ -13,6 +13,7 @@
 #include "core/base/file.h"
 #include "core/base/file_identity.h"
 #include "core/base/staged_file.h"
+#include "core/base/utf8_path.h"
 #include "core/batch/verification.h"
 #include "core/codec/decode/decoder.h"
 #include "core/codec/encode/track_encoder.h"
@@ -85,19 +86,20 @@ struct Compress {
     if (!review.empty() && !has_review_viewer())
       throw CLI::ValidationError("--review", kNoReviewViewer);
     if (!output.empty() && !writes_stream() &&
-        !equals_ignoring_case(std::filesystem::path(output).extension().string(), ".mcpr"))
+        !equals_ignoring_case(utf8(utf8_path(output).extension()), ".mcpr"))
       throw CLI::ValidationError(
           output + ": compress writes .mcpr files alone; decompress writes motion files");
   }
 
   MotionFile read_source() const {
     if (!reads_stream()) {
-      if (!output.empty() && !writes_stream()) refuse_source(output, source.files(input));
-      if (!review.empty()) refuse_source(review, source.files(input));
+      if (!output.empty() && !writes_stream())
+        refuse_source(utf8_path(output), source.files(input));
+      if (!review.empty()) refuse_source(utf8_path(review), source.files(input));
       return source.read_file(input);
     }
     MotionFile file = read_motion_bytes("standard input." + input_format, read_standard_input(),
-                                        source.skeleton, source.options);
+                                        utf8_path_if(source.skeleton), source.options);
     print_warnings(file.warnings);
     return file;
   }
@@ -155,11 +157,10 @@ struct Compress {
     const std::vector<std::string> facts =
         review_facts(report.method, compression_ratio(original, report.motion_bytes),
                      report.distortion, report.visibility);
-    const std::string title =
-        reads_stream() ? "standard input" : std::filesystem::path(input).filename().string();
+    const std::string title = reads_stream() ? "standard input" : utf8(utf8_path(input).filename());
     const Clip* const unplayed = report.verified_by == "runtime" ? nullptr : &made.decoded;
     const std::string script = review_clip(title, encoder.wavelets(), made.file, unplayed);
-    write_text(review, review_page(title, facts, script));
+    write_text(utf8_path(review), review_page(title, facts, script));
   }
 
   /// Writes the file and measures it as read back from the disk, before it replaces an older one.
@@ -172,7 +173,7 @@ struct Compress {
         write_standard_output({reinterpret_cast<const char*>(file.data()), file.size()});
       return found;
     }
-    StagedFile staged(output);
+    StagedFile staged(utf8_path(output));
     staged.write(file);
     Verification found = verify(staged.read_back(), original, request);
     staged.commit();

@@ -11,6 +11,7 @@
 #include "core/base/file.h"
 #include "core/base/file_identity.h"
 #include "core/base/number_text.h"
+#include "core/base/utf8_path.h"
 #include "core/codec/methods/compared_file.h"
 #include "core/feet/footskate.h"
 #include "core/metrics/comparison.h"
@@ -41,7 +42,7 @@ ContactSpan span_from(const Json& json, const Motion& motion, const std::vector<
 
 std::vector<ContactSpan> read_contacts(const std::string& path, const Motion& motion) {
   const std::vector<Landmark> points = landmarks(motion.skeleton);
-  const Json json = parse_json(path, read_text(path));
+  const Json json = parse_json(path, read_text(utf8_path(path)));
   std::vector<ContactSpan> spans;
   try {
     if (!json.is_array()) throw Error("not an array of contacts");
@@ -111,27 +112,27 @@ struct Contacts {
   bool json = false;
 
   void run() const {
-    if (output) refuse_source(*output, sources());
+    if (output) refuse_source(utf8_path(*output), sources());
     const Motion motion = source.read(clip);
     const Eigen::MatrixXd tracks = landmark_tracks(motion.skeleton, motion.clip);
     const std::vector<ContactSpan> spans = contacts.spans(motion);
     Json all = contacts_json(motion.skeleton, spans);
-    if (output) write_text(*output, dumped(all, 2) + "\n");
+    if (output) write_text(utf8_path(*output), dumped(all, 2) + "\n");
     if (compressed) add_findings(all, spans, tracks, motion);
     json ? print(all) : print_lines(all);
   }
 
   std::vector<std::filesystem::path> sources() const {
     std::vector<std::filesystem::path> files = source.files(clip);
-    if (compressed) files.emplace_back(*compressed);
-    if (contacts.file) files.emplace_back(*contacts.file);
+    if (compressed) files.push_back(utf8_path(*compressed));
+    if (contacts.file) files.push_back(utf8_path(*contacts.file));
     return files;
   }
 
   /// Adds the slide of each contact; 0 if the decoded foot slid no further than the original.
   void add_findings(Json& all, const std::vector<ContactSpan>& spans, const Eigen::MatrixXd& tracks,
                     const Motion& motion) const {
-    const Clip decoded = open_mcpr(*compressed).decoded;
+    const Clip decoded = open_mcpr(utf8_path(*compressed)).decoded;
     try {
       require_same_shape(motion.clip, decoded);
     } catch (const Error& error) {

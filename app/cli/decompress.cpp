@@ -18,6 +18,7 @@
 #include "core/base/file_identity.h"
 #include "core/base/memory_limit.h"
 #include "core/base/staged_file.h"
+#include "core/base/utf8_path.h"
 #include "core/codec/decode/track_decoding.h"
 #include "core/codec/format/format_error.h"
 #include "core/codec/format/source_section.h"
@@ -59,19 +60,19 @@ struct Decompress {
     for (const fs::path& place : places()) {
       refuse_source(place, sources());
       if (!identity_of(place)) continue;
-      if (no_clobber) throw WriteError(place.string() + " exists: not overwritten");
+      if (no_clobber) throw WriteError(utf8(place) + " exists: not overwritten");
       replaced.push_back(place);
     }
     write();
     for (const fs::path& place : replaced)
       std::fprintf(stderr, "%s: replaced the file that was there\n",
-                   printable(place.string()).c_str());
+                   printable(utf8(place)).c_str());
   }
 
  private:
   bool writes_stream() const { return output == kStandardStream; }
   bool writes(const char* extension) const {
-    return equals_ignoring_case(fs::path(output).extension().string(), extension);
+    return equals_ignoring_case(utf8(utf8_path(output).extension()), extension);
   }
 
   /// Throws CLI::ValidationError.
@@ -82,10 +83,10 @@ struct Decompress {
       throw CLI::ValidationError("--format", "is of standard output: a file's extension says it");
     if (writes_stream() && onto)
       throw CLI::ValidationError("--onto", "writes a file, not standard output");
-    if (!writes_stream() && !is_written(fs::path(output).extension().string()))
+    if (!writes_stream() && !is_written(utf8(utf8_path(output).extension())))
       throw CLI::ValidationError(output +
                                  ": its extension is none of .bvh, .fbx, .glb, .gltf, .amc, .csv");
-    if (onto && !can_be_onto(output, *onto))
+    if (onto && !can_be_onto(utf8_path(output), utf8_path(*onto)))
       throw CLI::ValidationError(
           "--onto", "only an .fbx can be written onto an .fbx, and a .glb or .gltf onto a glTF");
     if (inputs.size() > 1 && (!writes(".fbx") || onto))
@@ -99,18 +100,18 @@ struct Decompress {
   }
 
   std::vector<fs::path> sources() const {
-    std::vector<fs::path> files(inputs.begin(), inputs.end());
-    if (onto) files.emplace_back(*onto);
+    std::vector<fs::path> files = utf8_paths(inputs);
+    if (onto) files.push_back(utf8_path(*onto));
     return files;
   }
 
   /// The paths of the output files.
   std::vector<fs::path> places() const {
     if (writes_stream()) return {};
-    std::vector<fs::path> files = {output};
+    std::vector<fs::path> files = {utf8_path(output)};
     if (writes(".amc"))
-      files.push_back(skeleton_output ? fs::path(*skeleton_output)
-                                      : fs::path(output).replace_extension(".asf"));
+      files.push_back(skeleton_output ? utf8_path(*skeleton_output)
+                                      : utf8_path(output).replace_extension(".asf"));
     return files;
   }
 
@@ -129,7 +130,7 @@ struct Decompress {
   Read read(const std::string& input) const {
     try {
       return naming_what_takes_memory(input, [&] {
-        std::vector<std::byte> file = read_bytes(input);
+        std::vector<std::byte> file = read_bytes(utf8_path(input));
         if (tiers > 0) file = file_of_tiers(file, tiers);
         OpenedMcpr opened = read_mcpr(file);
         return Read{{std::move(opened.compressed.skeleton), std::move(opened.decoded)},
@@ -148,10 +149,11 @@ struct Decompress {
       write_standard_output(
           motion_bytes("standard output." + output_format, motion, source, target.options, tracks));
     else if (onto)
-      write_motion_onto(output, motion, *onto, source, target.options, tracks, existing());
+      write_motion_onto(utf8_path(output), motion, utf8_path(*onto), source, target.options, tracks,
+                        existing());
     else
-      print_warnings(write_motion(output, motion, skeleton_output, source, target.options, tracks,
-                                  existing()));
+      print_warnings(write_motion(utf8_path(output), motion, utf8_path_if(skeleton_output), source,
+                                  target.options, tracks, existing()));
   }
 
   /// A take for each clip, with its file's name. Takes share the nodes of the first clip, joint by
@@ -168,9 +170,9 @@ struct Decompress {
     std::vector<FbxClip> clips;
     std::unordered_set<std::string> names;
     for (std::size_t i = 0; i < inputs.size(); ++i)
-      clips.push_back({unique_word(fs::path(inputs[i]).stem().string(), names), read[i].motion,
-                       read[i].tracks});
-    write_takes(output, clips, read.front().source, target.options, existing());
+      clips.push_back(
+          {unique_word(utf8(utf8_path(inputs[i]).stem()), names), read[i].motion, read[i].tracks});
+    write_takes(utf8_path(output), clips, read.front().source, target.options, existing());
   }
 };
 

@@ -13,6 +13,7 @@
 #include "app/cli/report.h"
 #include "app/cli/terminal.h"
 #include "core/base/file.h"
+#include "core/base/utf8_path.h"
 #include "core/codec/decode/track_decoding.h"
 #include "core/codec/format/container.h"
 #include "core/codec/format/source_section.h"
@@ -24,7 +25,7 @@ namespace mocapress::cli {
 namespace {
 
 bool is_mcpr(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
+  std::string extension = utf8(utf8_path(path).extension());
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return extension == ".mcpr";
@@ -108,8 +109,8 @@ Json describe_tiers(std::span<const std::byte> file) {
 }
 
 Json describe_compressed(const std::string& path) {
-  const OpenedMcpr opened = open_mcpr(path);
-  const std::vector<std::byte> bytes = read_bytes(path);
+  const OpenedMcpr opened = open_mcpr(utf8_path(path));
+  const std::vector<std::byte> bytes = read_bytes(utf8_path(path));
   const CompressedClip& clip = opened.compressed;
   const auto of_wavelets = [&](const Json& value) { return opened.of_wavelets ? value : Json(); };
   const int channels = clip.skeleton.channel_count();
@@ -134,7 +135,7 @@ Json describe_compressed(const std::string& path) {
           {"seed", of_wavelets(clip.provenance.seed)},
           {"eps_x_cm", clip.provenance.eps_cm},
           {"max_error_cm", clip.provenance.max_error_cm},
-          {"source", describe(load_source(path))},
+          {"source", describe(load_source(utf8_path(path)))},
           {"tracks", describe_tracks(tracks_of(bytes))},
           {"track_bytes", track_bytes_of(bytes)},
           {"bvh_names", describe_bvh_names(clip.skeleton)}};
@@ -180,9 +181,7 @@ void add_info(CLI::App& app) {
       if (is_mcpr(path)) {
         all.push_back(describe_compressed(path));
       } else {
-        const MotionFile file = read_motion(path, call->source.skeleton, call->source.options);
-        print_warnings(file.warnings);
-        all.push_back(describe_motion(path, file));
+        all.push_back(describe_motion(path, call->source.read_file(path)));
       }
       if (!call->json) print_lines(all.back());
     }

@@ -7,6 +7,7 @@
 #include "app/cli/motion_input.h"
 #include "app/cli/report.h"
 #include "core/base/file.h"
+#include "core/base/utf8_path.h"
 #include "core/codec/methods/compared_file.h"
 #include "core/motion/body_tracks.h"
 
@@ -23,8 +24,8 @@ struct Measure {
   void run() const {
     const MotionFile file = source.read_file(original);
     const Motion& motion = file.motion;
-    const OpenedMcpr opened = open_mcpr(compressed);
-    const std::vector<std::byte> bytes = read_bytes(compressed);
+    const OpenedMcpr opened = open_mcpr(utf8_path(compressed));
+    const std::vector<std::byte> bytes = read_bytes(utf8_path(compressed));
     const std::vector<ContactSpan> contacts = contact_input.spans(motion);
     const Comparison found = compared(motion, opened.decoded, contacts);
     const Report report{

@@ -6,6 +6,7 @@
 
 #include "app/cli/option_words.h"
 #include "app/cli/terminal.h"
+#include "core/base/utf8_path.h"
 #include "core/formats/text_cursor.h"
 
 namespace mocapress::cli {
@@ -81,11 +82,11 @@ void MotionOutput::add_options(CLI::App& command) {
 }
 
 std::vector<std::filesystem::path> MotionInput::files(const std::string& path) const {
-  return files_of_motion(path, skeleton, options);
+  return files_of_motion(utf8_path(path), utf8_path_if(skeleton), options);
 }
 
 MotionFile MotionInput::read_file(const std::string& path) const {
-  MotionFile file = read_motion(path, skeleton, options);
+  MotionFile file = read_motion(utf8_path(path), utf8_path_if(skeleton), options);
   print_warnings(file.warnings);
   return file;
 }

@@ -2,7 +2,9 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <memory>
 
@@ -12,6 +14,8 @@
 #include "app/cli/report.h"
 #include "app/cli/terminal.h"
 #include "core/base/number_text.h"
+#include "core/base/open_file.h"
+#include "core/base/utf8_path.h"
 #include "core/codec/methods/compression_method.h"
 #include "core/formats/clip_files.h"
 #include "core/study/published_figures.h"
@@ -25,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string described(const StudyRow& row) {
-  std::string text = fs::path(row.clip).stem().string() + " " + row.settings.method;
+  std::string text = utf8(utf8_path(row.clip).stem()) + " " + row.settings.method;
   if (!row.measured) return text + ": " + row.error.substr(0, 50);
   return text + " " + fixed_text(row.measured->ratio, 1) + ":1 " +
          fixed_text(row.measured->eps_cm(row.settings.weighting), 3) + " cm";
@@ -59,14 +63,14 @@ struct Study {
         .methods = methods, .settings = {.coding = coding, .seed = seed}, .ik_ratios = ik_ratios};
     if (plan.ik_ratios.empty() && errors.empty() && ratios.empty())
       plan.ik_ratios = {kPublishedVideoIkRatio};
-    if (source.skeleton) plan.skeleton = *source.skeleton;
+    if (source.skeleton) plan.skeleton = utf8_path(*source.skeleton);
     plan.reading = source.options;
     plan.settings.weighting =
         weighting.value_or(paper ? Weighting::JointOrigins : Weighting::Surface);
     if (plan.methods.empty())
       for (const CompressionMethod& compression_method : compression_methods())
         plan.methods.emplace_back(compression_method.name);
-    for (const fs::path& clip : find_clips({inputs.begin(), inputs.end()}))
+    for (const fs::path& clip : find_clips(utf8_paths(inputs)))
       plan.clips.push_back({clip, targets_of(clip)});
     return plan;
   }
@@ -87,10 +91,9 @@ struct Study {
   void run() const {
     const StudyPlan asked = plan();
     if (again) {
-      const fs::path rows = fs::path(folder) / kRowsSoFar;
-      std::error_code error;
-      fs::remove(rows, error);
-      if (error) throw WriteError(rows.string() + ": cannot be removed: " + error.message());
+      const fs::path rows = utf8_path(folder) / kRowsSoFar;
+      if (!remove_file(rows) && !is_absence(errno))
+        throw WriteError(utf8(rows) + ": cannot be removed: " + std::strerror(errno));
     }
     const StopOnSignals signals;
     ProgressLine line(json_progress);
@@ -99,20 +102,21 @@ struct Study {
       threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(jobs));
     StudyProgress last;
     std::string last_done;
-    const StudyOutcome outcome = run_study_in(folder, asked, [&](const StudyProgress& progress) {
-      last = progress;
-      if (progress.finished) last_done = described(*progress.finished);
-      if (line.due()) {
-        const double now = line.elapsed_seconds();
-        line.show(std::to_string(progress.done) + " of " + std::to_string(progress.jobs) + ", " +
-                  clock_text(now) + remaining(progress, now) + "   " + last_done);
-      }
-      if (json_progress && progress.finished) {
-        std::printf("%s\n", to_json_line(*progress.finished).c_str());
-        std::fflush(stdout);
-      }
-      return stop_signal == 0;
-    });
+    const StudyOutcome outcome =
+        run_study_in(utf8_path(folder), asked, [&](const StudyProgress& progress) {
+          last = progress;
+          if (progress.finished) last_done = described(*progress.finished);
+          if (line.due()) {
+            const double now = line.elapsed_seconds();
+            line.show(std::to_string(progress.done) + " of " + std::to_string(progress.jobs) +
+                      ", " + clock_text(now) + remaining(progress, now) + "   " + last_done);
+          }
+          if (json_progress && progress.finished) {
+            std::printf("%s\n", to_json_line(*progress.finished).c_str());
+            std::fflush(stdout);
+          }
+          return stop_signal == 0;
+        });
     line.clear();
     print_warnings(outcome.warnings);
     if (!outcome.complete) {
@@ -137,7 +141,7 @@ struct Study {
       }
     std::fprintf(stderr, "%zu compressions of %zu clips, %d of them made by an earlier run\n",
                  outcome.rows.size(), results.clips().size(), kept);
-    std::fprintf(stderr, "%s\n", printable((fs::path(folder) / kReport).string()).c_str());
+    std::fprintf(stderr, "%s\n", printable(utf8(utf8_path(folder) / kReport)).c_str());
     if (unread > 0) throw EndedWith{kSomeFailed};
   }
 };

@@ -15,6 +15,7 @@
 #include "core/base/file_lock.h"
 #include "core/base/parallel_in_order.h"
 #include "core/base/path_kind.h"
+#include "core/base/utf8_path.h"
 #include "core/codec/format/packed_clip_writer.h"
 #include "core/runtime/bank/bank_check.h"
 #include "core/runtime/format/bank_tiers.h"
@@ -59,7 +60,7 @@ class Filler {
       ready.clip = pack_clip(file.bytes, learned_);
     return ready;
   } catch (const FormatError& error) {
-    throw InputError(source.file.string(), 0, 0, error.what());
+    throw InputError(utf8(source.file), 0, 0, error.what());
   }
 
   /// Bytes that IK corrections take of the clips put so far.
@@ -166,7 +167,7 @@ void require_place_for_bank(const fs::path& path, const std::vector<BankSource>&
   for (const BankSource& source : sources) refuse_source(path, {source.file});
   const std::optional<mcpk_bank> there = read_bank_head(path);
   if (there && std::memcmp(there->magic, mcpk_bank::kMagic, sizeof there->magic) != 0)
-    throw WriteError(path.string() + ": is there and is no bank: not overwritten");
+    throw WriteError(utf8(path) + ": is there and is no bank: not overwritten");
 }
 
 /// Locks the bank. Unset: the observer stopped it.
@@ -187,11 +188,11 @@ bool write_bank(const fs::path& path, const BankFile* old, const std::set<std::u
   });
   const auto twice = std::ranges::adjacent_find(sources, {}, &BankSource::name);
   if (twice != sources.end())
-    throw InputError((twice + 1)->file.string(), 0, 0,
-                     "would be the clip '" + twice->name + "', as " + twice->file.string());
+    throw InputError(utf8((twice + 1)->file), 0, 0,
+                     "would be the clip '" + twice->name + "', as " + utf8(twice->file));
   if (old != nullptr &&
       runtime::BankTiers(old->bank()).present() < runtime::BankTiers(old->bank()).count())
-    throw InputError(path.string(), 0, 0,
+    throw InputError(utf8(path), 0, 0,
                      "lacks its finer tiers: clips are added to and removed from the whole bank");
   BankWriter writer(path, options.form);
   const BankSourceReader files(sources);

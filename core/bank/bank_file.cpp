@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/open_file.h"
+#include "core/base/utf8_path.h"
 #include "core/codec/format/packed_clip_writer.h"
 #include "core/runtime/bank/bank_check.h"
 #include "core/runtime/format/file_sections.h"
@@ -36,7 +37,7 @@ std::optional<mcpk_bank> read_bank_head(const std::filesystem::path& path) {
 }
 
 BankFile::BankFile(const std::filesystem::path& path)
-    : path_(path.string()), bytes_(read_aligned(path)) {
+    : path_(utf8(path)), bytes_(read_aligned(path)) {
   if (bytes_.size() == 0) throw InputError(path_, 0, 0, "not a bank of clips");
   require_of(mcpk_open(bytes_.data(), bytes_.size(), 1, &bank_));
   if (bank_->bytes != bytes_.size())

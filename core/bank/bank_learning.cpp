@@ -9,6 +9,7 @@
 #include <span>
 
 #include "core/base/error.h"
+#include "core/base/utf8_path.h"
 #include "core/codec/format/container.h"
 #include "core/codec/format/packed_clip_writer.h"
 #include "core/codec/format/prior_fit.h"
@@ -113,7 +114,7 @@ std::vector<NotedClip> noted(const std::vector<BankSource>& sources, const BankS
       if (container.of_comparison || clip.coding != Coding::Adaptive || clip.segments) continue;
       clips.push_back(note_bits(AdaptiveSegments(clip).next(), signal_neighbours(clip)));
     } catch (const FormatError& error) {
-      throw InputError(source.file.string(), 0, 0, error.what());
+      throw InputError(utf8(source.file), 0, 0, error.what());
     }
   }
   return clips;

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/path_kind.h"
+#include "core/base/utf8_path.h"
 
 namespace mocapress {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string lower_extension(const fs::path& path) {
-  std::string extension = path.extension().string();
+  std::string extension = utf8(path.extension());
   std::ranges::transform(extension, extension.begin(), [](char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
   });
@@ -29,17 +30,17 @@ void find_below(const fs::path& folder, std::vector<BankSource>& sources) {
   for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end;
        at.increment(error))
     if (lower_extension(at->path()) == ".mcpr" && path_kind(at->path()) != PathKind::Folder)
-      sources.push_back({at->path().lexically_relative(folder).replace_extension().generic_string(),
+      sources.push_back({generic_utf8(at->path().lexically_relative(folder).replace_extension()),
                          at->path(),
                          {}});
-  if (error) throw InputError(folder.string(), 0, 0, error.message());
-  if (sources.size() == before) throw InputError(folder.string(), 0, 0, "holds no .mcpr file");
+  if (error) throw InputError(utf8(folder), 0, 0, error.message());
+  if (sources.size() == before) throw InputError(utf8(folder), 0, 0, "holds no .mcpr file");
 }
 
 void take_from(const fs::path& path, std::vector<BankSource>& sources) {
   const BankFile bank(path);
   if (bank.is_cooked())
-    throw InputError(path.string(), 0, 0,
+    throw InputError(utf8(path), 0, 0,
                      "the bank is cooked: clips are taken from packed banks and .mcpr files");
   for (std::uint32_t clip = 0; clip < bank.clips(); ++clip) {
     const std::string name = bank.entry(clip).name;
@@ -57,7 +58,7 @@ std::vector<BankSource> find_bank_sources(const std::vector<fs::path>& inputs) {
     else if (lower_extension(input) == ".mcpk")
       take_from(input, sources);
     else
-      sources.push_back({input.stem().string(), input, {}});
+      sources.push_back({utf8(input.stem()), input, {}});
   }
   return sources;
 }
@@ -72,7 +73,7 @@ BankSourceReader::File BankSourceReader::read(const BankSource& source) const {
   const BankFile& bank = banks_.at(source.file);
   const std::int64_t clip =
       runtime::find_clip(bank.bank(), source.of_bank.data(), source.of_bank.size());
-  if (clip < 0) throw InputError(source.file.string(), 0, 0, "no clip " + source.of_bank);
+  if (clip < 0) throw InputError(utf8(source.file), 0, 0, "no clip " + source.of_bank);
   const runtime::BankEntry entry = bank.entry(static_cast<std::uint32_t>(clip));
   return {bank.extract(entry), bank.tags(entry)};
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/base/utf8_path.h"
 #include "core/codec/format/packed_clip_writer.h"
 #include "core/runtime/format/bank_tiers.h"
 #include "core/runtime/pose/cooked_clip.h"
@@ -253,7 +254,7 @@ void BankWriter::finish(const BankTexts& texts) {
   const mcpk_bank* bank = nullptr;
   const mcpr_result result = mcpk_open(written.bytes().data(), written.bytes().size(), 1, &bank);
   if (runtime::failed(result))
-    throw WriteError(file_.path().string() + ": does not read back: " + result.message);
+    throw WriteError(utf8(file_.path()) + ": does not read back: " + result.message);
   file_.commit();
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/open_file.h"
+#include "core/base/utf8_path.h"
 
 namespace mocapress {
 
@@ -46,7 +47,7 @@ AppendedFile::Opened AppendedFile::open_at_its_place() const {
   const std::optional<FileStatus> found = status_of(target_);
   if (!found && errno != ENOENT) fail(errno);
   if (found && found->kind != PathKind::File)
-    throw WriteError(path_.string() + ": is not a regular file");
+    throw WriteError(utf8(path_) + ": is not a regular file");
   FileDescriptor there = open_appended(target_, Appending::ToExisting);
   if (there) return {std::move(there), false};
   if (errno != ENOENT) fail(errno);
@@ -59,7 +60,7 @@ AppendedFile::Opened AppendedFile::open_at_its_place() const {
 void AppendedFile::take_lock(int file) {
   while (lock_(file) != 0) {
     if (errno == EINTR) continue;
-    if (errno == EWOULDBLOCK) throw InUse(path_.string() + ": another run is using it");
+    if (errno == EWOULDBLOCK) throw InUse(utf8(path_) + ": another run is using it");
     warning_ = cannot_be_locked(path_, errno);
     return;
   }
@@ -68,7 +69,7 @@ void AppendedFile::take_lock(int file) {
 std::string AppendedFile::read(std::uint64_t offset, std::size_t length) const {
   std::string text(length, '\0');
   if (!read_all(file_.number(), offset, text))
-    throw InputError(path_.string(), 0, 0, std::string("cannot be read: ") + std::strerror(errno));
+    throw InputError(utf8(path_), 0, 0, std::string("cannot be read: ") + std::strerror(errno));
   return text;
 }
 
@@ -95,7 +96,7 @@ void AppendedFile::replace(const std::function<void(StagedFile&)>& write) {
 }
 
 void AppendedFile::fail(int error) const {
-  throw WriteError(path_.string() + ": cannot be written: " + std::strerror(error));
+  throw WriteError(utf8(path_) + ": cannot be written: " + std::strerror(error));
 }
 
 }  // namespace mocapress

@@ -13,6 +13,7 @@
 #include "core/base/memory_limit.h"
 #include "core/base/open_file.h"
 #include "core/base/staged_file.h"
+#include "core/base/utf8_path.h"
 
 namespace mocapress {
 namespace {
@@ -26,15 +27,15 @@ template <typename Buffer>
 Buffer read_whole(const std::filesystem::path& path) {
   const FileDescriptor file = open_to_read(path);
   const std::optional<FileStatus> status = status_of(file.number());
-  if (!status) throw InputError(path.string(), 0, 0, std::strerror(errno));
-  require_memory(path.string(), status->size);
-  Buffer buffer = naming_what_takes_memory(path.string(), [&] { return Buffer(status->size, {}); });
+  if (!status) throw InputError(utf8(path), 0, 0, std::strerror(errno));
+  require_memory(utf8(path), status->size);
+  Buffer buffer = naming_what_takes_memory(utf8(path), [&] { return Buffer(status->size, {}); });
   const auto got =
       read_all(file.number(), 0, reinterpret_cast<char*>(buffer.data()), buffer.size());
-  if (!got) throw InputError(path.string(), 0, 0, std::strerror(errno));
-  if (*got < buffer.size()) throw InputError(path.string(), 0, 0, "cannot be read to its end");
+  if (!got) throw InputError(utf8(path), 0, 0, std::strerror(errno));
+  if (*got < buffer.size()) throw InputError(utf8(path), 0, 0, "cannot be read to its end");
   if (is_lfs_pointer({reinterpret_cast<const char*>(buffer.data()), buffer.size()}))
-    throw InputError(path.string(), 0, 0,
+    throw InputError(utf8(path), 0, 0,
                      "is a pointer of Git LFS, not the file itself: 'git lfs pull' fetches that");
   return buffer;
 }
@@ -68,11 +69,11 @@ class StagedBuffer : public std::streambuf {
 FileDescriptor open_to_read(const std::filesystem::path& path) {
   FileDescriptor file = open_existing(path);
   const auto status = file ? status_of(file.number()) : std::nullopt;
-  if (!status) throw InputError(path.string(), 0, 0, std::strerror(errno));
+  if (!status) throw InputError(utf8(path), 0, 0, std::strerror(errno));
   if (status->kind == PathKind::Folder)
-    throw InputError(path.string(), 0, 0, "is a folder, not a file");
+    throw InputError(utf8(path), 0, 0, "is a folder, not a file");
   if (status->kind != PathKind::File)
-    throw InputError(path.string(), 0, 0, "is a pipe or a device, not a file");
+    throw InputError(utf8(path), 0, 0, "is a pipe or a device, not a file");
   return file;
 }
 

@@ -6,13 +6,14 @@
 
 #include "core/base/error.h"
 #include "core/base/open_file.h"
+#include "core/base/utf8_path.h"
 
 namespace mocapress {
 
 std::optional<FileIdentity> identity_of(const std::filesystem::path& path) {
   if (const auto found = status_of(path)) return found->identity;
   if (is_absence(errno)) return std::nullopt;
-  throw InputError(path.string(), 0, 0, std::strerror(errno));
+  throw InputError(utf8(path), 0, 0, std::strerror(errno));
 }
 
 void refuse_source(const std::filesystem::path& place,
@@ -21,7 +22,7 @@ void refuse_source(const std::filesystem::path& place,
   if (!there) return;
   for (const std::filesystem::path& source : sources)
     if (identity_of(source) == there)
-      throw WriteError(place.string() + ": is one of the inputs: not overwritten");
+      throw WriteError(utf8(place) + ": is one of the inputs: not overwritten");
 }
 
 }  // namespace mocapress

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "core/base/open_file.h"
+#include "core/base/utf8_path.h"
 
 namespace mocapress {
 
@@ -23,7 +24,7 @@ std::optional<FileLock> FileLock::wait_for(const std::filesystem::path& path,
   for (;;) {
     FileDescriptor file = open_existing(place);
     if (!file && is_absence(errno)) return FileLock(std::move(file));
-    if (!file) throw InputError(path.string(), 0, 0, std::strerror(errno));
+    if (!file) throw InputError(utf8(path), 0, 0, std::strerror(errno));
     if (lock(file.number()) == 0) {
       // The last holder may have replaced the file.
       if (is_at(file.number(), place)) return FileLock(std::move(file));

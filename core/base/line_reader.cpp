@@ -6,11 +6,12 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/utf8_path.h"
 
 namespace mocapress {
 
 LineReader::LineReader(const std::filesystem::path& path)
-    : path_(path.string()), file_(open_to_read(path)) {}
+    : path_(utf8(path)), file_(open_to_read(path)) {}
 
 bool LineReader::next(std::string& line) {
   constexpr std::size_t kPiece = 1 << 16;

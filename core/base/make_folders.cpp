@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/open_file.h"
+#include "core/base/utf8_path.h"
 
 namespace mocapress {
 namespace {
@@ -20,7 +21,7 @@ bool is_folder(const fs::path& path) {
 }
 
 [[noreturn]] void fail(const fs::path& folder, int error) {
-  throw WriteError(folder.string() + ": cannot be made: " + std::strerror(error));
+  throw WriteError(utf8(folder) + ": cannot be made: " + std::strerror(error));
 }
 
 }  // namespace

@@ -17,9 +17,15 @@ PathKind kind_of(mode_t mode) {
 }
 
 FileStatus status_from(const struct stat& found) {
+#ifdef __APPLE__  // not tried
+  const timespec& written = found.st_mtimespec;
+#else
+  const timespec& written = found.st_mtim;
+#endif
   return {kind_of(found.st_mode),
           static_cast<std::uint64_t>(found.st_size),
-          {found.st_dev, found.st_ino}};
+          {static_cast<std::uint64_t>(found.st_dev), found.st_ino},
+          std::int64_t{written.tv_sec} * 1'000'000'000 + written.tv_nsec};
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files as the system has them, with one body for POSIX and one for Windows: the only places, beside
-// staged_file.cpp and mapped_file.cpp, that call the system. Failures are errno values.
+// Files as the system has them, with one body for POSIX and one for Windows: the only places,
+// beside staged_file.cpp and mapped_file.cpp, that call the system. Failures are errno values.
 #pragma once
 
 #include <cstddef>
@@ -18,6 +18,7 @@ struct FileStatus {
   PathKind kind = PathKind::Absent;
   std::uint64_t size = 0;
   FileIdentity identity;
+  std::int64_t written_ns = 0;  // last change of the contents, since 1970
 };
 
 /// The file at the end of a path's links, or open under a number. Unset: errno tells why.

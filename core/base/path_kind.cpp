@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/open_file.h"
+#include "core/base/utf8_path.h"
 
 namespace mocapress {
 namespace {
@@ -18,8 +19,7 @@ namespace fs = std::filesystem;
 std::optional<FileStatus> found_at(const fs::path& path) {
   if (const auto status = status_of(path)) return status;
   if (is_absence(errno)) return std::nullopt;
-  throw InputError(path.string(), 0, 0,
-                   std::string("cannot be looked at: ") + std::strerror(errno));
+  throw InputError(utf8(path), 0, 0, std::string("cannot be looked at: ") + std::strerror(errno));
 }
 
 }  // namespace

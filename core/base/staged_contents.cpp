@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/open_file.h"
 #include "core/base/staged_file.h"
+#include "core/base/utf8_path.h"
 
 namespace mocapress {
 
@@ -18,7 +19,7 @@ bool read_all(int file, std::uint64_t offset, std::string& bytes) {
 }
 
 Warning cannot_be_locked(const std::filesystem::path& path, int error) {
-  return {path.string(), 0,
+  return {utf8(path), 0,
           std::string("cannot be locked (") + std::strerror(error) +
               "): make sure that no other run is at work on it"};
 }
@@ -47,12 +48,12 @@ MappedFile StagedFile::map_back() const {
 }
 
 void StagedFile::fail(int error) const {
-  throw WriteError(path_.string() + ": cannot be written: " + std::strerror(error));
+  throw WriteError(utf8(path_) + ": cannot be written: " + std::strerror(error));
 }
 
 void StagedFile::fail_in_place(int error) const {
   throw WriteError(
-      path_.string() +
+      utf8(path_) +
       ": is written, but a power cut may undo it: its folder cannot be synchronised: " +
       std::strerror(error));
 }

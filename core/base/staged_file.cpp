@@ -4,6 +4,9 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#ifdef __APPLE__
+#include <sys/random.h>
+#endif
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -13,8 +16,53 @@
 
 #include "core/base/error.h"
 #include "core/base/open_file.h"
+#include "core/base/utf8_path.h"
 
 namespace mocapress {
+namespace {
+
+// macOS by its documentation, not tried: it has no unnamed files, and no call for a whole file
+// system.
+#ifdef __APPLE__
+constexpr int kOpenFolder = O_RDONLY | O_DIRECTORY | O_CLOEXEC;
+
+int rename_if_free(int folder, const char* from, const char* to) {
+  return ::renameatx_np(folder, from, folder, to, RENAME_EXCL);
+}
+
+int synchronise_file_system(int) {
+  return -1;
+}
+
+/// fsync(2) leaves the contents in the disk's own memory there.
+int synchronise_disk(int file) {
+  return ::fcntl(file, F_FULLFSYNC) == 0 ? 0 : ::fsync(file);
+}
+
+int open_nameless(int, std::uint32_t) {
+  return -1;
+}
+#else
+constexpr int kOpenFolder = O_PATH | O_DIRECTORY | O_CLOEXEC;
+
+int rename_if_free(int folder, const char* from, const char* to) {
+  return ::renameat2(folder, from, folder, to, RENAME_NOREPLACE);
+}
+
+int synchronise_file_system(int file) {
+  return ::syncfs(file);
+}
+
+int synchronise_disk(int file) {
+  return ::fsync(file);
+}
+
+int open_nameless(int folder, std::uint32_t mode) {
+  return ::openat(folder, ".", O_TMPFILE | O_RDWR | O_CLOEXEC, mode);
+}
+#endif
+
+}  // namespace
 
 FileDescriptor::~FileDescriptor() {
   if (number_ >= 0) ::close(number_);
@@ -46,7 +94,7 @@ std::optional<std::size_t> read_all(int file, std::uint64_t offset, char* bytes,
 }
 
 bool synchronise(int file) {
-  while (::fsync(file) != 0) {
+  while (synchronise_disk(file) != 0) {
     if (errno == EINTR) continue;
     return errno == EINVAL || errno == EOPNOTSUPP || errno == ENOSYS;
   }
@@ -55,7 +103,7 @@ bool synchronise(int file) {
 
 FileDescriptor open_folder_of(const std::filesystem::path& file) {
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  return FileDescriptor(::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+  return FileDescriptor(::open(folder.c_str(), kOpenFolder));
 }
 
 bool is_at(int file, const std::filesystem::path& place) {
@@ -64,8 +112,7 @@ bool is_at(int file, const std::filesystem::path& place) {
   if (::fstat(file, &opened) == 0 && ::lstat(place.c_str(), &there) == 0)
     return opened.st_dev == there.st_dev && opened.st_ino == there.st_ino;
   if (is_absence(errno)) return false;
-  throw InputError(place.string(), 0, 0,
-                   std::string("cannot be looked at: ") + std::strerror(errno));
+  throw InputError(utf8(place), 0, 0, std::string("cannot be looked at: ") + std::strerror(errno));
 }
 
 bool synchronise_folder(int folder) {
@@ -84,7 +131,7 @@ constexpr mode_t kPrivate = 0600;
 constexpr mode_t kPermissions = 0777;
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& why) {
-  throw WriteError(path.string() + ": cannot be written: " + why);
+  throw WriteError(utf8(path) + ": cannot be written: " + why);
 }
 
 /// A hidden name that nobody can guess.
@@ -140,8 +187,8 @@ void keep_permissions(int file, const struct stat& old) {
 
 /// Renames without replacing; if the file system cannot do that, looks first.
 int rename_to_free_place(int folder, const char* from, const char* to) {
-  if (::renameat2(folder, from, folder, to, RENAME_NOREPLACE) == 0) return 0;
-  if (errno != EINVAL && errno != ENOSYS) return -1;
+  if (rename_if_free(folder, from, to) == 0) return 0;
+  if (errno != EINVAL && errno != ENOSYS && errno != ENOTSUP) return -1;
   if (::faccessat(folder, to, F_OK, AT_SYMLINK_NOFOLLOW) == 0) {
     errno = EEXIST;
     return -1;
@@ -189,7 +236,7 @@ StagedFile::~StagedFile() {
 /// Opens a file without a name, of which nothing is left if we are killed. May leave it to
 /// open_named() to report an error.
 void StagedFile::open_unnamed(std::uint32_t mode) {
-  FileDescriptor file(::openat(folder_.number(), ".", O_TMPFILE | O_RDWR | O_CLOEXEC, mode));
+  FileDescriptor file(open_nameless(folder_.number(), mode));
   if (file && ::access(link_to(file.number()).c_str(), F_OK) == 0) file_ = std::move(file);
 }
 
@@ -241,7 +288,7 @@ void StagedFile::synchronise_all(std::span<StagedFile> files, bool names) {
   if (files.empty()) return;
   struct stat first;
   const bool is_together = ::fstat(files.front().file_.number(), &first) == 0 &&
-                           ::syncfs(files.front().file_.number()) == 0;
+                           synchronise_file_system(files.front().file_.number()) == 0;
   for (const StagedFile& file : files) {
     struct stat own;
     if (is_together && ::fstat(file.file_.number(), &own) == 0 && own.st_dev == first.st_dev)

@@ -117,8 +117,8 @@ class StagedFile {
   [[noreturn]] void fail_in_place(int error) const;
 
   std::filesystem::path path_;
-  std::string place_;      // name in the folder
-  FileDescriptor folder_;  // keeps the same folder whatever is renamed
+  std::filesystem::path place_;  // name in the folder; on Windows the whole path
+  FileDescriptor folder_;        // keeps the same folder whatever is renamed
   FileDescriptor file_;
   std::string name_;  // the random name; empty: none
   bool replaces_;     // a file is at the place already

@@ -10,6 +10,7 @@
 #include "core/base/file_identity.h"
 #include "core/base/fnv1a.h"
 #include "core/base/path_kind.h"
+#include "core/base/utf8_path.h"
 #include "core/formats/clip_files.h"
 #include "core/report/review_page.h"
 
@@ -25,8 +26,8 @@ constexpr std::array<std::string_view, 7> kFormatNames = {"mcpr", "bvh", "amc", 
 std::string name_of_folder(const fs::path& folder) {
   std::error_code error;
   const fs::path canonical = fs::canonical(folder, error);
-  if (error) throw InputError(folder.string(), 0, 0, error.message());
-  return (canonical.has_filename() ? canonical : canonical.parent_path()).filename().string();
+  if (error) throw InputError(utf8(folder), 0, 0, error.message());
+  return utf8((canonical.has_filename() ? canonical : canonical.parent_path()).filename());
 }
 
 /// The clips below a folder in the order of their names, with those that cannot be read.
@@ -36,34 +37,34 @@ std::vector<SourceClip> sources_below(const fs::path& folder,
   std::vector<SourceClip> sources;
   for (const FoundClip& clip : clips_below(folder, left_out)) {
     const fs::path below = clip.path.lexically_relative(folder).parent_path();
-    const std::string path = clip.path.string();
-    sources.push_back({path, below.empty() ? found_by : (found_by / below).generic_string(),
+    const std::string path = utf8(clip.path);
+    sources.push_back({path, below.empty() ? found_by : generic_utf8(utf8_path(found_by) / below),
                        clip.problem.empty() ? "" : InputError(path, 0, 0, clip.problem).what()});
   }
   if (sources.empty())
-    throw InputError(folder.string(), 0, 0, "holds none of " + readable_extensions(", "));
+    throw InputError(utf8(folder), 0, 0, "holds none of " + readable_extensions(", "));
   return sources;
 }
 
 std::vector<SourceClip> sources_of(const std::string& input, const std::string& outputs) {
   try {
-    const PathKind kind = path_kind(input);
+    const PathKind kind = path_kind(utf8_path(input));
     if (kind == PathKind::Absent) return {{input, "", input + ": No such file or directory"}};
     if (kind != PathKind::Folder) return {{input, "", ""}};
     std::optional<FileIdentity> left_out;
-    if (!outputs.empty()) left_out = identity_of(outputs);
-    if (left_out == identity_of(input)) left_out.reset();
-    return sources_below(input, left_out);
+    if (!outputs.empty()) left_out = identity_of(utf8_path(outputs));
+    if (left_out == identity_of(utf8_path(input))) left_out.reset();
+    return sources_below(utf8_path(input), left_out);
   } catch (const InputError& problem) {
     return {{input, "", problem.what()}};
   }
 }
 
 std::string value_of(std::string_view word, const SourceClip& source, const Settings& preset) {
-  if (word == "stem") return fs::path(source.path).stem().string();
+  if (word == "stem") return utf8(utf8_path(source.path).stem());
   if (word == "folder") return source.folder.empty() ? "." : source.folder;
   if (word == "type") {
-    const std::string extension = fs::path(source.path).extension().string();
+    const std::string extension = utf8(utf8_path(source.path).extension());
     return extension.empty() ? "" : slug(extension.substr(1));
   }
   if (word == "preset") return slug(preset.name);
@@ -116,11 +117,11 @@ std::string output_name(std::string_view pattern, const SourceClip& source,
     text += value_of(kept.substr(open + 1, close - open - 1), source, preset);
     at = close + 1;
   }
-  const fs::path path = fs::path(text).lexically_normal();
-  const bool leaves = path.is_absolute() || (!path.empty() && *path.begin() == "..");
+  const fs::path path = utf8_path(text).lexically_normal();
+  const bool leaves = path.has_root_path() || (!path.empty() && *path.begin() == "..");
   if (leaves || !path.has_filename() || path == ".")
     throw Error("is not a file name below the batch's folder: " + text);
-  return path.generic_string();
+  return generic_utf8(path);
 }
 
 void add_items(Batch& batch, const std::vector<SourceClip>& sources, std::size_t preset,

@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/make_folders.h"
 #include "core/base/path_kind.h"
+#include "core/base/utf8_path.h"
 #include "core/batch/journal.h"
 #include "core/batch/report.h"
 
@@ -40,7 +41,7 @@ void check_bank(const fs::path& folder, const Batch& batch, const BatchRunOption
   const fs::path bank = folder / kBankOfBatch;
   const bool own = options.resumed && is_there(folder / journal_name(options.shard));
   if (is_there(bank) && !own && !options.overwrite)
-    throw WriteError(bank.string() + " exists: not overwritten");
+    throw WriteError(utf8(bank) + " exists: not overwritten");
 }
 
 /// Makes the bank. False: it would have no clip, or the observer stopped it.
@@ -49,7 +50,7 @@ bool make_bank_of(const fs::path& folder, const BankOptions& options, const Jour
                   const Observer<BatchProgress>& observer) {
   std::vector<BankSource> sources;
   reader.for_each([&](const BatchRow& row) {
-    if (row.done()) sources.push_back({row.output, folder / (row.output + ".mcpr"), {}});
+    if (row.done()) sources.push_back({row.output, folder / utf8_path(row.output + ".mcpr"), {}});
   });
   if (sources.empty()) return false;
   return make_bank(folder / kBankOfBatch, std::move(sources), options,
@@ -110,10 +111,10 @@ std::vector<fs::path> journals_in(const fs::path& folder) {
   std::vector<fs::path> found;
   std::error_code error;
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-    const std::string name = at->path().filename().string();
+    const std::string name = utf8(at->path().filename());
     if (name.starts_with("batch") && name.ends_with(".jsonl")) found.push_back(at->path());
   }
-  if (error) throw InputError(folder.string(), 0, 0, error.message());
+  if (error) throw InputError(utf8(folder), 0, 0, error.message());
   std::sort(found.begin(), found.end());
   return found;
 }
@@ -137,10 +138,10 @@ Journals open_journals(const std::vector<fs::path>& folders) {
       const JournalHeader& first = journals.front()->header();
       const JournalHeader& header = journals.back()->header();
       if (header.list != first.list || header.clips != first.clips)
-        throw InputError(path.string(), 0, 0, "is not of the same batch as the others");
+        throw InputError(utf8(path), 0, 0, "is not of the same batch as the others");
     }
   if (journals.empty())
-    throw InputError(folders.empty() ? "" : folders.front().string(), 0, 0,
+    throw InputError(folders.empty() ? "" : utf8(folders.front()), 0, 0,
                      "holds no journal of a batch");
   return journals;
 }

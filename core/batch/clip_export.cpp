@@ -9,9 +9,10 @@
 #include "core/base/fnv1a.h"
 #include "core/base/make_folders.h"
 #include "core/base/number_text.h"
+#include "core/base/open_file.h"
 #include "core/base/path_kind.h"
 #include "core/base/staged_file.h"
-#include "core/report/review_clip.h"
+#include "core/base/utf8_path.h"
 #include "core/batch/verification.h"
 #include "core/codec/decode/track_decoding.h"
 #include "core/codec/encode/track_encoder.h"
@@ -26,6 +27,7 @@
 #include "core/formats/gltf_writer.h"
 #include "core/mocapress/encode_settings.h"
 #include "core/report/loaded_clip.h"
+#include "core/report/review_clip.h"
 #include "core/report/review_page.h"
 
 namespace mocapress {
@@ -133,17 +135,17 @@ class Export {
   void look_at_places() const {
     for (const OutputFormat format : batch_.formats)
       for (const std::string& name : file_names(item_.output, format)) {
-        const fs::path place = folder_ / name;
+        const fs::path place = folder_ / utf8_path(name);
         if (!is_there(place)) continue;
         const std::optional<FileIdentity> there = identity_of(place);
         if (there && rights_.sources && rights_.sources->contains(*there))
-          throw Error(place.string() + " is a file that clips of this batch are made from");
+          throw Error(utf8(place) + " is a file that clips of this batch are made from");
         if (!rights_.resumed && !may_replace(name)) refuse(place);
       }
   }
 
   [[noreturn]] static void refuse(const fs::path& place) {
-    throw Error(place.string() + " exists and is not this batch's: not overwritten");
+    throw Error(utf8(place) + " exists and is not this batch's: not overwritten");
   }
 
   bool may_replace(const std::string& name) const {
@@ -152,13 +154,13 @@ class Export {
     const auto& files = rights_.earlier->files;
     const auto own = std::find_if(files.begin(), files.end(),
                                   [&](const WrittenFile& file) { return file.name == name; });
-    return own != files.end() && hash_of(folder_ / name) == own->hash;
+    return own != files.end() && hash_of(folder_ / utf8_path(name)) == own->hash;
   }
 
   MotionFile read() const {
     std::optional<fs::path> skeleton;
-    if (!item_.skeleton.empty()) skeleton = item_.skeleton;
-    return read_motion_of_many(item_.input, skeleton, batch_.reading_of(item_),
+    if (!item_.skeleton.empty()) skeleton = utf8_path(item_.skeleton);
+    return read_motion_of_many(utf8_path(item_.input), skeleton, batch_.reading_of(item_),
                                [&](const fs::path& file) { return characters_.read(file); });
   }
 
@@ -305,7 +307,7 @@ class Export {
 
   /// Writes a file beside its place, making its folders.
   StagedFile staged(const std::string& name, const Bytes& bytes) const {
-    const fs::path path = folder_ / name;
+    const fs::path path = folder_ / utf8_path(name);
     make_folders(path.parent_path());
     StagedFile file(path);
     file.write(bytes);
@@ -366,9 +368,9 @@ bool still_done(const BatchRow& row, const Batch& batch, const BatchItem& item,
     return false;
   try {
     for (const WrittenFile& file : row.files) {
-      std::error_code error;
-      if (fs::file_size(folder / file.name, error) != file.bytes || error) return false;
-      if (hash_of(folder / file.name) != file.hash) return false;
+      const fs::path path = folder / utf8_path(file.name);
+      const std::optional<FileStatus> found = status_of(path);
+      if (!found || found->size != file.bytes || hash_of(path) != file.hash) return false;
     }
   } catch (const InputError&) {
     return false;
@@ -380,13 +382,14 @@ std::set<FileIdentity> source_files(const Batch& batch) {
   std::set<FileIdentity> found;
   for (const BatchItem item : batch.items) {
     std::optional<fs::path> skeleton;
-    if (!item.skeleton.empty()) skeleton = item.skeleton;
+    if (!item.skeleton.empty()) skeleton = utf8_path(item.skeleton);
     const auto add = [&](const fs::path& file) {
       if (const auto identity = identity_of(file)) found.insert(*identity);
     };
     try {
-      add(item.input);
-      for (const fs::path& file : files_of_motion(item.input, skeleton, batch.reading_of(item)))
+      add(utf8_path(item.input));
+      for (const fs::path& file :
+           files_of_motion(utf8_path(item.input), skeleton, batch.reading_of(item)))
         add(file);
     } catch (const InputError&) {  // reported in the clip's row later
     }

@@ -10,6 +10,7 @@
 #include "core/base/fnv1a.h"
 #include "core/base/lock_holder.h"
 #include "core/base/open_file.h"
+#include "core/base/utf8_path.h"
 #include "core/mocapress/settings_json.h"
 
 namespace mocapress {
@@ -98,11 +99,11 @@ std::uint64_t key_of(const std::string& output) {
 
 }  // namespace
 
-JournalReader::JournalReader(const fs::path& path) : path_(path.string()), lines_(path) {
+JournalReader::JournalReader(const fs::path& path) : path_(utf8(path)), lines_(path) {
   std::string line;
   lines_.next(line);
   const auto header = parse_header(line);
-  if (!header) throw InputError(path.string(), 1, 0, "is not the journal of a batch");
+  if (!header) throw InputError(utf8(path), 1, 0, "is not the journal of a batch");
   header_ = *header;
   std::unordered_map<std::uint64_t, Place> last;
   while (lines_.next(line))
@@ -130,7 +131,7 @@ Journal::Journal(const fs::path& path, const Batch& batch, const Shard& shard, S
   const JournalHeader header{batch.items.size(), fingerprint(batch), shard};
   const bool is_there = lines_.size() > 0;
   if (is_there && start == Start::New)
-    throw WriteError(path_.string() + ": holds a batch already: it can be resumed, or overwritten");
+    throw WriteError(utf8(path_) + ": holds a batch already: it can be resumed, or overwritten");
   if (is_there && start == Start::Resume)
     keep_rows_of(batch, header);
   else if (is_there)

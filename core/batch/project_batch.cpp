@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/base/error.h"
+#include "core/base/utf8_path.h"
 #include "core/batch/format_options_json.h"
 #include "core/formats/text_cursor.h"
 #include "core/mocapress/settings_json.h"
@@ -22,7 +23,7 @@ std::string path_at(const Json& json, const char* key, const fs::path& folder) {
   const auto found = json.find(key);
   if (found == json.end() || found->is_null()) return "";
   const auto text = found->get<std::string>();
-  return text.empty() ? "" : (folder / text).lexically_normal().string();
+  return text.empty() ? "" : utf8((folder / utf8_path(text)).lexically_normal());
 }
 
 /// The text for {folder} in names: the folders between the project and the clip, or the name of the
@@ -30,8 +31,8 @@ std::string path_at(const Json& json, const char* key, const fs::path& folder) {
 std::string folder_of(const fs::path& clip, const fs::path& project_folder) {
   const fs::path below = clip.parent_path().lexically_relative(
       project_folder.empty() ? fs::path(".") : project_folder.lexically_normal());
-  if (below.empty() || *below.begin() == "..") return clip.parent_path().filename().string();
-  return below == "." ? "" : below.generic_string();
+  if (below.empty() || *below.begin() == "..") return utf8(clip.parent_path().filename());
+  return below == "." ? "" : generic_utf8(below);
 }
 
 /// Settings with a name, which rows of a batch need and projects may lack.
@@ -76,7 +77,7 @@ void add_clip(Batch& batch, const Json& json, const fs::path& folder,
   std::size_t preset = 0;
   if (const auto settings = json.find("settings"); settings != json.end())
     preset = index_of(settings_of_clip(*settings), batch.presets);
-  add_items(batch, {{path, folder_of(path, folder), {}}}, preset, pattern);
+  add_items(batch, {{path, folder_of(utf8_path(path), folder), {}}}, preset, pattern);
   const std::size_t last = batch.items.size() - 1;
   BatchItem item = batch.items[last];
   item.skeleton = path_at(json, "skeleton", folder);
@@ -96,14 +97,14 @@ void add_clip(Batch& batch, const Json& json, const fs::path& folder,
 }  // namespace
 
 bool is_project_file(const std::string& path) {
-  return equals_ignoring_case(fs::path(path).extension().string(), ".mocapress");
+  return equals_ignoring_case(utf8(utf8_path(path).extension()), ".mocapress");
 }
 
 void add_project(Batch& batch, const std::string& file, const std::string& text,
                  std::string_view pattern) {
   output_name(pattern, {"clip.bvh", "folder", {}}, batch.presets.front());
   const Json json = parse_json(file, text);
-  const fs::path folder = fs::path(file).parent_path();
+  const fs::path folder = utf8_path(file).parent_path();
   try {
     if (!json.is_object() || json.value("format", "") != "mocapress-project")
       throw Error("is not a project");

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "core/batch/row.h"
 
+#include <algorithm>
+#include <cerrno>
 #include <cmath>
-#include <fstream>
+#include <cstring>
 
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "core/base/fnv1a.h"
+#include "core/base/open_file.h"
+#include "core/base/utf8_path.h"
 #include "core/batch/format_options_json.h"
 #include "core/formats/motion_file.h"
 #include "core/mocapress/settings_json.h"
@@ -21,33 +26,28 @@ namespace fs = std::filesystem;
 /// All source files of a clip. A character, if any, comes last.
 std::vector<fs::path> files_of(const BatchItem& item, const ReadOptions& reading) {
   std::optional<fs::path> skeleton;
-  if (!item.skeleton.empty()) skeleton = item.skeleton;
-  return files_of_motion(item.input, skeleton, reading);
+  if (!item.skeleton.empty()) skeleton = utf8_path(item.skeleton);
+  return files_of_motion(utf8_path(item.input), skeleton, reading);
 }
 
 void add_file(Fnv1a& hash, const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
+  const FileDescriptor opened = open_to_read(file);
   std::string buffer(1 << 16, '\0');
-  while (stream) {
-    stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
-    hash.add(std::string_view(buffer.data(), static_cast<std::size_t>(stream.gcount())));
+  for (std::uint64_t at = 0; !buffer.empty(); at += buffer.size()) {
+    if (!read_all(opened.number(), at, buffer))
+      throw InputError(utf8(file), 0, 0, std::string("cannot be read: ") + std::strerror(errno));
+    hash.add(buffer);
   }
-  if (!stream.eof()) throw InputError(file.string(), 0, 0, "cannot be read");
 }
 
 /// A stamp without hashes.
 InputStamp quick_stamp(const std::vector<fs::path>& files) {
   InputStamp quick;
   for (const fs::path& file : files) {
-    std::error_code error;
-    const std::uintmax_t bytes = fs::file_size(file, error);
-    const fs::file_time_type written =
-        error ? fs::file_time_type() : fs::last_write_time(file, error);
-    if (error) throw InputError(file.string(), 0, 0, error.message());
-    quick.bytes += bytes;
-    const auto time = std::chrono::duration_cast<std::chrono::nanoseconds>(
-        std::chrono::file_clock::to_sys(written).time_since_epoch());
-    quick.newest_ns = std::max(quick.newest_ns, std::int64_t{time.count()});
+    const std::optional<FileStatus> found = status_of(file);
+    if (!found) throw InputError(utf8(file), 0, 0, std::strerror(errno));
+    quick.bytes += found->size;
+    quick.newest_ns = std::max(quick.newest_ns, found->written_ns);
   }
   return quick;
 }

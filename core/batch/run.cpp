@@ -12,7 +12,9 @@
 #include <set>
 
 #include "core/base/number_text.h"
+#include "core/base/open_file.h"
 #include "core/base/parallel.h"
+#include "core/base/utf8_path.h"
 
 namespace mocapress {
 
@@ -69,9 +71,8 @@ namespace {
 namespace fs = std::filesystem;
 
 std::uint64_t size_of(const BatchItem& item) {
-  std::error_code error;
-  const std::uintmax_t bytes = fs::file_size(item.input, error);
-  return error ? 0 : bytes;
+  const std::optional<FileStatus> found = status_of(utf8_path(item.input));
+  return found ? found->size : 0;
 }
 
 int workers_for(int jobs) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "core/batch/shared_characters.h"
 
-#include <system_error>
+#include <cerrno>
+#include <cstring>
 
 #include "core/base/error.h"
+#include "core/base/open_file.h"
+#include "core/base/utf8_path.h"
 
 namespace mocapress {
 
@@ -11,17 +14,14 @@ namespace fs = std::filesystem;
 
 std::shared_ptr<const Character> SharedCharacters::read(const fs::path& file) {
   const std::lock_guard lock(mutex_);
-  std::error_code error;
-  const std::uintmax_t bytes = fs::file_size(file, error);
-  const fs::file_time_type written =
-      error ? fs::file_time_type() : fs::last_write_time(file, error);
-  if (error) throw InputError(file.string(), 0, 0, error.message());
+  const std::optional<FileStatus> found = status_of(file);
+  if (!found) throw InputError(utf8(file), 0, 0, std::strerror(errno));
   Parsed& parsed = parsed_[file];
-  if (!parsed.character || bytes != parsed.bytes || written != parsed.written) {
+  if (!parsed.character || found->size != parsed.bytes || found->written_ns != parsed.written_ns) {
     parsed.character = nullptr;
     parsed.character = std::make_shared<const Character>(read_character(file));
-    parsed.bytes = bytes;
-    parsed.written = written;
+    parsed.bytes = found->size;
+    parsed.written_ns = found->written_ns;
   }
   return parsed.character;
 }

@@ -21,8 +21,8 @@ class SharedCharacters {
  private:
   struct Parsed {
     std::shared_ptr<const Character> character;
-    std::uintmax_t bytes = 0;  // of the file
-    std::filesystem::file_time_type written;
+    std::uint64_t bytes = 0;  // of the file
+    std::int64_t written_ns = 0;
   };
 
   std::mutex mutex_;

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/path_kind.h"
+#include "core/base/utf8_path.h"
 #include "core/formats/text_cursor.h"
 
 namespace mocapress {
@@ -28,7 +29,7 @@ class FolderWalk {
     look_into(folder);
     // A folder's links come after everything that is really below it.
     for (std::size_t i = 0; i < links_.size(); ++i) look_into(fs::path(links_[i]));
-    std::ranges::sort(found_, {}, [](const FoundClip& clip) { return clip.path.string(); });
+    std::ranges::sort(found_, {}, [](const FoundClip& clip) { return generic_utf8(clip.path); });
     return std::move(found_);
   }
 
@@ -80,7 +81,7 @@ std::string readable_extensions(std::string_view between, std::string_view befor
 }
 
 bool is_clip(const fs::path& path) {
-  const std::string extension = path.extension().string();
+  const std::string extension = utf8(path.extension());
   return std::any_of(std::begin(kExtensions), std::end(kExtensions), [&](std::string_view known) {
     return equals_ignoring_case(extension, known);
   });
@@ -99,17 +100,16 @@ std::vector<fs::path> find_clips(const std::vector<fs::path>& inputs) {
   };
   for (const fs::path& input : inputs) {
     const PathKind kind = path_kind(input);
-    if (kind == PathKind::Absent)
-      throw InputError(input.string(), 0, 0, "No such file or directory");
+    if (kind == PathKind::Absent) throw InputError(utf8(input), 0, 0, "No such file or directory");
     if (kind != PathKind::Folder) {
       add(input);
       continue;
     }
     const std::vector<FoundClip> below = clips_below(input);
     if (below.empty())
-      throw InputError(input.string(), 0, 0, "holds none of " + readable_extensions(", "));
+      throw InputError(utf8(input), 0, 0, "holds none of " + readable_extensions(", "));
     for (const FoundClip& clip : below) {
-      if (!is_clip(clip.path)) throw InputError(clip.path.string(), 0, 0, clip.problem);
+      if (!is_clip(clip.path)) throw InputError(utf8(clip.path), 0, 0, clip.problem);
       add(clip.path);
     }
   }

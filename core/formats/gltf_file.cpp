@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/memory_limit.h"
+#include "core/base/utf8_path.h"
 #include "core/formats/gltf_meshopt.h"
 
 namespace mocapress {
@@ -90,7 +91,7 @@ bool has_scheme(std::string_view uri) {
 }
 
 bool leaves_its_folder(const fs::path& path) {
-  return path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end();
+  return path.has_root_path() || std::find(path.begin(), path.end(), "..") != path.end();
 }
 
 std::size_t component_bytes(std::size_t type) {
@@ -198,7 +199,7 @@ GltfFile::GltfFile(fs::path file, std::string_view bytes)
 }
 
 void GltfFile::fail(const std::string& message) const {
-  throw InputError(path_.string(), 0, 0, message);
+  throw InputError(utf8(path_), 0, 0, message);
 }
 
 void GltfFile::read_glb(std::string_view bytes) {
@@ -322,7 +323,7 @@ std::string GltfFile::resource(const std::string& uri) const {
     return *std::move(bytes);
   }
   const std::string shown = "\"" + uri.substr(0, 120) + '"';
-  const fs::path relative = percent_decoded(uri);
+  const fs::path relative = utf8_path(percent_decoded(uri));
   if (has_scheme(uri) || leaves_its_folder(relative) ||
       relative.native().find('\0') != std::string::npos)
     fail("refers to " + shown + ", but only files in its own folder are read");

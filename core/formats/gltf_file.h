@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/base/json_text.h"
+#include "core/base/utf8_path.h"
 
 namespace mocapress {
 
@@ -36,7 +37,7 @@ class GltfFile {
   /// Takes a .glb or a .gltf, told apart by their bytes. Buffers may lie in the folder of `file`.
   GltfFile(std::filesystem::path file, std::string_view bytes);
 
-  std::string name() const { return path_.string(); }
+  std::string name() const { return utf8(path_); }
   const Json& json() const { return json_; }
 
   /// Size of the file and of the buffers loaded so far.

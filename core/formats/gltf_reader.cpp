@@ -11,6 +11,7 @@
 #include <set>
 
 #include "core/base/printable.h"
+#include "core/base/utf8_path.h"
 #include "core/formats/gltf_meshes.h"
 #include "core/formats/gltf_target.h"
 #include "core/formats/key_times.h"
@@ -487,7 +488,7 @@ GltfTake read_gltf_take(GltfFile& file, const ReadOptions& options) {
 }
 
 MotionFile read_gltf(const std::string& name, std::string_view bytes, const ReadOptions& options) {
-  GltfFile file(name, bytes);
+  GltfFile file(utf8_path(name), bytes);
   GltfTake read = read_gltf_take(file, options);
   try {
     read.take.meshes = gltf_meshes(file, read, read.warnings);
@@ -502,7 +503,7 @@ MotionFile read_gltf(const std::string& name, std::string_view bytes, const Read
 }
 
 Character read_gltf_character(const std::string& name, std::string_view bytes) {
-  GltfFile file(name, bytes);
+  GltfFile file(utf8_path(name), bytes);
   const ReadOptions as_it_says;
   GltfTake rest = TakeReader(file, as_it_says).read_rest();
   Warnings left_out;

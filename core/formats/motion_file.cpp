@@ -13,6 +13,7 @@
 #include "core/base/json_text.h"
 #include "core/base/memory_limit.h"
 #include "core/base/path_kind.h"
+#include "core/base/utf8_path.h"
 #include "core/formats/amc.h"
 #include "core/formats/asf.h"
 #include "core/formats/bvh.h"
@@ -38,7 +39,7 @@ using std::filesystem::path;
 constexpr const char* kGltfExtensions[] = {".gltf", ".glb", ".vrm", ".vrma"};
 
 bool has_extension(const path& file, std::string_view extension) {
-  return equals_ignoring_case(file.extension().string(), extension);
+  return equals_ignoring_case(utf8(file.extension()), extension);
 }
 
 /// Told by the extension. Models and animations of VRM are .glb files by another name.
@@ -57,10 +58,8 @@ std::optional<GltfContainer> gltf_container(const path& file) {
 /// Throws InputError unless the extension is one of a motion.
 void require_motion(const path& file) {
   if (has_extension(file, ".asf"))
-    throw InputError(file.string(), 0, 0,
-                     "is a skeleton without motion: open one of its .amc files");
-  if (!is_clip(file))
-    throw InputError(file.string(), 0, 0, "is none of " + readable_extensions(", "));
+    throw InputError(utf8(file), 0, 0, "is a skeleton without motion: open one of its .amc files");
+  if (!is_clip(file)) throw InputError(utf8(file), 0, 0, "is none of " + readable_extensions(", "));
 }
 
 struct SkeletonText {
@@ -82,7 +81,7 @@ void require_finite(const path& file, const Motion& motion, const ScalarTracks& 
                        [](float value) { return std::isfinite(value); });
   };
   if (!motion.clip.channels.allFinite() || !std::all_of(tracks.begin(), tracks.end(), is_finite))
-    throw Error(file.string() + ": is not written: the motion has values that are not finite");
+    throw Error(utf8(file) + ": is not written: the motion has values that are not finite");
 }
 
 void append(const Warnings& more, Warnings& warnings) {
@@ -92,25 +91,24 @@ void append(const Warnings& more, Warnings& warnings) {
 MotionFile parse_by_extension(const path& file, std::string_view text, const SkeletonText& asf,
                               const ReadOptions& options) {
   require_motion(file);
-  if (has_extension(file, ".bvh")) return read_bvh(file.string(), text, options);
-  if (has_extension(file, ".fbx")) return read_fbx(file.string(), text, options);
-  if (is_gltf(file)) return read_gltf(file.string(), text, options);
-  const AsfSkeleton skeleton = read_asf(asf.file.string(), asf.text, options.cm_per_unit);
-  return read_amc(file.string(), text, skeleton, options);
+  if (has_extension(file, ".bvh")) return read_bvh(utf8(file), text, options);
+  if (has_extension(file, ".fbx")) return read_fbx(utf8(file), text, options);
+  if (is_gltf(file)) return read_gltf(utf8(file), text, options);
+  const AsfSkeleton skeleton = read_asf(utf8(asf.file), asf.text, options.cm_per_unit);
+  return read_amc(utf8(file), text, skeleton, options);
 }
 
 /// Turns any exception of the libraries under the readers into a sentence with the file's name.
 template <typename Read>
 auto with_library_errors(const path& file, const Read& read) {
   try {
-    return naming_what_takes_memory(file.string(), read);
+    return naming_what_takes_memory(utf8(file), read);
   } catch (const Error&) {
     throw;
   } catch (const Json::exception&) {
-    throw InputError(file.string(), 0, 0,
-                     "has a JSON value of another type than its place asks for");
+    throw InputError(utf8(file), 0, 0, "has a JSON value of another type than its place asks for");
   } catch (const std::exception&) {
-    throw InputError(file.string(), 0, 0, "cannot be read: a library that reads its parts failed");
+    throw InputError(utf8(file), 0, 0, "cannot be read: a library that reads its parts failed");
   }
 }
 
@@ -120,7 +118,7 @@ MotionFile parse(const path& file, std::string_view text, const SkeletonText& as
       with_library_errors(file, [&] { return parse_by_extension(file, text, asf, options); });
   append(surface_warnings(file, read.motion.skeleton), read.warnings);
   if (looks_additive(read.motion))
-    read.warnings.push_back({file.string(), 0,
+    read.warnings.push_back({utf8(file), 0,
                              "looks like an additive clip, near its rest pose with the root at the "
                              "origin: errors are those that it makes on that pose, and where feet "
                              "stand means nothing"});
@@ -130,15 +128,15 @@ MotionFile parse(const path& file, std::string_view text, const SkeletonText& as
 }  // namespace
 
 path find_skeleton(const path& amc) {
-  const std::string stem = amc.stem().string();
+  const std::string stem = utf8(amc.stem());
   const std::string subject = stem.substr(0, stem.find('_'));
   for (const std::string& name : {stem, subject})
     for (const char* extension : {".asf", ".ASF"}) {
-      path candidate = amc.parent_path() / (name + extension);
+      path candidate = amc.parent_path() / utf8_path(name + extension);
       if (is_there(candidate)) return candidate;
     }
   throw InputError(
-      amc.string(), 0, 0,
+      utf8(amc), 0, 0,
       "needs its skeleton, but neither " + stem + ".asf nor " + subject + ".asf is beside it");
 }
 
@@ -158,7 +156,7 @@ MotionFile read_motion(const path& file, const std::optional<path>& skeleton_pat
   require_motion(file);
   ReadOptions with_tracks = options;
   if (!with_tracks.tracks)
-    if (const std::optional<path> table = find_tracks(file)) with_tracks.tracks = table->string();
+    if (const std::optional<path> table = find_tracks(file)) with_tracks.tracks = utf8(*table);
   return read_motion_bytes(file, read_text(file), skeleton_path, with_tracks);
 }
 
@@ -170,10 +168,10 @@ MotionFile read_motion_bytes(const path& file, std::string_view bytes,
     skeleton.text = read_text(skeleton.file);
   }
   MotionFile read = parse(file, bytes, skeleton, options);
-  if (options.character) put_character(*options.character, read);
+  if (options.character) put_character(utf8_path(*options.character), read);
   if (options.tracks) {
-    const ScalarTracks more =
-        read_csv_tracks(*options.tracks, read_text(*options.tracks), read.motion.clip.frames());
+    const ScalarTracks more = read_csv_tracks(
+        *options.tracks, read_text(utf8_path(*options.tracks)), read.motion.clip.frames());
     read.tracks.insert(read.tracks.end(), more.begin(), more.end());
   }
   return read;
@@ -195,11 +193,10 @@ std::vector<path> files_of_motion(const path& file, const std::optional<path>& s
 Character read_character(const path& file) {
   const bool is_fbx = has_extension(file, ".fbx");
   if (!is_fbx && !is_gltf(file))
-    throw InputError(file.string(), 0, 0, "is none of .fbx, .gltf, .glb, .vrm");
+    throw InputError(utf8(file), 0, 0, "is none of .fbx, .gltf, .glb, .vrm");
   const std::string bytes = read_text(file);
   return with_library_errors(file, [&] {
-    return is_fbx ? read_fbx_character(file.string(), bytes)
-                  : read_gltf_character(file.string(), bytes);
+    return is_fbx ? read_fbx_character(utf8(file), bytes) : read_gltf_character(utf8(file), bytes);
   });
 }
 
@@ -213,13 +210,13 @@ Warnings fit_warnings(const path& file, const Character& character, const Skelet
       missing_joints(*character.skin, character.skeleton, skeleton);
   if (!missing.empty())
     warnings.push_back(
-        {file.string(), 0,
+        {utf8(file), 0,
          "the clip has no joint " + missing.front() +
              (missing.size() > 1 ? ", nor " + std::to_string(missing.size() - 1) + " more" : "") +
              ": what hangs there stays in its bind pose"});
   if (!lengths.bones.empty())
     warnings.push_back(
-        {file.string(), 0,
+        {utf8(file), 0,
          "has other proportions than the clip, and legs of " +
              std::to_string(std::lround(100 * lengths.scale)) +
              " % the length: it is shown and coloured with its own bones, and figures are "
@@ -244,7 +241,7 @@ void put_character(const path& file, MotionFile& clip) {
   try {
     clip.skin = put_character(file, character, clip.motion.skeleton, clip.warnings);
   } catch (const Error& error) {
-    throw InputError(file.string(), 0, 0, std::string("cannot be put on: ") + error.what());
+    throw InputError(utf8(file), 0, 0, std::string("cannot be put on: ") + error.what());
   }
 }
 
@@ -254,10 +251,11 @@ MotionFile read_motion_of_many(const path& file, const std::optional<path>& skel
   const std::optional<std::string> character = std::exchange(plain.character, std::nullopt);
   MotionFile clip = read_motion(file, skeleton_path, plain);
   if (!character) return clip;
-  const auto shared =
-      read ? read(*character) : std::make_shared<const Character>(read_character(*character));
+  const path file_of_character = utf8_path(*character);
+  const auto shared = read ? read(file_of_character)
+                           : std::make_shared<const Character>(read_character(file_of_character));
   try {
-    clip.skin = put_character(*character, *shared, clip.motion.skeleton, clip.warnings);
+    clip.skin = put_character(file_of_character, *shared, clip.motion.skeleton, clip.warnings);
   } catch (const Error& error) {
     clip.warnings.push_back({*character, 0, std::string("is not put on: ") + error.what()});
   }
@@ -268,13 +266,13 @@ Warnings surface_warnings(const path& file, const Skeleton& skeleton) {
   Warnings warnings;
   const std::vector<FarMesh> far = far_meshes(skeleton);
   if (is_without_lengths(skeleton) && std::ssize(far) < skeleton.joint_count())
-    warnings.push_back({file.string(), 0,
+    warnings.push_back({utf8(file), 0,
                         "no bone has a length: errors are measured on three points 3 cm from each "
                         "joint"});
   if (far.empty()) return warnings;
   const auto cm = [](double length) { return std::to_string(std::lround(length)); };
   warnings.push_back(
-      {file.string(), 0,
+      {utf8(file), 0,
        "the mesh reaches much further than the bones at " + counted(std::ssize(far), "joint") +
            ", first " + skeleton.joint(far.front().joint).name + " (" + cm(far.front().mesh_cm) +
            " cm, not " + cm(far.front().body_cm) + "): the surface there is the mesh"});
@@ -296,7 +294,7 @@ std::string motion_bytes(const path& file, const Motion& motion, const SourceFor
   const Motion exported = exported_motion(motion, source, options);
   if (has_extension(file, ".bvh")) return bvh_text(exported, bvh_style(source, options));
   if (has_extension(file, ".csv")) return csv_text(exported, tracks);
-  throw Error(file.string() +
+  throw Error(utf8(file) +
               ": cannot be written: its extension is none of .bvh, .fbx, .glb, .gltf, .amc, .csv");
 }
 
@@ -318,7 +316,7 @@ Warnings write_motion(const path& file, const Motion& motion,
   const auto lost = [&](const auto& is_lost) -> Warnings {
     const auto count = std::count_if(tracks.begin(), tracks.end(), is_lost);
     if (count == 0) return {};
-    return {{file.string(), 0, "has no place for " + counted(count, "track") + " of the clip"}};
+    return {{utf8(file), 0, "has no place for " + counted(count, "track") + " of the clip"}};
   };
   if (!has_extension(file, ".amc")) {
     write_staged(file, motion_bytes(file, motion, source, options, tracks), existing);
@@ -351,13 +349,13 @@ void write_motion_onto(const path& file, const Motion& motion, const path& onto,
                        const SourceFormat& source, const WriteOptions& options,
                        const ScalarTracks& tracks, StagedFile::Existing existing) {
   if (!can_be_onto(file, onto))
-    throw Error(file.string() +
+    throw Error(utf8(file) +
                 ": only an .fbx can be written onto an .fbx, and a .glb or .gltf "
                 "onto a glTF");
   require_finite(file, motion, tracks);
   write_staged(file,
                has_extension(file, ".fbx")
-                   ? fbx_bytes_onto(onto.string(), read_text(onto), motion, options, tracks)
+                   ? fbx_bytes_onto(utf8(onto), read_text(onto), motion, options, tracks)
                    : gltf_bytes_onto(onto, motion, *gltf_container(file), file.parent_path(),
                                      source, options, tracks),
                existing);

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/path_kind.h"
+#include "core/base/utf8_path.h"
 
 namespace mocapress {
 namespace {
@@ -344,9 +345,9 @@ Settings find_preset(const std::string& name_or_file) {
     if (slug(preset.name) == slug(name_or_file)) return preset;
     known += ", " + slug(preset.name);
   }
-  if (!is_there(name_or_file))
+  if (!is_there(utf8_path(name_or_file)))
     throw InputError(name_or_file, 0, 0, "is neither a file nor a preset" + known);
-  return parse_presets(name_or_file, read_text(name_or_file)).front();
+  return parse_presets(name_or_file, read_text(utf8_path(name_or_file))).front();
 }
 
 }  // namespace mocapress

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/report/markup.h"
 
@@ -58,7 +59,7 @@ std::string marker_path(int style, double x, double y, double r) {
   const auto polygon = [&](int corners, double turn, double size) {
     std::string d;
     for (int i = 0; i < corners; ++i) {
-      const double angle = turn + 2 * M_PI * i / corners;
+      const double angle = turn + 2 * std::numbers::pi * i / corners;
       d += (i == 0 ? "M" : "L") + px(x + size * std::cos(angle)) + " " +
            px(y + size * std::sin(angle));
     }
@@ -68,13 +69,13 @@ std::string marker_path(int style, double x, double y, double r) {
     case 0:
       return polygon(16, 0, r);
     case 1:
-      return polygon(4, M_PI / 4, r * 1.2);
+      return polygon(4, std::numbers::pi / 4, r * 1.2);
     case 2:
-      return polygon(3, -M_PI / 2, r * 1.35);
+      return polygon(3, -std::numbers::pi / 2, r * 1.35);
     case 3:
       return polygon(4, 0, r * 1.3);
     case 4:
-      return polygon(3, M_PI / 2, r * 1.35);
+      return polygon(3, std::numbers::pi / 2, r * 1.35);
     default:
       return polygon(6, 0, r * 1.1);
   }

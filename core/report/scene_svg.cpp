@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "core/report/markup.h"
@@ -13,9 +14,10 @@
 namespace mocapress {
 namespace {
 
-constexpr double kBeside = 62 * M_PI / 180;     // between the figure's front and the camera
-constexpr double kElevation = 11 * M_PI / 180;  // angle of the camera above the horizon
-constexpr double kDistanceInHeights = 2.6;      // distance in heights of the visible part
+constexpr double kBeside =
+    62 * std::numbers::pi / 180;  // between the figure's front and the camera
+constexpr double kElevation = 11 * std::numbers::pi / 180;  // angle of the camera above the horizon
+constexpr double kDistanceInHeights = 2.6;  // distance in heights of the visible part
 constexpr double kGridStepCm = 50;
 constexpr int kGridLines = 4;      // on each side of the centre
 constexpr std::size_t kFades = 4;  // steps of the floor's fading outwards
@@ -36,7 +38,7 @@ std::string capsule_path(double x1, double y1, double r1, double x2, double y2, 
     return "A" + px(r) + " " + px(r) + " 0 " + std::to_string(large) + " 0 ";
   };
   if (aside == 0)  // one disc covers the other
-    return "M" + on(x1, y1, r1, 0) + arc(r1, 0) + on(x1, y1, r1, M_PI) + arc(r1, 0) +
+    return "M" + on(x1, y1, r1, 0) + arc(r1, 0) + on(x1, y1, r1, std::numbers::pi) + arc(r1, 0) +
            on(x1, y1, r1, 0) + "Z";
   return "M" + on(x1, y1, r1, along + aside) + "L" + on(x2, y2, r2, along + aside) + arc(r2, 0) +
          on(x2, y2, r2, along - aside) + "L" + on(x1, y1, r1, along - aside) + arc(r1, 1) +

@@ -2,6 +2,7 @@
 #include "core/study/plan.h"
 
 #include "core/base/error.h"
+#include "core/base/utf8_path.h"
 #include "core/codec/methods/comparison_method.h"
 #include "core/study/published_figures.h"
 
@@ -32,7 +33,7 @@ std::vector<Target> paper_targets(const fs::path& clip) {
       targets(Target::Kind::Ratio, {3, 5, 7, 10, 15, 20, 30, 40, 50, 70, 100});
   all.push_back({Target::Kind::CoefficientRatio, kPublishedVideoRatio});
   all.push_back({Target::Kind::Error, kPublishedInvisibleEpsCm});
-  if (const PublishedClip* published = find_published(clip.stem().string()))
+  if (const PublishedClip* published = find_published(utf8(clip.stem())))
     for (const PublishedSizes& row : published->sizes)
       all.push_back({Target::Kind::Error, row.eps_cm});
   return all;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/utf8_path.h"
 #include "core/codec/methods/compression_method.h"
 #include "core/mocapress/settings.h"
 #include "core/report/chart_svg.h"
@@ -435,7 +436,7 @@ std::string picture_section(const Picture& picture) {
     seen += sights(picture, m);
     if (picture.foot) feet += foot_scene(picture, m);
   }
-  const std::string clip = std::filesystem::path(picture.clip).stem().string();
+  const std::string clip = utf8(utf8_path(picture.clip).stem());
   std::string content =
       element("h2", "", escaped(clip) + " at " + format_shortest(picture.ratio) + ":1") +
       element("p", attribute("class", "muted"),

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/utf8_path.h"
 #include "core/report/markup.h"
 #include "core/study/plan.h"
 #include "core/study/published_figures.h"
@@ -528,9 +529,9 @@ std::string failure_table(const Results& results) {
   }
   std::string body;
   for (const auto& [of, failure] : failures)
-    body += line(row_head(std::filesystem::path(of.first).filename().string()) +
-                 cell(escaped(of.second), "name") + cell(joined(failure.targets), "wrap") +
-                 cell(escaped(failure.why), "wrap") + cell(joined(failure.steps), "wrap"));
+    body += line(row_head(utf8(utf8_path(of.first).filename())) + cell(escaped(of.second), "name") +
+                 cell(joined(failure.targets), "wrap") + cell(escaped(failure.why), "wrap") +
+                 cell(joined(failure.steps), "wrap"));
   if (body.empty()) return "";
   const auto left = attribute("class", "name");
   return element(

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/base/number_text.h"
+#include "core/base/utf8_path.h"
 #include "core/codec/methods/compression_method.h"
 #include "core/study/plan.h"
 
@@ -12,7 +13,7 @@ namespace mocapress {
 namespace {
 
 std::string stem_of(const std::string& path) {
-  return std::filesystem::path(path).stem().string();
+  return utf8(utf8_path(path).stem());
 }
 
 std::string title_of(const StudyRow& row) {

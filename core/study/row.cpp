@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/number_text.h"
+#include "core/base/utf8_path.h"
 #include "core/mocapress/settings_json.h"
 #include "core/report/measurement_json.h"
 #include "core/report/report_stamp.h"
@@ -140,7 +141,7 @@ std::vector<StudyRow> read_rows(const std::filesystem::path& path) {
 
 RowsFile::RowsFile(const std::filesystem::path& path) : lines_(path) {
   const std::string text = lines_.read(0, lines_.size());
-  if (text.size() != lines_.size()) throw InputError(path.string(), 0, 0, "cannot be read");
+  if (text.size() != lines_.size()) throw InputError(utf8(path), 0, 0, "cannot be read");
   WholeRows whole(text);
   rows_ = std::move(whole.rows);
   if (whole.lines != text) lines_.replace([&](StagedFile& file) { file.write(whole.lines); });

@@ -12,6 +12,7 @@
 #include <unordered_map>
 
 #include "core/base/parallel.h"
+#include "core/base/utf8_path.h"
 #include "core/codec/methods/compression_method.h"
 #include "core/mocapress/encode_settings.h"
 #include "core/report/loaded_clip.h"
@@ -93,7 +94,7 @@ class Run {
   void do_job(std::size_t index) {
     const StudyJob& job = jobs_[index];
     SharedClip& shared = *clips_[job.clip];
-    StudyRow row{.clip = plan_.clips[job.clip].path.string(),
+    StudyRow row{.clip = utf8(plan_.clips[job.clip].path),
                  .review = plan_.clips[job.clip].review,
                  .settings = settings_of(job),
                  .jobs = workers_};

@@ -11,6 +11,7 @@
 #include "core/base/file.h"
 #include "core/base/make_folders.h"
 #include "core/base/parallel.h"
+#include "core/base/utf8_path.h"
 #include "core/study/report.h"
 #include "core/study/results.h"
 #include "core/study/row.h"
@@ -89,7 +90,7 @@ std::optional<std::vector<Picture>> take_pictures(const StudyPlan& plan, const R
   parallel_for(std::size_t{0}, clips.size(), [&](std::size_t i) {
     tbb::this_task_arena::isolate([&] {
       try {
-        taken[i] = take_picture(plan, clips[i].path, methods, clips[i].ratio, observer);
+        taken[i] = take_picture(plan, utf8_path(clips[i].path), methods, clips[i].ratio, observer);
         if (!taken[i]) stopped = true;
       } catch (const InputError& error) {  // the figures do not depend on it
         problems[i] = error.what();

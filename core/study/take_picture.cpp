@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/base/utf8_path.h"
 #include "core/feet/footskate.h"
 #include "core/metrics/rate.h"
 #include "core/mocapress/encode_settings.h"
@@ -82,7 +83,7 @@ std::optional<Picture> take_picture(const StudyPlan& plan, const std::filesystem
   const LoadedClip clip(read_motion_of_many(path, plan.skeleton, plan.reading));
   const Skeleton& skeleton = clip.motion().skeleton;
   const int frames = clip.motion().clip.frames();
-  Picture picture{.clip = path.string(),
+  Picture picture{.clip = utf8(path),
                   .ratio = ratio,
                   .sample_rate_hz = clip.motion().clip.sample_rate_hz,
                   .frames = frames,

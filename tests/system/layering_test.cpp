@@ -167,6 +167,7 @@ std::string licence_of(const std::string& path) {
 /// All faults of one source file, a sentence each. `path` is relative to the root.
 std::vector<std::string> findings(const std::string& path, const std::string& text) {
   static const std::regex kInclude(R"(\s*#\s*include\s*([<"])([^>"]+)[>"].*)");
+  static const std::regex kNarrowName(R"((\.|->)(generic_)?string\(\))");
   static const std::regex kMachinePath(R"((^|[^\w./])/(home|work|root|Users)/\w.*)");
   std::vector<std::string> found;
   std::istringstream lines(text);
@@ -177,6 +178,7 @@ std::vector<std::string> findings(const std::string& path, const std::string& te
   // Tests may include anything.
   const bool in_room = !path.starts_with("tests/") && !path.ends_with("CMakeLists.txt");
   const bool known = kRooms.contains(room_of(path));
+  const bool runs_on_windows = path.starts_with("core/") || path.starts_with("app/cli/");
   if (in_room && !known)
     found.push_back(path + ": the room " + room_of(path) + " is not in the table of this test");
   for (int number = 2; std::getline(lines, line); ++number) {
@@ -186,6 +188,8 @@ std::vector<std::string> findings(const std::string& path, const std::string& te
     std::smatch match;
     if (in_room && known && std::regex_match(line, match, kInclude))
       report(complaint(room_of(path), match[2], match[1] == "\""));
+    if (runs_on_windows && std::regex_search(line, kNarrowName))
+      report("takes a name in the letters of Windows' code page: see core/base/utf8_path.h");
     if (std::regex_search(line, kMachinePath)) report("names a path of one machine");
   }
   return found;
@@ -289,6 +293,14 @@ TEST(LayeringChecker, FindsAPathOfOneMachine) {
                              "/notes")
                 .size(),
             1u);
+}
+
+TEST(LayeringChecker, FindsNamesThatAreNotUtf8) {
+  for (const char* line : {"a = path.string();", "a = path->generic_string();"}) {
+    EXPECT_EQ(findings_in_body("core/batch/row.cpp", line).size(), 1u) << line;
+    EXPECT_EQ(findings_in_body("app/cli/info.cpp", line).size(), 1u) << line;
+    EXPECT_THAT(findings_in_body("tests/unit/a_test.cpp", line), testing::IsEmpty()) << line;
+  }
 }
 
 TEST(LayeringChecker, PassesWhatTheRoomsMayDo) {

@@ -24,6 +24,8 @@
 #include "core/base/mapped_file.h"
 #include "core/base/memory_limit.h"
 #include "core/base/open_file.h"
+#include "core/base/printable.h"
+#include "core/base/utf8_path.h"
 #include "core/base/windows/system.h"
 
 namespace mocapress {
@@ -41,7 +43,7 @@ class OnWindows : public testing::Test {
   std::vector<std::string> names() const {
     std::vector<std::string> all;
     for (const auto& entry : fs::directory_iterator(folder_))
-      all.push_back(entry.path().filename().string());
+      all.push_back(utf8(entry.path().filename()));
     std::sort(all.begin(), all.end());
     return all;
   }
@@ -121,7 +123,7 @@ TEST_F(StagedFileOnWindows, AFileHeldByAnotherProgramStaysAndIsNamed) {
     const FileDescriptor program = held(path_);
     ASSERT_TRUE(program);
     EXPECT_EQ(failure<WriteError>([&] { write_text(path_, "new"); }),
-              path_.string() + ": cannot be written: is open in another program");
+              utf8(path_) + ": cannot be written: is open in another program");
   }
   EXPECT_EQ(read_text(path_), "old");
   EXPECT_THAT(names(), ElementsAre("a.txt"));
@@ -165,7 +167,7 @@ TEST_F(FileOnWindows, PathsMayBeLongerThan260Characters) {
   for (int i = 0; i < 12; ++i) deep /= std::string(40, static_cast<char>('a' + i));
   make_folders(deep);
   write_text(deep / "clip.txt", "far down");
-  EXPECT_GT((deep / "clip.txt").string().size(), 500u);
+  EXPECT_GT(utf8(deep / "clip.txt").size(), 500u);
   EXPECT_EQ(read_text(deep / "clip.txt"), "far down");
   EXPECT_EQ(path_kind(deep), PathKind::Folder);
   EXPECT_TRUE(remove_file(deep / "clip.txt"));
@@ -176,12 +178,28 @@ TEST_F(FileOnWindows, PathsMayBeLongerThan260Characters) {
 }
 
 TEST_F(FileOnWindows, NamesMayHaveAnyLetters) {
-  const std::string name = "Łódź 動き шаг é.txt";  // UTF-8
-  write_text(folder_ / name, "letters");
+  const std::string name = "Łódź 動き 🕺 шаг é.txt";  // UTF-8
+  write_text(folder_ / utf8_path(name), "letters");
   EXPECT_THAT(names(), ElementsAre(name));
-  EXPECT_EQ(read_text(folder_ / name), "letters");
-  EXPECT_EQ(failure<InputError>([&] { read_text(folder_ / ("no " + name)); }),
-            (folder_ / ("no " + name)).string() + ": " + std::strerror(ENOENT));
+  EXPECT_EQ(read_text(folder_ / utf8_path(name)), "letters");
+  const fs::path none = folder_ / utf8_path("no " + name);
+  EXPECT_EQ(failure<InputError>([&] { read_text(none); }),
+            utf8(none) + ": " + std::strerror(ENOENT));
+}
+
+TEST_F(FileOnWindows, NamesThatAreNotUnicodeAreRefused) {
+  EXPECT_EQ(failure<InputError>([] { utf8_path("a\xff.bvh"); }),
+            printable("a\xff.bvh") + ": is a name that is not UTF-8");
+  EXPECT_THROW(utf8(fs::path(L"half \xd800 a pair")), InputError);
+  EXPECT_EQ(generic_utf8(utf8_path("動\\き/a")), "動/き/a");
+}
+
+TEST_F(FileOnWindows, AServerThatDoesNotAnswerIsNotAbsence) {
+  for (const DWORD unreachable : {ERROR_BAD_NETPATH, ERROR_BAD_NET_NAME}) {
+    ::SetLastError(unreachable);
+    windows::failed();
+    EXPECT_FALSE(is_absence(errno)) << unreachable;
+  }
 }
 
 TEST_F(FileOnWindows, RefusesFoldersDevicesAndWhatIsAbsent) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "core/base/utf8_path.h"
 #include "core/base/windows/system.h"
 
 namespace mocapress {
@@ -17,13 +18,13 @@ std::string host_name() {
   wchar_t name[256];
   DWORD size = 256;
   const bool is_found = ::GetComputerNameExW(ComputerNameDnsHostname, name, &size);
-  return is_found ? std::filesystem::path(name).string() : "";
+  return is_found ? utf8(name) : "";
 }
 
 std::string user_name() {
   wchar_t name[257];
   DWORD size = 257;
-  return ::GetUserNameW(name, &size) ? std::filesystem::path(name).string() : "";
+  return ::GetUserNameW(name, &size) ? utf8(name) : "";
 }
 
 long process_number() {

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/open_file.h"
+#include "core/base/utf8_path.h"
 #include "core/base/windows/system.h"
 
 namespace mocapress {
@@ -14,7 +15,7 @@ namespace mocapress {
 MappedFile::MappedFile(const std::filesystem::path& path, bool beforehand) {
   std::optional<MappedFile> mapped = of_descriptor(open_to_read(path).number(), beforehand);
   if (!mapped)
-    throw InputError(path.string(), 0, 0, std::string("cannot be read: ") + std::strerror(errno));
+    throw InputError(utf8(path), 0, 0, std::string("cannot be read: ") + std::strerror(errno));
   std::swap(bytes_, mapped->bytes_);
 }
 

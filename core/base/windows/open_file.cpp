@@ -10,6 +10,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/utf8_path.h"
 #include "core/base/windows/system.h"
 
 namespace mocapress {
@@ -25,8 +26,6 @@ bool failed() {
     case ERROR_INVALID_DRIVE:
     case ERROR_INVALID_NAME:  // there is no file of a name with, say, a question mark
     case ERROR_BAD_PATHNAME:
-    case ERROR_BAD_NETPATH:
-    case ERROR_BAD_NET_NAME:
       errno = ENOENT;
       break;
     case ERROR_DIRECTORY:
@@ -128,10 +127,15 @@ std::optional<FileStatus> status_of(int file) {
     return std::nullopt;
   }
   const auto both = [](DWORD high, DWORD low) { return std::uint64_t{high} << 32 | low; };
+  // In tenths of a microsecond since 1601.
+  const auto written = static_cast<std::int64_t>(
+      both(found.ftLastWriteTime.dwHighDateTime, found.ftLastWriteTime.dwLowDateTime));
+  constexpr std::int64_t kBegin1970 = 116'444'736'000'000'000;
   const bool is_folder = (found.dwFileAttributes & FILE_ATTRIBUTE_DIRECTORY) != 0;
   return FileStatus{is_folder ? PathKind::Folder : PathKind::File,
                     both(found.nFileSizeHigh, found.nFileSizeLow),
-                    {found.dwVolumeSerialNumber, both(found.nFileIndexHigh, found.nFileIndexLow)}};
+                    {found.dwVolumeSerialNumber, both(found.nFileIndexHigh, found.nFileIndexLow)},
+                    (written - kBegin1970) * 100};
 }
 
 bool is_absence(int error) {
@@ -228,8 +232,7 @@ bool is_at(int file, const fs::path& place) {
   const auto there = opened_file ? status_of(place) : std::nullopt;
   if (there) return there->identity == opened_file->identity;
   if (is_absence(errno)) return false;
-  throw InputError(place.string(), 0, 0,
-                   std::string("cannot be looked at: ") + std::strerror(errno));
+  throw InputError(utf8(place), 0, 0, std::string("cannot be looked at: ") + std::strerror(errno));
 }
 
 }  // namespace mocapress

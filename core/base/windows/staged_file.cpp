@@ -3,6 +3,7 @@
 // takes its place. After SetFileInformationByHandle in Microsoft's documentation.
 #include "core/base/staged_file.h"
 
+#include "core/base/utf8_path.h"
 #include "core/base/windows/system.h"
 // After windows.h, which it needs.
 #include <aclapi.h>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <iterator>
 #include <random>
 #include <utility>
 #include <vector>
@@ -27,7 +29,7 @@ using windows::opened;
 using windows::system_path;
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& why) {
-  throw WriteError(path.string() + ": cannot be written: " + why);
+  throw WriteError(utf8(path) + ": cannot be written: " + why);
 }
 
 /// A name that nobody can guess.
@@ -99,7 +101,7 @@ bool rename_open(int file, const std::wstring& place, FILE_INFO_BY_HANDLE_CLASS 
 /// when its last user closes it. A kill between two renamings leaves its random name.
 bool push_aside(int file, const fs::path& place) {
   const FileDescriptor old = opened(place, DELETE, OPEN_EXISTING);
-  const fs::path aside = place.parent_path() / random_name();
+  const fs::path aside = place.parent_path() / utf8_path(random_name());
   if (!old || !rename_open(old.number(), system_path(aside), kRename, kNoFlags)) return false;
   if (!rename_open(file, system_path(place), kRename, kNoFlags)) {
     const int error = errno;
@@ -119,23 +121,24 @@ fs::path end_of_links(const fs::path& path) {
     return path;
   const FileDescriptor end = opened(path, 0, OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS);
   if (!end) refuse(path, std::strerror(errno));
-  std::wstring found(32768, L'\0');
-  found.resize(::GetFinalPathNameByHandleW(handle_of(end.number()), found.data(),
-                                           static_cast<DWORD>(found.size()), 0));
-  if (found.empty()) refuse(path, "is a link that cannot be followed");
-  return found;
+  wchar_t found[32768];  // longer than any path
+  const DWORD size =
+      ::GetFinalPathNameByHandleW(handle_of(end.number()), found, std::size(found), 0);
+  if (size == 0 || size >= std::size(found)) refuse(path, "is a link that cannot be followed");
+  return std::wstring(found, size);
 }
 
-/// `place_` is the whole path here, and `name_` that of the file until it is there.
+/// `place_` is the whole path here. `name_` is only looked at for whether the file has a place yet.
 StagedFile::StagedFile(fs::path path, Temporary temporary) : path_(std::move(path)) {
   const fs::path target = end_of_links(path_);
   if (!target.has_filename()) fail(path_.empty() ? ENOENT : EISDIR);
   replaces_ = is_replaced(path_, target);
-  const fs::path named = target.parent_path() / random_name();
+  const std::string name = random_name();
+  const fs::path named = target.parent_path() / utf8_path(name);
   file_ = opened(named, GENERIC_READ | GENERIC_WRITE | DELETE | WRITE_DAC, CREATE_NEW);
   if (!file_) fail(errno);
-  place_ = target.string();
-  name_ = named.string();
+  place_ = target;
+  name_ = name;
   if (replaces_) keep_permissions(file_.number(), target);
   if (temporary == Temporary::Unnamed) set_vanishing(file_.number(), true);
 }

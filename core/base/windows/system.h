@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Windows under the functions of open_file.h. File numbers are those of the C library, errors its
-// errno values. Not done yet: GCC's std::filesystem::path takes narrow text for Latin-1, not UTF-8.
+// errno values.
 #pragma once
 
 #ifndef NOMINMAX  // libstdc++ has it

@@ -7,6 +7,7 @@
 
 #include "core/base/byte_cursor.h"
 #include "core/base/file.h"
+#include "core/base/utf8_path.h"
 #include "core/codec/format/axes_section.h"
 #include "core/codec/format/format_error.h"
 #include "core/codec/format/room.h"
@@ -232,7 +233,7 @@ CompressedClip load_mcpr(const std::filesystem::path& path) {
   try {
     return read_container(read_bytes(path));
   } catch (const FormatError& error) {
-    throw InputError(path.string(), 0, 0, error.what());
+    throw InputError(utf8(path), 0, 0, error.what());
   }
 }
 

@@ -56,10 +56,14 @@ std::size_t known_contexts(const NotedClip& clip, const CodingKnowledge& known) 
 
 // ---------------------------------------------------------------- each context by itself
 
-/// std::lgamma also writes the sign into a variable of all threads.
+/// On POSIX, std::lgamma also writes the sign into a variable of all threads.
 double log_gamma(double x) {
+#ifdef _WIN32
+  return std::lgamma(x);
+#else
   int sign = 0;
   return ::lgamma_r(x, &sign);
+#endif
 }
 
 double log_beta(double a, double b) {

@@ -2,6 +2,7 @@
 #include "core/codec/format/source_section.h"
 
 #include "core/base/file.h"
+#include "core/base/utf8_path.h"
 #include "core/codec/format/container.h"
 #include "core/codec/format/format_error.h"
 #include "core/codec/format/section_writer.h"
@@ -64,7 +65,7 @@ SourceFormat load_source(const std::filesystem::path& mcpr) {
   try {
     return source_of(read_bytes(mcpr));
   } catch (const FormatError& error) {
-    throw InputError(mcpr.string(), 0, 0, error.what());
+    throw InputError(utf8(mcpr), 0, 0, error.what());
   }
 }
 

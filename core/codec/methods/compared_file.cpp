@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/memory_limit.h"
+#include "core/base/utf8_path.h"
 #include "core/codec/decode/decoder.h"
 #include "core/codec/format/container.h"
 
@@ -67,9 +68,9 @@ OpenedMcpr read_mcpr(std::span<const std::byte> bytes) {
 
 OpenedMcpr open_mcpr(const std::filesystem::path& path) {
   try {
-    return naming_what_takes_memory(path.string(), [&] { return read_mcpr(read_bytes(path)); });
+    return naming_what_takes_memory(utf8(path), [&] { return read_mcpr(read_bytes(path)); });
   } catch (const FormatError& error) {
-    throw InputError(path.string(), 0, 0, error.what());
+    throw InputError(utf8(path), 0, 0, error.what());
   }
 }
 

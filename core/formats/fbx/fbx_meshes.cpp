@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/base/file.h"
+#include "core/base/utf8_path.h"
 
 namespace mocapress {
 namespace {
@@ -377,8 +378,8 @@ std::shared_ptr<const SkinPicture> FbxMeshReader::read_picture(const std::string
           bytes += records_.is_binary() ? std::string(value.text) : from_base64(value.text);
       if (!bytes.empty()) return picture_of(file, stated, std::move(bytes), warnings_);
     }
-  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-  const std::filesystem::path beside = (folder.empty() ? "." : folder) / name;
+  const std::filesystem::path folder = utf8_path(file).parent_path();
+  const std::filesystem::path beside = (folder.empty() ? "." : folder) / utf8_path(name);
   std::error_code error;
   const bool is_there = !name.empty() && std::filesystem::is_regular_file(beside, error) &&
                         std::filesystem::canonical(beside, error).parent_path() ==

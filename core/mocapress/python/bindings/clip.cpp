@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "core/base/file.h"
+#include "core/base/utf8_path.h"
 #include "core/codec/methods/compared_file.h"
 #include "core/mocapress/measure.h"
 #include "core/mocapress/python/bindings/instants.h"
@@ -37,7 +38,7 @@ std::shared_ptr<CodedClip> open_clip(const std::filesystem::path& path) {
   try {
     return std::make_shared<CodedClip>(read_bytes(path));
   } catch (const FormatError& error) {
-    throw InputError(path.string(), 0, 0, error.what());
+    throw InputError(utf8(path), 0, 0, error.what());
   }
 }
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "core/base/utf8_path.h"
 #include "core/formats/bvh.h"
 #include "core/mocapress/python/bindings/arrays.h"
 #include "core/mocapress/python/bindings/local_transforms.h"
@@ -112,8 +113,8 @@ HeldMotion read(const Path& path, const std::optional<Path>& skeleton,
                 const std::optional<Path>& tracks) {
   ReadOptions options = read_options(rate, cm_per_unit, up, bvh_root);
   options.take = take;
-  if (character) options.character = character->string();
-  if (tracks) options.tracks = tracks->string();
+  if (character) options.character = utf8(*character);
+  if (tracks) options.tracks = utf8(*tracks);
   return std::make_shared<MotionFile>(read_motion(path, skeleton, options));
 }
 

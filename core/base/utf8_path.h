@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Names of files are kept as UTF-8 in texts, journals and messages. Windows has wide characters and
+// takes narrow ones for those of a code page, so texts become paths, and paths texts, here alone.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace mocapress {
+
+/// The path with a name in UTF-8. POSIX takes any bytes; Windows throws InputError for others.
+inline std::filesystem::path utf8_path(std::string_view name) {
+  try {
+    return std::u8string_view(reinterpret_cast<const char8_t*>(name.data()), name.size());
+  } catch (const std::system_error&) {
+    throw InputError(std::string(name), 0, 0, "is a name that is not UTF-8");
+  }
+}
+
+inline std::optional<std::filesystem::path> utf8_path_if(const std::optional<std::string>& name) {
+  return name ? std::optional(utf8_path(*name)) : std::nullopt;
+}
+
+inline std::vector<std::filesystem::path> utf8_paths(const std::vector<std::string>& names) {
+  std::vector<std::filesystem::path> paths;
+  for (const std::string& name : names) paths.push_back(utf8_path(name));
+  return paths;
+}
+
+/// A path as text in UTF-8. Throws InputError for names that Windows allows and UTF-8 cannot hold.
+inline std::string utf8(const std::filesystem::path& path) {
+  try {
+    const std::u8string text = path.u8string();
+    return {reinterpret_cast<const char*>(text.data()), text.size()};
+  } catch (const std::system_error&) {
+    throw InputError("a file", 0, 0, "has a name with half a surrogate pair, which no text holds");
+  }
+}
+
+/// The same with slashes between folders on every system.
+inline std::string generic_utf8(const std::filesystem::path& path) {
+  std::string text = utf8(path);
+  if constexpr (std::filesystem::path::preferred_separator != '/')
+    for (char& letter : text)
+      if (letter == '\\') letter = '/';
+  return text;
+}
+
+}  // namespace mocapress
