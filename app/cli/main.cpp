@@ -51,6 +51,7 @@ std::string first_input(const CLI::App& app) {
 ExitCode run(int argc, char** argv) {
   CLI::App app("Compresses human motion capture clips with wavelets.", "mocapress");
   app.set_version_flag("--version", MOCAPRESS_VERSION);
+  app.allow_windows_style_options(false);  // "/clips/walk.bvh" is a file on every system
   app.require_subcommand(1);
   app.footer(
       "Every command accepts --memory SIZE: files whose contents would take more are refused "
