@@ -6,9 +6,8 @@ set(CPACK_PACKAGE_NAME mocapress)
 set(CPACK_PACKAGE_CONTACT "The Mocapress developers <developers@mocapress.org>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
-# Not the component library: who compiles against it has this tree, and it would bring the headers of Eigen,
-# TBB and zlib to everybody who wants the studio.
 set(CPACK_INSTALL_CMAKE_PROJECTS "${PROJECT_BINARY_DIR};mocapress;Unspecified;/"
+                                 "${PROJECT_BINARY_DIR};mocapress;library;/"
                                  "${PROJECT_BINARY_DIR};mocapress;runtime;/")
 # The synopsis and what stands below it.
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "studio and command line that compress motion capture clips")
@@ -18,8 +17,10 @@ and shows the original and the compressed figure beside each other, with the
 error in centimetres at every joint and frame. Clips come from BVH, Acclaim
 and FBX files and become 40 to 150 times smaller at an error of a few millimetres.
 
-This package has the studio, the command line for many clips at a time, and
-the decoder that plays compressed clips in a game engine.")
+This package has the studio, the command line for many clips at a time, the
+decoder that plays compressed clips in a game engine, and the C++ library.")
+# Who compiles against the library needs these; who wants the studio does not.
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libeigen3-dev, libtbb-dev, zlib1g-dev, libmeshoptimizer-dev, libdraco-dev")
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)

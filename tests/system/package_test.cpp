@@ -53,7 +53,13 @@ TEST_F(Package, PassesLintianWithoutErrors) {
         "/usr/share/doc/mocapress/runtime/format/FORMAT.md"})
     EXPECT_NE(files.find(name), std::string::npos) << name;
   EXPECT_NE(files.find("/mocapress_runtime.h"), std::string::npos) << "what an engine takes";
-  EXPECT_EQ(files.find("/libmocapress.a"), std::string::npos) << "what a developer builds";
+  for (const char* name : {"/libmocapress.a", "/mocapress/mocapress.h", "/mocapress-config.cmake"})
+    EXPECT_NE(files.find(name), std::string::npos) << name << " of the C++ library";
+  if (fs::exists(fs::path(MOCAPRESS_BINARY_DIR) / "app/studio"))
+    for (const char* name : {"/usr/share/mime/packages/org.mocapress.Studio.mime.xml",
+                             "/mimetypes/application-x-mocapress-clip.svg",
+                             "/mimetypes/application-x-mocapress-bank.svg"})
+      EXPECT_NE(files.find(name), std::string::npos) << name;
 }
 
 }  // namespace
