@@ -10,7 +10,7 @@ set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
-# No DLL of the compiler beside the program.
-set(CMAKE_EXE_LINKER_FLAGS_INIT -static)
-find_program(MOCAPRESS_WINE NAMES wine64 wine)
+# No DLL of the compiler beside the program; the second option links what release builds check arrays with.
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-static -fstack-protector-strong")
+find_program(MOCAPRESS_WINE NAMES wine64 wine PATHS /usr/lib/wine)
 set(CMAKE_CROSSCOMPILING_EMULATOR "${MOCAPRESS_WINE}")
