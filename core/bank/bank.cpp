@@ -271,7 +271,7 @@ void strip_bank(const fs::path& bank, const fs::path& stripped, int tiers) {
   const runtime::BankTiers there(whole.bank());
   if (tiers < 1 || tiers > there.present())
     throw InputError(
-        bank.string(), 0, 0,
+        utf8(bank), 0, 0,
         "has " + std::to_string(there.present()) + " tiers, not " + std::to_string(tiers));
   mcpk_bank head = whole.bank();
   const runtime::BankRegion last = tiers == 1 ? head.tables : there.region(tiers - 1);

@@ -31,7 +31,7 @@ std::optional<mcpk_bank> read_bank_head(const std::filesystem::path& path) {
   mcpk_bank head{};
   const FileDescriptor file = open_to_read(path);
   const auto got = read_all(file.number(), 0, reinterpret_cast<char*>(&head), sizeof head);
-  if (!got) throw InputError(path.string(), 0, 0, std::strerror(errno));
+  if (!got) throw InputError(utf8(path), 0, 0, std::strerror(errno));
   if (*got == 0) return std::nullopt;
   return head;
 }
