@@ -46,4 +46,12 @@ std::string printable(std::string_view text) {
   return line;
 }
 
+std::string shortened(const std::string& name) {
+  constexpr std::size_t kLongest = 40;
+  if (name.size() <= kLongest) return name;
+  std::size_t end = kLongest - 3;
+  while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U) --end;  // UTF-8
+  return name.substr(0, end) + "...";
+}
+
 }  // namespace mocapress

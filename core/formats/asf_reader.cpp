@@ -5,6 +5,7 @@
 #include <numbers>
 #include <unordered_map>
 
+#include "core/base/printable.h"
 #include "core/formats/asf.h"
 #include "core/formats/text_cursor.h"
 #include "core/runtime/format/format_limits.h"
@@ -174,7 +175,7 @@ void AsfReader::read_bone() {
   }
   if (bone.name.empty()) cursor_.fail(bone.at, "this bone has no name");
   if (!bone.has_direction || !bone.has_length)
-    cursor_.fail(bone.at, "bone '" + bone.name + "' lacks its direction or length");
+    cursor_.fail(bone.at, "bone '" + shortened(bone.name) + "' lacks its direction or length");
   bones_.push_back(std::move(bone));
 }
 
@@ -268,7 +269,7 @@ std::vector<int> AsfReader::depth_first() const {
     const ReadBone& bone = bones_[static_cast<std::size_t>(b)];
     const int depth = depths[static_cast<std::size_t>(b)];
     if (depth > runtime::kMostDepth)
-      cursor_.fail(bone.at, "bone '" + bone.name + "' is nested deeper than " +
+      cursor_.fail(bone.at, "bone '" + shortened(bone.name) + "' is nested deeper than " +
                                 std::to_string(runtime::kMostDepth));
     for (const int child : bone.children) depths[static_cast<std::size_t>(child)] = depth + 1;
     waiting.insert(waiting.end(), bone.children.rbegin(), bone.children.rend());
@@ -278,7 +279,8 @@ std::vector<int> AsfReader::depth_first() const {
   for (const int b : order) reached[static_cast<std::size_t>(b)] = true;
   const auto lost = std::find(reached.begin(), reached.end(), false) - reached.begin();
   const ReadBone& bone = bones_[static_cast<std::size_t>(lost)];
-  cursor_.fail(bone.at, "bone '" + bone.name + "' does not hang from the root in :hierarchy");
+  cursor_.fail(bone.at,
+               "bone '" + shortened(bone.name) + "' does not hang from the root in :hierarchy");
 }
 
 bool translates(const std::vector<std::optional<ChannelKind>>& dof) {

@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/memory_limit.h"
+#include "core/base/printable.h"
 #include "core/base/utf8_path.h"
 #include "core/formats/gltf_meshopt.h"
 
@@ -191,7 +192,7 @@ GltfFile::GltfFile(fs::path file, std::string_view bytes)
   const std::string version = asset && asset->is_object() ? text(*asset, "version") : "";
   if (!version.starts_with("2."))
     fail("is no glTF 2.0: " +
-         (version.empty() ? "it states no version" : "its version is " + version));
+         (version.empty() ? "it states no version" : "its version is " + shortened(version)));
   // Done once, since lists are often looked up.
   for (const char* kind : {"accessors", "animations", "buffers", "bufferViews", "images",
                            "materials", "meshes", "nodes", "skins", "textures"})

@@ -281,7 +281,7 @@ KeyCurve TakeReader::read_curve(const Json& sampler, const Target& target) {
   else if (interpolation == "CUBICSPLINE")
     curve.interpolation = Interpolation::CubicSpline;
   else if (!interpolation.empty() && interpolation != "LINEAR")
-    file_.fail("has an unknown interpolation, \"" + interpolation + '"');
+    file_.fail("has an unknown interpolation, \"" + shortened(interpolation) + '"');
   curve.input = file_.required_index(sampler, "input", "accessors");
   curve.times = file_.values(curve.input, "SCALAR");
   const bool of_weights = target.path == Path::Weights;

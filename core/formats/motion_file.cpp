@@ -13,6 +13,7 @@
 #include "core/base/json_text.h"
 #include "core/base/memory_limit.h"
 #include "core/base/path_kind.h"
+#include "core/base/printable.h"
 #include "core/base/utf8_path.h"
 #include "core/formats/amc.h"
 #include "core/formats/asf.h"
@@ -211,7 +212,7 @@ Warnings fit_warnings(const path& file, const Character& character, const Skelet
   if (!missing.empty())
     warnings.push_back(
         {utf8(file), 0,
-         "the clip has no joint " + missing.front() +
+         "the clip has no joint " + shortened(missing.front()) +
              (missing.size() > 1 ? ", nor " + std::to_string(missing.size() - 1) + " more" : "") +
              ": what hangs there stays in its bind pose"});
   if (!lengths.bones.empty())
@@ -271,11 +272,12 @@ Warnings surface_warnings(const path& file, const Skeleton& skeleton) {
                         "joint"});
   if (far.empty()) return warnings;
   const auto cm = [](double length) { return std::to_string(std::lround(length)); };
-  warnings.push_back(
-      {utf8(file), 0,
-       "the mesh reaches much further than the bones at " + counted(std::ssize(far), "joint") +
-           ", first " + skeleton.joint(far.front().joint).name + " (" + cm(far.front().mesh_cm) +
-           " cm, not " + cm(far.front().body_cm) + "): the surface there is the mesh"});
+  warnings.push_back({utf8(file), 0,
+                      "the mesh reaches much further than the bones at " +
+                          counted(std::ssize(far), "joint") + ", first " +
+                          shortened(skeleton.joint(far.front().joint).name) + " (" +
+                          cm(far.front().mesh_cm) + " cm, not " + cm(far.front().body_cm) +
+                          "): the surface there is the mesh"});
   return warnings;
 }
 

@@ -10,6 +10,7 @@
 #include <unordered_set>
 
 #include "core/base/memory_limit.h"
+#include "core/base/printable.h"
 #include "core/formats/text_writer.h"
 #include "core/motion/forward_kinematics.h"
 #include "core/motion/rotation_form.h"
@@ -350,7 +351,7 @@ void MotionBuilder::check() {
   for (const AnimatedNode& node : take_.nodes) {
     assert(node.frames.empty() || node.frames.size() == static_cast<std::size_t>(take_.frames));
     if (!is_possible(node.rest) || !are_possible(node.frames))
-      refuse(node.name + " has a transform that is not finite, or beyond 1e9");
+      refuse(shortened(node.name) + " has a transform that is not finite, or beyond 1e9");
   }
 }
 
@@ -383,7 +384,8 @@ void MotionBuilder::place_frame(int frame, std::vector<NodePlacement>& placement
     const NodePlacement& from = above < 0 ? world : placements[static_cast<std::size_t>(above)];
     const Vector3d in_parent = from.rotation.conjugate() * (placements[i].origin - from.origin);
     if (!in_parent.allFinite() || in_parent.norm() > kFarthest)
-      throw InputError(file_, 0, 0, take_.nodes[i].name + " is farther than 1e9 cm away");
+      throw InputError(file_, 0, 0,
+                       shortened(take_.nodes[i].name) + " is farther than 1e9 cm away");
     if (role == Role::BoneEnd) {
       Joint& joint =
           joints_[static_cast<std::size_t>(joint_of_node_[static_cast<std::size_t>(above)])];
@@ -512,7 +514,7 @@ void MotionBuilder::warn_of_scale() {
          " whose scale changes over time: joints are in their places, those of joints are kept as "
          "tracks, but errors are measured on a skin with the scales of the first frame");
   if (uneven > 0)
-    warn(counted(uneven, "node") + " scaled unevenly, first " + first_uneven +
+    warn(counted(uneven, "node") + " scaled unevenly, first " + shortened(first_uneven) +
          ": joints are in their places, but a skin has the scales of the first frame");
 }
 

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "core/base/error.h"
+#include "core/base/printable.h"
 
 namespace mocapress {
 namespace {
@@ -94,7 +95,8 @@ class SourceTracks {
     for (std::size_t j = 0; j < names.size(); ++j) {
       const auto found = node_of_name.find(names[j]);
       if (found == node_of_name.end())
-        throw InputError(file_, 0, 0, "has no joint " + names[j] + ", which the motion has");
+        throw InputError(file_, 0, 0,
+                         "has no joint " + shortened(names[j]) + ", which the motion has");
       joint_of_node_[found->second] = static_cast<int>(j);
     }
   }
@@ -118,9 +120,9 @@ class SourceTracks {
         local.translation = parent.world_from_node.inverse() * (pose.origin[j] - parent.origin);
         local.rotation = parent.rotation.conjugate() * Quaterniond(pose.world_from_joint[j]);
         if (!local.translation.allFinite())
-          throw InputError(
-              file_, 0, 0,
-              "scales " + take_.nodes[n].name + " to nothing: it cannot follow a motion");
+          throw InputError(file_, 0, 0,
+                           "scales " + shortened(take_.nodes[n].name) +
+                               " to nothing: it cannot follow a motion");
         tracks_[n].translation.push_back(local.translation);
         tracks_[n].rotation.push_back(local.rotation);
         if (scales.has(j)) {

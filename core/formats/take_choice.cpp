@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/printable.h"
 #include "core/formats/text_cursor.h"
-#include "core/formats/text_writer.h"
 
 namespace mocapress {
 namespace {

@@ -34,14 +34,6 @@ std::string counted(long count, const std::string& noun) {
   return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
 }
 
-std::string shortened(const std::string& name) {
-  constexpr std::size_t kLongest = 40;
-  if (name.size() <= kLongest) return name;
-  std::size_t end = kLongest - 3;
-  while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U) --end;  // UTF-8
-  return name.substr(0, end) + "...";
-}
-
 std::string as_word(const std::string& name, const std::string& forbidden) {
   std::string word = name.empty() ? "_" : name;
   for (char& c : word)

@@ -19,9 +19,6 @@ void append_vector(std::string& text, const Eigen::Vector3d& vector, int decimal
 /// "1 bone", "2 bones".
 std::string counted(long count, const std::string& noun);
 
-/// The first 40 bytes of a name, for a message.
-std::string shortened(const std::string& name);
-
 /// The name with white space, control characters and any of `forbidden` replaced by '_'; never
 /// empty.
 std::string as_word(const std::string& name, const std::string& forbidden);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/printable.h"
 #include "core/motion/forward_kinematics.h"
 
 namespace mocapress {
@@ -48,7 +49,7 @@ Effector effector_of_limb(const Skeleton& skeleton, int joint) {
 Effector effector_at(const Skeleton& skeleton, int joint) {
   Effector effector = effector_of_limb(skeleton, joint);
   if (effector.chain.empty())
-    throw Error("no joint above " + skeleton.joint(joint).name + " can turn to move it");
+    throw Error("no joint above " + shortened(skeleton.joint(joint).name) + " can turn to move it");
   return effector;
 }
 

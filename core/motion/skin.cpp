@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "core/base/error.h"
+#include "core/base/printable.h"
 #include "core/motion/own_lengths.h"
 #include "core/motion/rig.h"
 #include "core/motion/skin_points.h"
@@ -52,7 +53,7 @@ void require_most(const Skin& skin, const Skeleton& from, const Skeleton& to,
   if (any && carried >= kLeastCarried * static_cast<double>(points.size())) return;
   const std::vector<std::string> missing = missing_joints(skin, from, to);
   if (missing.empty()) return;
-  throw Error("the clip has no joint " + missing.front() +
+  throw Error("the clip has no joint " + shortened(missing.front()) +
               (missing.size() > 1 ? ", nor " + std::to_string(missing.size() - 1) + " more" : "") +
               ": they carry most of the character");
 }

@@ -82,6 +82,18 @@ TEST_F(CharacterSession, PutsACharacterOnAClipWithoutOne) {
   EXPECT_FALSE(document_.skin());
 }
 
+TEST_F(CharacterSession, FiguresOfTheOtherSettingsStayWhenOneIsPutOn) {
+  open(sample("human_walk.amc"));
+  QSignalSpy settled(&session_, &Session::settled);
+  ASSERT_TRUE(document_.final() || settled.wait(kPatience));
+  session_.switchSlot();
+  ASSERT_TRUE(session_.slotFigures(0));
+  const double ratio = session_.slotFigures(0)->ratio;
+  put("character.glb");
+  ASSERT_TRUE(session_.slotFigures(0));
+  EXPECT_EQ(session_.slotFigures(0)->ratio, ratio);
+}
+
 TEST_F(CharacterSession, PuttingOneOnIsUndone) {
   open(sample("human_walk.amc"));
   QSignalSpy put(&session_, &Session::characterPut);

@@ -112,7 +112,7 @@ TEST(SlideModel, ListsFindingsCountingFramesFromOne) {
   EXPECT_EQ(text(SlideModel::Joint), "rfoot");
   EXPECT_EQ(text(SlideModel::Frames), QStringLiteral("51–100"));
   EXPECT_EQ(text(SlideModel::Drift), QStringLiteral("2.50 cm"));
-  EXPECT_EQ(text(SlideModel::Slid), QStringLiteral("3.00 cm"));
+  EXPECT_EQ(text(SlideModel::Slid), QStringLiteral("+3.00 cm"));
 }
 
 TEST(FootskatePanel, AClickOnAFindingSeeksToItsWorstFrame) {

@@ -62,7 +62,9 @@ TEST(LibraryModel, NotesOnReadingAreBehindAMarkOfTheRow) {
   entry.outcome = Outcome{.warnings = {QStringLiteral("of the outcome")}};
   EXPECT_EQ(notesOf(entry), QStringList(QStringLiteral("of the outcome")));
   entry.notes = {QStringLiteral("guessed"), QStringLiteral("repaired")};
-  EXPECT_EQ(notesOf(entry), entry.notes);
+  EXPECT_EQ(notesOf(entry), entry.notes + entry.outcome->warnings);
+  entry.outdated = Staleness::Source;
+  EXPECT_EQ(notesOf(entry), entry.notes) << "the file changed since it was compressed";
   model.setEntry(entry);
   EXPECT_TRUE(model.index(0, 0)
                   .data(Qt::ToolTipRole)

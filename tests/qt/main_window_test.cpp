@@ -418,9 +418,14 @@ TEST_F(StudioWithoutAScreen, AShortcutRaisesThePanelThatItSwitches) {
   hide();
   dock_of(graph)->show();
   dock_of(graph)->raise();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return graph->isVisible(); }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !graph->visibleRegion().isEmpty(); }, kPatience));
   window_.actions().in_degrees->trigger();
   EXPECT_FALSE(dock_of(map)->isVisible()) << "the graph, too, shows it";
+  dock_of(map)->show();  // a tab behind the graph's
+  dock_of(graph)->raise();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return map->visibleRegion().isEmpty(); }, kPatience));
+  window_.actions().as_seen->trigger();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !map->visibleRegion().isEmpty(); }, kPatience));
 }
 
 TEST_F(StudioWithoutAScreen, TheTitleNamesTheFileThatSavingWrites) {

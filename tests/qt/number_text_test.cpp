@@ -9,6 +9,8 @@ namespace mocapress {
 namespace {
 
 TEST(LengthText, IsInMillimetresBelowACentimetre) {
+  EXPECT_EQ(surplusText(0.04), QStringLiteral("+0.4 mm"));
+  EXPECT_EQ(surplusText(0), QStringLiteral("0 mm"));
   EXPECT_EQ(lengthText(0.04), QStringLiteral("0.4 mm"));
   EXPECT_EQ(lengthText(0.456), QStringLiteral("4.6 mm"));
   EXPECT_EQ(lengthText(0.5), QStringLiteral("5.0 mm"));

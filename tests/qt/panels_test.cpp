@@ -334,7 +334,7 @@ TEST(ResultPanel, ShowsTheDriftOfFeetBesideTheirPath) {
   QStringList texts;
   for (const QLabel* label : panel.findChildren<QLabel*>()) texts << label->text();
   EXPECT_TRUE(texts.contains(QStringLiteral("0.3 mm / 2.1 mm"))) << texts.join(u'|').toStdString();
-  EXPECT_TRUE(texts.contains(QStringLiteral("28.7 cm / 2.39 cm")));
+  EXPECT_TRUE(texts.contains(QStringLiteral("+28.7 cm / +2.39 cm")));
 }
 
 bool shown(const QWidget* widget) {

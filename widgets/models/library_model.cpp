@@ -20,8 +20,12 @@ Staleness staleness(const std::string& source, const std::string& settings,
   return settings == settings_now ? Staleness::None : Staleness::Settings;
 }
 
-const QStringList& notesOf(const LibraryEntry& entry) {
-  return entry.notes.isEmpty() && entry.outcome ? entry.outcome->warnings : entry.notes;
+QStringList notesOf(const LibraryEntry& entry) {
+  QStringList notes = entry.notes;
+  if (entry.outcome && entry.outdated != Staleness::Source)
+    for (const QString& note : entry.outcome->warnings)
+      if (!notes.contains(note)) notes << note;
+  return notes;
 }
 
 QString outcomeText(const LibraryEntry& entry) {

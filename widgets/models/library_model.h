@@ -39,7 +39,7 @@ struct Outcome {
   bool met = true;                 // the target that was set
   std::optional<Sight> sight;      // unset: nobody looked
   std::optional<double> slide_cm;  // of the feet, over all contacts; unset: there are none
-  QStringList warnings;            // of the reader
+  QStringList warnings;            // of the reader, and on its character
   std::string source;              // hash of the bytes it was made from
   std::string settings;            // settings_hash() of what it was made by
 
@@ -107,8 +107,9 @@ class LibraryModel : public QAbstractTableModel {
   std::vector<LibraryEntry> entries_;
 };
 
-/// The reader's notes from the last time the clip was read.
-const QStringList& notesOf(const LibraryEntry& entry);
+/// The notes on a clip: the reader's, and those of its last compression, such as on its character,
+/// unless its file changed since.
+QStringList notesOf(const LibraryEntry& entry);
 
 /// "25.0 : 1, 0.09 cm", or the reason why there are no figures yet.
 QString outcomeText(const LibraryEntry& entry);

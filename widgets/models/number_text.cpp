@@ -30,6 +30,10 @@ QString lengthText(double cm) {
   return Lengths::tr("%1 mm").arg(shown(mm, mm < 0.095 ? 2 : 1));
 }
 
+QString surplusText(double cm) {
+  return (cm > 0 ? QStringLiteral("+") : QString()) + lengthText(cm);
+}
+
 QString roundLengthText(double cm) {
   const bool small = cm < kShownAsOne;
   const QString text = QLocale().toString(small ? kMillimetres * cm : cm, 'g', 3);

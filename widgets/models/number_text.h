@@ -22,6 +22,9 @@ inline QString shownFigure(double value) {
 /// "0.04 mm". Never "0.00 cm".
 QString lengthText(double cm);
 
+/// A distance beyond another: "+1.51 cm"; "0 mm" where it is not.
+QString surplusText(double cm);
+
 /// A round distance, as on a scale: "5 mm", "1 cm".
 QString roundLengthText(double cm);
 

@@ -40,7 +40,7 @@ QVariant SlideModel::data(const QModelIndex& index, int role) const {
     case Drift:
       return lengthText(slide.drift_cm);
     case Slid:
-      return lengthText(slide.slid_cm);
+      return surplusText(slide.slid_cm);
     case Speed:
       return QLocale().toString(slide.worst_speed_cm_s, 'f', 0);
     default:

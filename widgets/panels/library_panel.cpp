@@ -20,6 +20,7 @@
 #include "widgets/models/display_names.h"
 #include "widgets/models/library_model.h"
 #include "widgets/models/library_tree.h"
+#include "widgets/models/sentence.h"
 #include "widgets/panels/elided_label.h"
 #include "widgets/panels/encoding_bar.h"
 
@@ -93,9 +94,11 @@ class RowPainter : public QStyledItemDelegate {
     const int clip = tree_->clipOf(index);
     const auto* mouse = dynamic_cast<QMouseEvent*>(event);
     if (clip >= 0 && mouse && event->type() == QEvent::MouseButtonRelease &&
-        markOf(option).contains(mouse->pos()))
-      QToolTip::showText(mouse->globalPosition().toPoint(),
-                         notesOf(model_->entry(clip)).join(QLatin1Char('\n')));
+        markOf(option).contains(mouse->pos())) {
+      QStringList lines;
+      for (const QString& note : notesOf(model_->entry(clip))) lines << translatedSentence(note);
+      QToolTip::showText(mouse->globalPosition().toPoint(), lines.join(QLatin1Char('\n')));
+    }
     return QStyledItemDelegate::editorEvent(event, model, option, index);
   }
 

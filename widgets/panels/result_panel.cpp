@@ -175,13 +175,15 @@ void ResultPanel::setFigures(const std::optional<ResultFigures>& figures) {
                                   ? tr("%L1 : 1").arg(*figures->coefficient_ratio, 0, 'f', 1)
                                   : kUnknown);
   bits_->setText(maybe_about(QLocale().toString(figures->bits_per_joint_sample, 'f', 2)));
-  const auto pair = [](double a, double b) {
-    return tr("%1 / %2", "footskate").arg(lengthText(a), lengthText(b));
+  const auto pair = [](const QString& a, const QString& b) {
+    return tr("%1 / %2", "footskate").arg(a, b);
   };
   const auto& slide = figures->slide;
-  slide_->setText(slide ? pair(slide->drift_mean_cm, slide->drift_worst_cm) : kUnknown);
-  footskate_->setText(slide && figures->footskate_cm ? pair(*figures->footskate_cm, slide->worst_cm)
-                                                     : distance(figures->footskate_cm));
+  slide_->setText(slide ? pair(lengthText(slide->drift_mean_cm), lengthText(slide->drift_worst_cm))
+                        : kUnknown);
+  footskate_->setText(slide && figures->footskate_cm
+                          ? pair(surplusText(*figures->footskate_cm), surplusText(slide->worst_cm))
+                          : distance(figures->footskate_cm));
   correction_->setText(correctionText(*figures));
   knee_->setText(kneeText(*figures));
 }

@@ -32,7 +32,8 @@ std::vector<int> worstFirst(const Eigen::MatrixXf& distances) {
 }
 
 SlotFigures figuresOf(const DecodedClip& decoded) {
-  return {decoded.ratio, decoded.distortion->eps(decoded.compressed.provenance.weighting)};
+  const Weighting weighting = decoded.compressed.provenance.weighting;
+  return {decoded.ratio, decoded.distortion->eps(weighting), weighting};
 }
 
 QString absolute(const QString& path) {
@@ -489,13 +490,15 @@ void Session::wear() {
       [this, original, decoded, key = settingsKey(document_.options())](const Worn& worn) {
         // A character changes only errors on the skin, unless the clip was compressed by those or
         // the mesh is the surface somewhere.
+        const bool is_surface_kept = far_meshes(original->motion().skeleton).empty() &&
+                                     far_meshes(worn.original->motion().skeleton).empty();
         const bool stands = decoded && document_.final() && document_.decoded() == decoded &&
-                            document_.options().weighting != Weighting::Skin &&
-                            far_meshes(original->motion().skeleton).empty() &&
-                            far_meshes(worn.original->motion().skeleton).empty() &&
+                            document_.options().weighting != Weighting::Skin && is_surface_kept &&
                             settingsKey(document_.options()) == key;
         compressor_.setEncoder(worn.original->encoder);
-        past_->figures.clear();
+        std::erase_if(past_->figures, [is_surface_kept](const auto& of_settings) {
+          return of_settings.second.weighting == Weighting::Skin || !is_surface_kept;
+        });
         document_.setDressed(worn.original, stands ? worn.decoded : document_.decoded());
         emit slotsChanged();
         stands ? emit settled() : compressor_.request(document_.options());

@@ -24,6 +24,7 @@ namespace mocapress {
 struct SlotFigures {
   double ratio = 0;
   double eps_cm = 0;
+  Weighting weighting{};
 };
 
 /// Carries out the user's wishes for the document by jobs. Uses no widgets.

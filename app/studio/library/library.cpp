@@ -67,8 +67,9 @@ Outcome outcomeOf(const DecodedClip& decoded, const OriginalClip& original,
                   reached(options.target, quantityOf(decoded, options))};
   if (decoded.footskate && has_contacts) outcome.slide_cm = decoded.footskate->total_cm;
   if (decoded.visibility) outcome.sight = decoded.visibility->sight();
-  for (const Warning& warning : original.warnings)
-    outcome.warnings << QString::fromStdString(warning.text());
+  for (const Warnings* warnings : {&original.warnings, &original.of_character})
+    for (const Warning& warning : *warnings)
+      outcome.warnings << QString::fromStdString(warning.text());
   outcome.source = original.stamp.source;
   return outcome;
 }

@@ -181,11 +181,13 @@ void MainWindow::connectWindowActions() {
   connect(actions_.export_library, &QAction::triggered, tools_,
           [this] { tools_->exportClips({}); });
   connect(panels_.library, &LibraryPanel::exportRequested, tools_, &ToolWindows::exportClips);
-  // Raises the panel that a shortcut changes.
+  // Raises the panel that a shortcut changes. A panel behind another tab is visible to Qt, but
+  // nothing of it is.
+  const auto is_in_sight = [](const QWidget* panel) { return !panel->visibleRegion().isEmpty(); };
   for (const QAction* action : {actions_.in_degrees, actions_.as_seen})
-    connect(action, &QAction::triggered, this, [this, action] {
-      const bool is_seen = panels_.inspection.heat_map->isVisible() ||
-                           (action == actions_.in_degrees && panels_.views.graph->isVisible());
+    connect(action, &QAction::triggered, this, [this, action, is_in_sight] {
+      const bool is_seen = is_in_sight(panels_.inspection.heat_map) ||
+                           (action == actions_.in_degrees && is_in_sight(panels_.views.graph));
       if (!is_seen) layout_.bringUp(panels_.inspection.heat_map);
     });
 }

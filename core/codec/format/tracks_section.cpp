@@ -7,6 +7,7 @@
 
 #include "core/base/byte_cursor.h"
 #include "core/base/error.h"
+#include "core/base/printable.h"
 #include "core/codec/format/adaptive.h"
 #include "core/codec/format/container.h"
 #include "core/codec/format/format_error.h"
@@ -74,10 +75,10 @@ void check(const CodedTracks& coded, const runtime::FileSections& sections) {
       refuse("the name of one has more than " + std::to_string(runtime::kMostNameBytes) + " bytes");
     if (coded.is_curve[t]) continue;
     if (track.values.size() != sections.frames)
-      refuse(track.name + " has another number of frames than the clip");
+      refuse(shortened(track.name) + " has another number of frames than the clip");
     if (!std::all_of(track.values.begin(), track.values.end(),
                      [](float v) { return std::isfinite(v); }))
-      refuse(track.name + " has a value that is not finite");
+      refuse(shortened(track.name) + " has a value that is not finite");
   }
 }
 

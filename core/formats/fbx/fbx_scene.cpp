@@ -114,7 +114,8 @@ void FbxTakeReader::choose_take(FbxAnimation& animation) {
   const bool stands = first_moving != takes.begin() && first_moving != takes.end();
   const std::size_t chosen =
       mocapress::choose_take(file_.records.file(), takes, options_.take, result_.warnings);
-  if (stands && !options_.take) warn("the first take, " + takes.front().name + ", stands still");
+  if (stands && !options_.take)
+    warn("the first take, " + shortened(takes.front().name) + ", stands still");
   result_.index = chosen;
   result_.takes = choices(takes, chosen);
   result_.take.name = takes[chosen].name;
@@ -123,7 +124,7 @@ void FbxTakeReader::choose_take(FbxAnimation& animation) {
   if (std::none_of(movements_.begin(), movements_.end(),
                    [](const FbxMovement& movement) { return movement.has_keys(); })) {
     if (takes.size() == 1 || !options_.take) refuse("holds no keys");
-    refuse("its take " + takes[chosen].name + " moves no node");
+    refuse("its take " + shortened(takes[chosen].name) + " moves no node");
   }
   int dropped = 0;
   for (const FbxMovement& movement : movements_)
@@ -367,7 +368,7 @@ void FbxTakeReader::sample() {
   for (const std::size_t fewest : {2, 1})
     for (const bool of_nodes : {true, false})
       if (keys_s.empty()) keys_s = key_times(of_nodes, fewest);
-  if (keys_s.empty()) refuse("its take " + take.name + " moves no node");
+  if (keys_s.empty()) refuse("its take " + shortened(take.name) + " moves no node");
   const std::optional<double> rate = stated_rate();
   clip_to_span(keys_s, rate);
   snap_to_frames(keys_s, rate);

@@ -21,5 +21,12 @@ TEST(Printable, LeavesNamesOfAllLanguagesAlone) {
   EXPECT_EQ(printable("broken \xe2\x80"), "broken \xe2\x80");
 }
 
+TEST(Printable, ShortensNamesBetweenCharacters) {
+  const std::string name(40, 'n');
+  EXPECT_EQ(shortened(name), name);
+  EXPECT_EQ(shortened(name + 'n'), std::string(37, 'n') + "...");
+  EXPECT_EQ(shortened(std::string(36, 'n') + "\u8170\u8170"), std::string(36, 'n') + "...");
+}
+
 }  // namespace
 }  // namespace mocapress

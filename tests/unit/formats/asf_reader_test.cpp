@@ -127,6 +127,9 @@ TEST(Asf, RefusesWhatMakesNoSkeleton) {
             "f.asf:6:10: expected a positive unit of length, found '0'");
   EXPECT_EQ(error_of(replaced(kSmallAsf, "    length 5\n", "")),
             "f.asf:37:5: bone 'arm' lacks its direction or length");
+  const std::string without_length = replaced(kSmallAsf, "    length 5\n", "");
+  EXPECT_EQ(error_of(replaced(without_length, "name arm", "name " + std::string(250, 'x'))),
+            "f.asf:37:5: bone '" + std::string(37, 'x') + "...' lacks its direction or length");
   EXPECT_EQ(error_of(replaced(kSmallAsf, "axis XYZ", "axis XYX")),
             "f.asf:12:8: expected an order of axes such as XYZ, found 'XYX'");
 }

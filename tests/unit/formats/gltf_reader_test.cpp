@@ -409,6 +409,12 @@ TEST(GltfReader, SaysInOneSentenceWhatItCannotRead) {
             "small.glb: lacks a \"output\" that should name one of its accessors");
   EXPECT_EQ(with([](Json& j) { j["animations"][0]["samplers"][0]["interpolation"] = "SOFT"; }),
             "small.glb: has an unknown interpolation, \"SOFT\"");
+  const std::string passage(5000, 'x');
+  const std::string shown = std::string(37, 'x') + "...";
+  EXPECT_EQ(with([&](Json& j) { j["animations"][0]["samplers"][0]["interpolation"] = passage; }),
+            "small.glb: has an unknown interpolation, \"" + shown + '"');
+  EXPECT_EQ(with([&](Json& j) { j["asset"]["version"] = passage; }),
+            "small.glb: is no glTF 2.0: its version is " + shown);
   EXPECT_EQ(with([](Json& j) { j["accessors"][1]["count"] = 10; }),
             "small.glb: has an animation with 11 key times, but 10 values");
   EXPECT_EQ(with([](Json& j) { j["accessors"][1]["count"] = 12; }),
