@@ -70,6 +70,24 @@ class StudioWindowTest : public testing::Test {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !window_.session().busy(); }, kPatience));
   }
 
+  /// A panel behind another tab is outside the window.
+  bool isInSight(const QWidget* panel) const {
+    return panel->isVisible() &&
+           window_.rect().contains(panel->mapTo(&window_, panel->rect().center()));
+  }
+
+  /// Brings a panel to the front of its tabs.
+  void bringUp(QWidget* panel) {
+    auto* dock = qobject_cast<QDockWidget*>(panel->parent());
+    ASSERT_TRUE(dock);
+    dock->show();
+    const auto is_in_sight = [&] {
+      dock->raise();
+      return isInSight(panel);
+    };
+    ASSERT_TRUE(QTest::qWaitFor(is_in_sight, kPatience));
+  }
+
   static ErrorScale distanceScale(MainWindow& window) {
     return window.errorDisplay()
         ->scales(ErrorQuantity::Distance)
@@ -355,6 +373,7 @@ TEST_F(StudioWithoutAScreen, HeatMapAndGraphTellDegreesByOneSwitchThatIsRemember
   settleAfter([&] { window_.files().open(clip("walk.bvh")); });
   HeatMap* map = window_.inspection().heat_map;
   const auto* graph = window_.views().graph->findChild<QCustomPlot*>();
+  bringUp(map);
   const auto picture = [map] { return map->grab().toImage(); };
   const QImage in_cm = picture();
   const QImage strip = window_.inspection().timeline->errors()->grab().toImage();
@@ -386,6 +405,7 @@ TEST_F(StudioWithoutAScreen, HeatMapAndGraphTellDegreesByOneSwitchThatIsRemember
 TEST_F(StudioWithoutAScreen, TheHeatMapTellsWhatIsSeenByASwitchThatIsRemembered) {
   settleAfter([&] { window_.files().open(clip("walk.bvh")); });
   HeatMap* map = window_.inspection().heat_map;
+  bringUp(map);
   const auto picture = [map] { return map->grab().toImage(); };
   const QImage in_cm = picture();
   window_.actions().as_seen->trigger();
@@ -405,27 +425,20 @@ TEST_F(StudioWithoutAScreen, AShortcutRaisesThePanelThatItSwitches) {
   auto* graph = window_.views().graph;
   const auto dock_of = [](QWidget* panel) { return qobject_cast<QDockWidget*>(panel->parent()); };
   ASSERT_TRUE(dock_of(map) && dock_of(graph));
-  const auto hide = [&] {
-    for (QWidget* panel : {static_cast<QWidget*>(map), static_cast<QWidget*>(graph)})
-      dock_of(panel)->hide();
-  };
-  hide();
+  bringUp(graph);
+  ASSERT_FALSE(isInSight(map)) << "a tab behind the graph's";
+  window_.actions().in_degrees->trigger();
+  QApplication::processEvents();
+  EXPECT_FALSE(isInSight(map)) << "the graph, too, shows it";
   window_.actions().as_seen->trigger();
-  EXPECT_TRUE(dock_of(map)->isVisible());
-  hide();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return isInSight(map); }, kPatience));
+  for (QWidget* panel : {static_cast<QWidget*>(map), static_cast<QWidget*>(graph)})
+    dock_of(panel)->hide();
   window_.actions().in_degrees->trigger();
   EXPECT_TRUE(dock_of(map)->isVisible());
-  hide();
-  dock_of(graph)->show();
-  dock_of(graph)->raise();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !graph->visibleRegion().isEmpty(); }, kPatience));
-  window_.actions().in_degrees->trigger();
-  EXPECT_FALSE(dock_of(map)->isVisible()) << "the graph, too, shows it";
-  dock_of(map)->show();  // a tab behind the graph's
-  dock_of(graph)->raise();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return map->visibleRegion().isEmpty(); }, kPatience));
+  dock_of(map)->hide();
   window_.actions().as_seen->trigger();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !map->visibleRegion().isEmpty(); }, kPatience));
+  EXPECT_TRUE(dock_of(map)->isVisible());
 }
 
 TEST_F(StudioWithoutAScreen, TheTitleNamesTheFileThatSavingWrites) {

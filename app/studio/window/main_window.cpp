@@ -181,9 +181,11 @@ void MainWindow::connectWindowActions() {
   connect(actions_.export_library, &QAction::triggered, tools_,
           [this] { tools_->exportClips({}); });
   connect(panels_.library, &LibraryPanel::exportRequested, tools_, &ToolWindows::exportClips);
-  // Raises the panel that a shortcut changes. A panel behind another tab is visible to Qt, but
-  // nothing of it is.
-  const auto is_in_sight = [](const QWidget* panel) { return !panel->visibleRegion().isEmpty(); };
+  // Raises the panel that a shortcut changes. One behind another tab is visible to Qt, which puts
+  // it outside the window.
+  const auto is_in_sight = [this](const QWidget* panel) {
+    return panel->isVisible() && rect().contains(panel->mapTo(this, panel->rect().center()));
+  };
   for (const QAction* action : {actions_.in_degrees, actions_.as_seen})
     connect(action, &QAction::triggered, this, [this, action, is_in_sight] {
       const bool is_seen = is_in_sight(panels_.inspection.heat_map) ||
