@@ -413,6 +413,34 @@ TEST_F(InALibrary, TheOpenClipIsReadAgainWhenItsFileHasChanged) {
   EXPECT_EQ(run.model.entry(0).stale, Staleness::Source);
 }
 
+TEST_F(InALibrary, AChangedFileThatCannotBeReadIsOpenedOnceForEachContent) {
+  Run run;
+  const QString walk = clip("walk.bvh", 1);
+  settleAfter(run, [&] { run.session.open(walk); });
+  const auto damage = [&](const char* text) {
+    QFile file(walk);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text);
+  };
+  QSignalSpy failures(&run.session, &Session::openFailed);
+  QSignalSpy looks(&run.library, &Library::looked);
+  const auto look = [&] {
+    const auto before = looks.size();
+    run.library.checkFiles();
+    QTRY_COMPARE_WITH_TIMEOUT(looks.size(), before + 1, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!run.session.isOpening(), kPatience);
+  };
+  damage("HIERARCHY");
+  look();
+  look();
+  look();
+  EXPECT_EQ(failures.size(), 1);
+  damage("HIERARCHY ROOT");
+  look();
+  look();
+  EXPECT_EQ(failures.size(), 2);
+}
+
 TEST_F(InALibrary, AProjectOfBeforeVerdictsHadABasisSaysThatItIsNotKnown) {
   clip("walk.bvh", 1);
   QFile file(path("old.mocapress"));

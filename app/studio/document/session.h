@@ -125,6 +125,9 @@ class Session : public QObject {
   /// Has them again as a project has them. They are read once a clip needs them.
   void recallCharacters(const CharacterFiles& files);
 
+  /// True while a file is being read.
+  bool isOpening() const { return opening_.busy(); }
+
   /// True while an answer, or a better one, is on its way.
   bool busy() const { return compressor_.busy() || wearing_.busy(); }
   bool refining() const { return compressor_.refining(); }

@@ -419,6 +419,7 @@ void Library::checkFiles() {
   checking_.start([sources](const Job& job) { return lookAt(sources, job); },
                   [this, sources](const std::vector<SourceNow>& now) {
                     noteFiles(sources, now);
+                    emit looked();
                     // The runner is busy until its delivery has returned.
                     if (check_again_)
                       QMetaObject::invokeMethod(this, &Library::checkFiles, Qt::QueuedConnection);
@@ -455,9 +456,22 @@ void Library::noteFiles(const std::vector<ClipSource>& sources, const std::vecto
         tr("The files of %Ln clip(s) are missing. The library's context menu finds them in "
            "another folder.",
            nullptr, missing));
+  openIfChanged();
+}
+
+/// Each content of a file once: a file that cannot be read, or takes longer than the time between
+/// two looks, is not opened over and over.
+void Library::openIfChanged() {
   const ProjectClip* open = openNow();
-  if (open && !open->missing && open->stamp.hash != session_->document().original()->stamp.hash)
-    session_->open(open->path, open->skeleton);
+  if (!open || open->missing || session_->isOpening()) return;
+  const std::string& hash = open->stamp.hash;
+  if (hash == session_->document().original()->stamp.hash || hash == tried_) return;
+  tried_ = hash;
+  session_->open(open->path, open->skeleton);
+}
+
+void Library::lookAgain() {
+  if (!checking_.busy()) checkFiles();
 }
 
 void Library::findMissing(const QString& folder) {

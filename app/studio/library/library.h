@@ -68,6 +68,9 @@ class Library : public KeptProject {
   /// changed are read again.
   void checkFiles();
 
+  /// The same, unless a look is under way.
+  void lookAgain();
+
   /// Searches a folder for missing clips and continues with the files found, in one step.
   void findMissing(const QString& folder);
 
@@ -112,6 +115,9 @@ class Library : public KeptProject {
   /// New clips were added, starting at this row.
   void added(int row);
 
+  /// A look at the files has ended.
+  void looked();
+
  private:
   using Reviews = std::map<QString, ClipReview>;
   using SettingsByPath = std::map<QString, std::optional<NamedSettings>>;
@@ -122,6 +128,7 @@ class Library : public KeptProject {
   void apply(const SettingsByPath& settings);
   void move(const std::map<QString, ClipSource>& to);
   ClipReview reviewNow(const ProjectClip& clip, Verdict verdict) const;
+  void openIfChanged();
   void noteFiles(const std::vector<ClipSource>& sources, const std::vector<SourceNow>& now);
   void noteOpenFailed(const OpenRequest& request, const QString& message);
   std::vector<LibraryEntry> entries() const;
@@ -156,6 +163,7 @@ class Library : public KeptProject {
       known_;  // by hashes of source and settings
   JobRunner checking_{Workers::LongRunning};
   bool check_again_ = false;  // files may have changed since the running check began
+  std::string tried_;         // hash of the changed file that was opened last, or could not be
   JobRunner finding_{Workers::LongRunning};
   JobRunner reading_character_;
   std::optional<NamedSettings> copied_;

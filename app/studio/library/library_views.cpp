@@ -60,7 +60,7 @@ LibraryViews::LibraryViews(Session* session, Library* library, LibraryPanel* pan
   // Some change beside the user: written by another program on a second screen, or over a network.
   constexpr int kLookAgainMs = 3000;
   auto* const look_again = new QTimer(this);
-  connect(look_again, &QTimer::timeout, library, &Library::checkFiles);
+  connect(look_again, &QTimer::timeout, library, &Library::lookAgain);
   look_again->start(kLookAgainMs);
   connect(panel->encoding(), &EncodingBar::activeChosen, encoding_, &BackgroundEncoding::setActive);
   connect(encoding_, &BackgroundEncoding::activeChanged, panel->encoding(),
