@@ -8,6 +8,7 @@
 #include "app/cli/report.h"
 #include "app/cli/terminal.h"
 #include "core/base/number_text.h"
+#include "core/base/utf8_path.h"
 #include "core/batch/batch_difference.h"
 #include "core/batch/batch_folder.h"
 
@@ -22,15 +23,20 @@ struct Diff {
   bool json = false;
 
   void run() const {
-    const auto rows_of = [](const std::string& folder) {
-      return [folder](const std::function<void(const BatchRow&)>& visit) {
-        visit_rows(folder, visit);
+    std::size_t waiting = 0;
+    const auto rows_of = [&waiting](const std::string& folder) {
+      return [&waiting, folder](const std::function<void(const BatchRow&)>& visit) {
+        waiting = visit_rows(utf8_path(folder), visit);
+        if (waiting > 0)
+          std::fprintf(stderr, "%s: %zu clips have no row: the batch was not finished\n",
+                       printable(folder).c_str(), waiting);
       };
     };
     const BatchDifference difference =
         difference_of(rows_of(before), rows_of(after), percent / 100);
     json ? print(to_json(difference)) : print_lines(difference);
     refuse(difference);
+    if (waiting > 0) throw EndedWith{kSomeFailed};  // of the later batch, which was read last
   }
 
   /// Throws EndedWith if a clip changed in a way that --fail-on names.
@@ -39,7 +45,7 @@ struct Diff {
     for (const std::string& word : fail_on) {
       const std::size_t count = difference.count(*clip_change_named(word));
       if (count == 0) continue;
-      std::fprintf(stderr, "--fail-on refuses %zu %s\n", count, word.c_str());
+      std::fprintf(stderr, "%zu clips are %s (--fail-on)\n", count, word.c_str());
       refused = true;
     }
     if (refused) throw EndedWith{kTargetMissed};
@@ -54,8 +60,8 @@ struct Diff {
   }
 
   static void print_lines(const BatchDifference& difference) {
-    std::printf("%zu clips done in both: %zu bytes, %zu before\n", difference.clips,
-                difference.bytes_after, difference.bytes_before);
+    std::printf("%zu clips in both: %zu -> %zu bytes\n", difference.clips, difference.bytes_before,
+                difference.bytes_after);
     for (const ClipChange change : kClipChanges)
       if (const std::size_t count = difference.count(change); count > 0)
         std::printf("%6zu %s\n", count, std::string(name(change)).c_str());
@@ -67,7 +73,7 @@ struct Diff {
                   changes.c_str(), printable(described(clip.before)).c_str(),
                   printable(described(clip.after)).c_str());
       if (clip.after && clip.after->done && !clip.after->reason.empty())
-        std::printf("  seen    %s\n", printable(clip.after->reason).c_str());
+        std::printf("  visible %s\n", printable(clip.after->reason).c_str());
     }
   }
 };
@@ -84,17 +90,15 @@ void add_diff(CLI::App& app) {
   command->add_option("new", call->after, "Folder of the later batch")
       ->required()
       ->type_name("NEW");
-  command
-      ->add_option("--above", call->percent,
-                   "Bytes and errors that differ by less are the same [1]")
+  command->add_option("--above", call->percent, "Ignore changes of bytes and errors below this [1]")
       ->type_name("PERCENT")
       ->check(CLI::NonNegativeNumber);
   std::vector<std::string> words;
   for (const ClipChange change : kClipChanges) words.emplace_back(name(change));
   command
       ->add_option("--fail-on", call->fail_on,
-                   "Exit code 4 where a clip is one of these, comma-separated: failed, "
-                   "newly-visible, worse, larger, gone, added, ...")
+                   "Exit code 4 if a clip is one of these, comma-separated: failed, newly-visible, "
+                   "worse, larger, gone, added, done, no-longer-visible, better, smaller")
       ->delimiter(',')
       ->check(CLI::IsMember(words));
   command->add_flag("--json", call->json, "Print one JSON object");

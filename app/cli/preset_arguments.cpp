@@ -127,7 +127,7 @@ void add_range_option(CLI::App& command, std::vector<ImportantRange>& ranges) {
             ranges.clear();
             for (const std::string& word : words) ranges.push_back(range_from(word));
           },
-          "Make the target stricter from frame A to B (the first is 0), FACTOR times: closed loop")
+          "Weight errors in frames A to B, counted from 0, by FACTOR (1 to 100); closed loop only")
       ->type_name("A-B=FACTOR,...")
       ->delimiter(',');
 }
@@ -187,7 +187,6 @@ void PresetArguments::add_options(CLI::App& command) {
                      [this](const Target& asked) { target = asked; });
   correction.add_options(command);
   importance.add_options(command);
-  add_range_option(command, ranges);
   command
       .add_option("--effort", effort,
                   "Search effort of the closed loop: best is a little smaller and slower [default]")
@@ -220,7 +219,6 @@ Settings PresetArguments::read() const {
   if (seed) read.seed = *seed;
   if (!correction.ratio.empty()) read.correction = correction.settings();
   if (!importance.words.empty()) read.importance = importance.named();
-  if (!ranges.empty()) read.ranges = ranges;
   if (effort) read.effort = *effort;
   if (ends) read.ends = *ends;
   if (loop) read.loop = *loop;

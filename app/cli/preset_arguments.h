@@ -57,7 +57,6 @@ struct PresetArguments {
   std::optional<Ends> ends;
   std::optional<Loop> loop;
   ImportanceArguments importance;      // replaces the preset's importances if any is named
-  std::vector<ImportantRange> ranges;  // replace the preset's if any is given
   CorrectionArguments correction;
 
   void add_options(CLI::App& command);

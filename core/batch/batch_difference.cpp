@@ -2,6 +2,7 @@
 #include "core/batch/batch_difference.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -14,7 +15,8 @@ ClipFigures figures_of(const BatchRow& row) {
   ClipFigures figures{.done = row.done(), .reason = row.error};
   if (!row.measured) return figures;
   figures.bytes = row.measured->motion_bytes;
-  figures.eps_cm = row.measured->eps_cm(row.preset.weighting);
+  figures.weighting = row.preset.weighting;
+  figures.eps_cm = row.measured->eps_cm(figures.weighting);
   figures.max_cm = row.measured->max_error_cm;
   if (!row.measured->seen) return figures;
   figures.sight = row.measured->seen->sight();
@@ -28,6 +30,12 @@ int compared(double before, double after, double share) {
   return after < before * (1 - share) ? -1 : 0;
 }
 
+/// The same for errors in centimetres.
+int compared_cm(double before, double after, double share) {
+  constexpr double kSameCm = 0.001;
+  return std::abs(after - before) < kSameCm ? 0 : compared(before, after, share);
+}
+
 std::vector<ClipChange> changes_of(const std::optional<ClipFigures>& before,
                                    const std::optional<ClipFigures>& after, double share) {
   using enum ClipChange;
@@ -38,8 +46,9 @@ std::vector<ClipChange> changes_of(const std::optional<ClipFigures>& before,
   std::vector<ClipChange> changes;
   if (before->sight && after->sight && *after->sight != *before->sight)
     changes.push_back(*after->sight > *before->sight ? NewlyVisible : NoLongerSeen);
-  const int mean = compared(before->eps_cm, after->eps_cm, share);
-  const int largest = compared(before->max_cm, after->max_cm, share);
+  const int mean =
+      before->weighting == after->weighting ? compared_cm(before->eps_cm, after->eps_cm, share) : 0;
+  const int largest = compared_cm(before->max_cm, after->max_cm, share);
   if (mean > 0 || largest > 0)
     changes.push_back(Worse);
   else if (mean < 0 || largest < 0)

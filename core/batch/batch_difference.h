@@ -16,14 +16,14 @@ namespace mocapress {
 /// A change of a clip from one batch to a later one, the gravest first.
 enum class ClipChange {
   Failed,        // it was done, and failed in the later batch
-  NewlyVisible,  // the eye sees more: borderline or visible, and less than that before
+  NewlyVisible,  // visibility rose to borderline or visible
   Worse,         // mean or largest error
   Larger,        // bytes of motion
   Gone,          // the later batch does not have it
   Added,         // the earlier batch did not have it
   Done,          // it had failed
-  NoLongerSeen,  // the eye sees less
-  Better,        // mean and largest error
+  NoLongerSeen,  // visibility fell
+  Better,        // mean or largest error, and neither is worse
   Smaller,
 };
 
@@ -37,11 +37,12 @@ inline constexpr std::array kClipChanges = {
 std::string_view name(ClipChange change);
 std::optional<ClipChange> clip_change_named(std::string_view word);
 
-/// What a batch says of a clip.
+/// Measurements of a clip in a batch.
 struct ClipFigures {
   bool done = false;
   std::size_t bytes = 0;  // of motion
   double eps_cm = 0;      // in the weighting it was compressed by
+  Weighting weighting = {};
   double max_cm = 0;
   std::optional<Sight> sight;
   std::string reason;  // of what is seen, or of the failure
@@ -65,7 +66,8 @@ struct BatchDifference {
 };
 
 /// Compares two batches, clip by clip of the same output. Bytes and errors that differ by less than
-/// `share` are the same.
+/// `share` are the same, and so are errors that differ by less than a hundredth of a millimetre.
+/// Mean errors in different weightings are not compared.
 BatchDifference difference_of(const BatchRows& before, const BatchRows& after, double share);
 
 Json to_json(const BatchDifference& difference);

@@ -148,8 +148,14 @@ Journals open_journals(const std::vector<fs::path>& folders) {
 
 }  // namespace
 
-void visit_rows(const fs::path& folder, const std::function<void(const BatchRow&)>& visit) {
-  visit_in_order(open_journals({folder}), visit);
+std::size_t visit_rows(const fs::path& folder, const std::function<void(const BatchRow&)>& visit) {
+  const Journals journals = open_journals({folder});
+  std::size_t waiting = journals.front()->header().clips;
+  visit_in_order(journals, [&](const BatchRow& row) {
+    if (waiting > 0) --waiting;
+    visit(row);
+  });
+  return waiting;
 }
 
 MergedBatch merge_batch(const std::vector<fs::path>& folders, const fs::path& folder,

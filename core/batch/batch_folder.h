@@ -26,10 +26,11 @@ BatchOutcome run_batch_in(const std::filesystem::path& folder, const Batch& batc
                           const BatchRunOptions& options, BatchControl& control,
                           const Observer<BatchProgress>& observer = {});
 
-/// Passes the rows of all journals in a folder to `visit`, in the order of the batch. Throws
+/// Passes the rows of all journals in a folder to `visit`, in the order of the batch. Returns how
+/// many of its clips are still waiting: the batch was interrupted, or rows are damaged. Throws
 /// InputError if there is no journal.
-void visit_rows(const std::filesystem::path& folder,
-                const std::function<void(const BatchRow&)>& visit);
+std::size_t visit_rows(const std::filesystem::path& folder,
+                       const std::function<void(const BatchRow&)>& visit);
 
 /// The joint result of the shards of a batch.
 struct MergedBatch {

@@ -197,6 +197,19 @@ TEST_F(CliBatch, TellsWhatChangedSinceAnEarlierOne) {
   EXPECT_EQ(mocapress({"diff", file("old"), file("nowhere")}).exit_code, 3);
 }
 
+TEST_F(CliBatch, ADifferenceFromABatchThatWasCutOffIsNotPassed) {
+  write_clips(2);
+  mocapress(batch("old", {"--target-error", "1"}));
+  mocapress(batch("new", {"--target-error", "1"}));
+  std::string journal = read_text(file("new/batch.jsonl"));
+  journal.resize(journal.find('\n') + 1);
+  write("new/batch.jsonl", journal);
+  const Outcome cut = mocapress({"diff", file("old"), file("new"), "--fail-on", "failed,worse"});
+  EXPECT_EQ(cut.exit_code, 7);
+  EXPECT_THAT(cut.err, HasSubstr("2 clips have no row: the batch was not finished"));
+  EXPECT_EQ(mocapress({"diff", file("new"), file("old")}).exit_code, 0);
+}
+
 TEST_F(CliBatch, DoesAProjectOfTheStudio) {
   write_clips(2);
   const std::string project = write("hero.mocapress", R"({"format": "mocapress-project",
@@ -280,7 +293,8 @@ TEST_F(CliBatch, MeasuresOnTheSkinOfACharacterThatFits) {
   more.insert(more.end(), {"--resume", "--overwrite"});
   EXPECT_THAT(mocapress(batch("out", more)).err, HasSubstr("1 of them by an earlier run"));
   write("hero.glb", hero + '\0');
-  EXPECT_THAT(mocapress(batch("out", more)).err, testing::Not(HasSubstr("of them by an earlier run")));
+  EXPECT_THAT(mocapress(batch("out", more)).err,
+              testing::Not(HasSubstr("of them by an earlier run")));
   // A different character makes a different batch.
   const Outcome other =
       mocapress(batch("out", {"--target-error", "0.3", "--resume", "--overwrite"}));

@@ -50,6 +50,21 @@ TEST(BatchDifference, TakesLittleForNothing) {
   EXPECT_EQ(difference({walk}, {row_of("walk", 1009, 2.01, 0.6)}).bytes_after, 1009u);
 }
 
+TEST(BatchDifference, TakesErrorsBelowAHundredthOfAMillimetreForTheSame) {
+  EXPECT_TRUE(changes(row_of("still", 100, 0, 0), row_of("still", 100, 2e-7, 0)).empty());
+  EXPECT_EQ(changes(row_of("still", 100, 0, 0), row_of("still", 100, 0.01, 0)), std::vector{Worse});
+}
+
+TEST(BatchDifference, ComparesMeanErrorsInOneWeightingOnly) {
+  BatchRow before = row_of("walk", 1000, 2, 0.5);
+  before.preset.weighting = Weighting::JointOrigins;
+  before.measured->eps_bone_ends_cm = 0.8;
+  before.measured->eps_joint_origins_cm = 0.4;
+  BatchRow after = before;
+  after.preset.weighting = Weighting::BoneEnds;
+  EXPECT_TRUE(changes(before, after).empty());
+}
+
 TEST(BatchDifference, TellsFailuresAndClipsThatOneLacks) {
   const BatchRow walk = row_of("walk", 1000, 2, 0.5);
   BatchRow failed{.output = "walk"};
