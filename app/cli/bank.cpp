@@ -393,8 +393,9 @@ void add_bank(CLI::App& app) {
       ->type_name("OUT.mcpk");
   strip->add_option("--tiers", stripping->tiers, "Tiers to keep: see compress --tiers")
       ->capture_default_str();
-  strip->callback(
-      [stripping] { strip_bank(stripping->bank, stripping->output, stripping->tiers); });
+  strip->callback([stripping] {
+    strip_bank(utf8_path(stripping->bank), utf8_path(stripping->output), stripping->tiers);
+  });
 
   struct Listing {
     std::string bank;

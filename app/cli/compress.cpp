@@ -117,6 +117,8 @@ struct Compress {
     or_usage_error([&] { options = encode_settings(asked, skeleton); });
     or_usage_error(
         [&] { frame_factors(options.ranges, encoder.wavelets().motion().clip.frames()); });
+    if (tiers > 1 && (!of_wavelets || effective_coding(options) != Coding::Adaptive))
+      throw CLI::ValidationError("--tiers", "needs the adaptive coding, as the closed loop has it");
     options.effort = effort;
     options.contacts = contacts.spans(encoder.wavelets().motion());
     options.figures_only = true;

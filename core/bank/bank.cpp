@@ -31,7 +31,7 @@ struct ReadyClip {
   std::variant<std::monostate, PackedClip, ClipForBank> clip;  // unset: copied as it is
 };
 
-/// What tiers add to a clip of a packed bank.
+/// The pieces that finer tiers add to a clip of a packed bank.
 ClipPieces pieces_of(const mcpk_bank& bank, std::uint32_t clip) {
   ClipPieces pieces;
   const runtime::BankTiers tiers(bank);
@@ -40,6 +40,7 @@ ClipPieces pieces_of(const mcpk_bank& bank, std::uint32_t clip) {
     const auto* const first = reinterpret_cast<const std::byte*>(piece.data);
     pieces.emplace_back(first, first + piece.size);
   }
+  while (!pieces.empty() && pieces.back().empty()) pieces.pop_back();
   return pieces;
 }
 
@@ -267,6 +268,7 @@ bool add_to_bank(const fs::path& bank, std::vector<BankSource> sources, const Ba
 
 void strip_bank(const fs::path& bank, const fs::path& stripped, int tiers) {
   const BankFile whole(bank);
+  if (whole.is_cooked()) throw InputError(utf8(bank), 0, 0, "is cooked, and has no tiers");
   require_place_for_bank(stripped, {BankSource{.file = bank}});
   const runtime::BankTiers there(whole.bank());
   if (tiers < 1 || tiers > there.present())

@@ -63,7 +63,8 @@ class BankFile {
   /// A clip of a cooked bank. Throws InputError if its bytes are no valid clip.
   const mcpr_cooked* cooked(const runtime::BankEntry& entry) const;
 
-  /// The original .mcpr, byte for byte. Throws Error for a clip of a cooked bank.
+  /// The original .mcpr, byte for byte; of a stripped bank, a file with the motion of its tiers.
+  /// Throws Error for a clip of a cooked bank.
   std::vector<std::byte> extract(const runtime::BankEntry& entry) const;
 
   /// Decodes a clip's first and last frame with the runtime. Throws InputError if it cannot be

@@ -10,8 +10,9 @@ namespace mocapress {
 
 void end_without_memory_by(int exit_code) {
   static int code;
+  static std::terminate_handler usual;
   code = exit_code;
-  std::set_terminate([] {
+  usual = std::set_terminate([] {
     try {
       if (std::current_exception()) throw;
     } catch (const std::bad_alloc&) {
@@ -19,7 +20,7 @@ void end_without_memory_by(int exit_code) {
       std::_Exit(code);
     } catch (...) {
     }
-    std::abort();
+    usual();
   });
 }
 

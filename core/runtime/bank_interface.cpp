@@ -66,9 +66,7 @@ mcpk_info mcpk_describe(const mcpk_bank* bank) {
           .texts = bank->count(runtime::BankItem::Text) / 2,
           .is_cooked = bank->is_cooked() ? 1 : 0,
           .table_bytes = bank->is_cooked() ? static_cast<std::size_t>(bank->tables.bytes) : 0,
-          .skeletons = bank->count(runtime::BankItem::Part),
-          .tiers = static_cast<std::uint32_t>(runtime::BankTiers(*bank).count()),
-          .tiers_present = static_cast<std::uint32_t>(runtime::BankTiers(*bank).present())};
+          .skeletons = bank->count(runtime::BankItem::Part)};
 }
 
 int32_t mcpk_find(const mcpk_bank* bank, const char* name) {
@@ -117,6 +115,14 @@ mcpr_result mcpk_place(const mcpk_bank* bank, uint32_t clip, uint64_t* offset, u
   *offset = place.offset;
   *bytes = place.bytes;
   return runtime::kOk;
+}
+
+uint32_t mcpk_tiers(const mcpk_bank* bank, uint32_t* present) {
+  if (present != nullptr) *present = 0;
+  if (bank == nullptr) return 0;
+  const runtime::BankTiers tiers(*bank);
+  if (present != nullptr) *present = static_cast<std::uint32_t>(tiers.present());
+  return static_cast<std::uint32_t>(tiers.count());
 }
 
 mcpr_result mcpk_tier_place(const mcpk_bank* bank, uint32_t clip, uint32_t tier, uint64_t* offset,

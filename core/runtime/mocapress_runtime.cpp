@@ -108,10 +108,14 @@ mcpr_result mcpr_tier_of(const void* file, size_t size, uint32_t tier, mcpr_tier
   std::uint16_t count = 0;
   mcpr_result result = read_head(cursor, count);
   if (failed(result)) return result;
+  Cursor tag = cursor;
+  const std::uint8_t* const first = tag.take(4);
+  if (first == nullptr || std::memcmp(first, "TIER", 4) != 0)
+    return argument("the file has no tiers");
   Section section;
-  if (failed(result = read_section(cursor, section))) return result;
   TierTable tiers;
-  if (section.is("TIER") && failed(result = read_tiers(section.payload, tiers))) return result;
+  if (failed(result = read_section(cursor, section))) return result;
+  if (failed(result = read_tiers(section.payload, tiers))) return result;
   if (tier >= static_cast<std::uint32_t>(tiers.count)) return argument("no such tier");
   const Tier& found = tiers.tier[tier];
   *out = {.bytes = found.file_bytes,

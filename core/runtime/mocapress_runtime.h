@@ -119,8 +119,8 @@ typedef struct mcpr_info {
 } mcpr_info;
 
 /* Reads the headers of a file of `size` bytes into *info. Null `limits` are the default limits.
- * Checks all checksums, but decodes nothing. Fails with any status from MCPR_NOT_A_CLIP to
- * MCPR_LIMIT. */
+ * Checks all checksums of what the limits ask for, but decodes nothing. Fails with any status from
+ * MCPR_NOT_A_CLIP to MCPR_LIMIT. */
 MCPR_API mcpr_result mcpr_inspect(const void* file, size_t size, const mcpr_limits* limits,
                                   mcpr_info* info);
 
@@ -143,10 +143,10 @@ typedef struct mcpr_tier {
  * such tier; a file without tiers has none. */
 MCPR_API mcpr_result mcpr_tier_of(const void* file, size_t size, uint32_t tier, mcpr_tier* out);
 
-/* Decodes a whole file into `scratch`, of at least mcpr_info.read_bytes. Sets *resident_bytes to
- * the memory that mcpr_build needs. The file is not needed afterwards. Takes time in proportion to
- * values + joints^2 + 2^15 * size at most, whatever the bytes. Fails as mcpr_inspect does, and with
- * MCPR_INVALID or MCPR_LIMIT for the decoded contents. */
+/* Decodes a file, or its first tiers, into `scratch`, of at least mcpr_info.read_bytes. Sets
+ * *resident_bytes to the memory that mcpr_build needs. The file is not needed afterwards. Takes
+ * time in proportion to values + joints^2 + 2^15 * size at most, whatever the bytes. Fails as
+ * mcpr_inspect does, and with MCPR_INVALID or MCPR_LIMIT for the decoded contents. */
 MCPR_API mcpr_result mcpr_read(const void* file, size_t size, const mcpr_limits* limits,
                                void* scratch, size_t scratch_size, size_t* resident_bytes);
 
@@ -786,9 +786,6 @@ typedef struct mcpk_info {
   size_t table_bytes; /* the part of `bytes` that cooked clips share; 0 in a packed bank */
   uint32_t skeletons; /* numbers of skeletons are below this: see mcpk_skeleton. A cooked bank has
                           as many; in a packed one some of these numbers are no skeleton's */
-  uint32_t tiers;     /* of the clips that have most; 1: the bank has no tiers. Only packed ones do.
-                         This and the next are known when what follows the clips is there */
-  uint32_t tiers_present; /* those that the bank still has: it may have been cut after any */
 } mcpk_info;
 
 /* Returns the dimensions of a bank; all zero if it is null. */
@@ -823,7 +820,13 @@ MCPR_API const char* mcpk_value(const mcpk_bank* bank, uint32_t number);
 MCPR_API mcpr_result mcpk_place(const mcpk_bank* bank, uint32_t clip, uint64_t* offset,
                                 uint64_t* bytes);
 
-/* Tells where the piece is that a tier adds to a clip, 0 < tier < mcpk_info.tiers, counted from the
+/* Returns the number of tiers of the clips that have most; 1 if the bank has none, 0 if it is null.
+ * Sets *present, unless that is null, to the number that the bank still has: it may have been cut
+ * after any tier. Reads what follows the clips, which has to be there. Cooked banks have no tiers.
+ */
+MCPR_API uint32_t mcpk_tiers(const mcpk_bank* bank, uint32_t* present);
+
+/* Tells where the piece is that a tier adds to a clip, 0 < tier < mcpk_tiers(), counted from the
  * beginning of the bank, even if it is not present; without bytes if the clip has no such tier.
  * With `clip` = mcpk_info.clips: where the pieces of all clips are in this tier. Tier 0 is
  * mcpk_place. Load the pieces to their places in any order, but read a clip with mcpr_limits.tiers

@@ -118,7 +118,8 @@ mcpr_result map_joints(const ClipJoints& joints, const mcpr_skeleton* skeleton, 
     const std::int16_t parent = skeleton->parents[j];
     if (parent < -1 || parent >= static_cast<std::int32_t>(skeleton->joints))
       return no_map("a parent that the skeleton does not have");
-    const std::int32_t wanted = parent < 0 ? -1 : map[parent];
+    constexpr std::int32_t kNoJoint = -2;  // no joint of the clip has this parent
+    const std::int32_t wanted = parent < 0 ? -1 : map[parent] < 0 ? kNoJoint : map[parent];
     if (map[j] >= 0 && joints[static_cast<std::uint32_t>(map[j])].parent != wanted) ++gaps->moved;
   }
   return kOk;
@@ -152,13 +153,8 @@ uint64_t mcpk_skeleton_hash(const mcpk_bank* bank, uint32_t clip) {
 int32_t mcpk_skeleton(const mcpk_bank* bank, uint32_t clip) {
   runtime::BankEntry entry;
   if (bank == nullptr || clip >= bank->clips || !runtime::read_entry(*bank, clip, entry)) return -1;
-  std::uint32_t number = entry.kind;
-  if (!bank->is_cooked()) {
-    runtime::PackedSections sections(*bank, entry);
-    std::uint16_t count = 0;
-    if (runtime::failed(sections.begin(count))) return -1;
-    number = sections.joints_part();
-  }
+  const std::uint32_t number =
+      bank->is_cooked() ? entry.kind : runtime::PackedSections(*bank, entry).joints_part();
   return number < bank->count(runtime::BankItem::Part) ? static_cast<std::int32_t>(number) : -1;
 }
 

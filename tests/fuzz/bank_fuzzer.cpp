@@ -54,8 +54,9 @@ void sample(const mcpr_cooked* clip) {
   }
 }
 
-void read_packed(const mcpk_bank* bank, std::uint32_t clip) {
+void read_packed(const mcpk_bank* bank, std::uint32_t clip, std::uint32_t tiers) {
   mcpr_limits limits = mcpr_default_limits();
+  limits.tiers = tiers;
   limits.values = 1U << 16;
   limits.scratch_bytes = std::size_t{16} << 20;
   limits.resident_bytes = std::size_t{8} << 20;
@@ -98,7 +99,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       mcpk_find_joint(bank, clip, "hips");
       mcpk_skeleton(bank, clip);
       mcpk_skeleton_hash(bank, clip);
-      if (!bank->is_cooked()) read_packed(bank, clip);
+      for (const std::uint32_t tiers : {0U, 1U})
+        if (!bank->is_cooked()) read_packed(bank, clip, tiers);
     }
     mcpk_key(bank, 0);
     mcpk_value(bank, 0);

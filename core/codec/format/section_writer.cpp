@@ -33,6 +33,8 @@ std::vector<std::byte> with_section(std::span<const std::byte> mcpr, std::string
   for (int left = count; left > 0; --left) {
     runtime::Section section;
     require(runtime::read_section(file, section));
+    if (section.is("TIER"))
+      throw FormatError(section.start, "a file with tiers takes no further section");
     if (std::string_view(section.tag, 4) == tag) continue;
     sections.append(mcpr.subspan(section.start, file.offset() - section.start));
     ++kept;

@@ -10,6 +10,7 @@
 #include "core/codec/format/format_error.h"
 #include "core/codec/format/section_writer.h"
 #include "core/runtime/format/coded_error.h"
+#include "core/runtime/format/format_limits.h"
 
 namespace mocapress {
 namespace {
@@ -41,8 +42,9 @@ std::vector<std::vector<std::size_t>> bytes_by_bands(const CompressedClip& clip)
   return bytes;
 }
 
-/// Chooses the bands between which the file is cut, so that tiers have about as many bytes.
-std::vector<CutTier> cut(const CompressedClip& clip, int tiers) {
+/// Chooses the bands between which the file is cut, so that tiers have about as many bytes, and are
+/// not refused for having too few for so many values.
+std::vector<CutTier> cut(const CompressedClip& clip, int tiers, std::uint64_t values) {
   const std::vector<std::vector<std::size_t>> bytes = bytes_by_bands(clip);
   const auto sum = [&](int left_out) {
     const auto& of_segment = bytes[static_cast<std::size_t>(left_out)];
@@ -56,6 +58,7 @@ std::vector<CutTier> cut(const CompressedClip& clip, int tiers) {
     int best = 0;
     for (int left_out = 1; left_out < coarser; ++left_out)
       if (sum(left_out) > bytes_before && sum(left_out) < sum(0) &&
+          values <= runtime::most_values_of(static_cast<std::uint64_t>(sum(left_out))) &&
           (best == 0 || std::abs(sum(left_out) - wanted) < std::abs(sum(best) - wanted)))
         best = left_out;
     if (best == 0) continue;
@@ -182,11 +185,11 @@ std::vector<std::byte> placed_tiers(std::span<const std::byte> packed, std::size
 
 std::vector<std::byte> with_tiers(std::span<const std::byte> mcpr, int tiers,
                                   const MeasureTier& measure) {
+  if (tiers < 2) return {mcpr.begin(), mcpr.end()};
   const Container container = read_any_container(mcpr);
   const CompressedClip& clip = container.clip;
-  if (container.of_comparison || clip.coding != Coding::Adaptive || tiers < 2)
-    return {mcpr.begin(), mcpr.end()};
-  std::vector<CutTier> cuts = cut(clip, tiers);
+  if (container.of_comparison || clip.coding != Coding::Adaptive) return {mcpr.begin(), mcpr.end()};
+  std::vector<CutTier> cuts = cut(clip, tiers, sections_of(mcpr).room_values());
   if (cuts.size() == 1) return without_tiers(mcpr);
   const std::vector<std::byte> unmeasured = write_file(mcpr, clip, cuts);
   for (std::size_t t = 0; t + 1 < cuts.size(); ++t)
@@ -197,7 +200,8 @@ std::vector<std::byte> with_tiers(std::span<const std::byte> mcpr, int tiers,
 std::vector<std::byte> file_of_tiers(std::span<const std::byte> mcpr, int tiers) {
   const runtime::FileSections sections = sections_of(mcpr, tiers);
   if (sections.tiers_read != tiers)
-    throw FormatError(0, "the file has no " + std::to_string(tiers) + " tiers");
+    throw FormatError(0, "the file has " + std::to_string(sections.tiers_read) + " tiers, not " +
+                             std::to_string(tiers));
   if (sections.bands_left_out() == 0) return without_tiers(mcpr);
   CompressedClip clip = read_container(mcpr, tiers);
   std::vector<std::byte> motion;

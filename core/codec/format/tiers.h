@@ -25,9 +25,10 @@ struct TierError {
 /// Measures a clip that lacks its finest bands.
 using MeasureTier = std::function<TierError(const CompressedClip&)>;
 
-/// Cuts the motion of a file into this many tiers, of about as many bytes each, so that the file's
-/// first bytes give a coarser motion. All tiers together give the same motion as before. There are
-/// fewer tiers where bands are too few to cut between, and none for codings other than adaptive.
+/// Cuts the motion of a file into this many tiers, at most kMostTiers, of about as many bytes each,
+/// so that the file's first bytes give a coarser motion. All tiers together give the same motion as
+/// before. There are fewer tiers where bands are too few to cut between, and none for codings other
+/// than adaptive.
 std::vector<std::byte> with_tiers(std::span<const std::byte> mcpr, int tiers,
                                   const MeasureTier& measure);
 

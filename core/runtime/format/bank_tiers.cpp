@@ -51,7 +51,8 @@ mcpr_result BankTiers::check(bool pieces) const {
     return failure(MCPR_INVALID, tables_.offset, "the tiers of the bank make no sense");
   };
   std::uint64_t end = bank_.tables.offset + bank_.tables.bytes;
-  if (count_ == 1) return bank_.is_cooked() || tables_.size == 0 ? kOk : refuse();
+  if (count_ == 1)
+    return bank_.is_cooked() || (tables_.size == 0 && bank_.bytes == end) ? kOk : refuse();
   bool ends_here = bank_.bytes == end;
   for (int tier = 1; tier < count_; ++tier) {
     const BankRegion all = region(tier);

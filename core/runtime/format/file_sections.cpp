@@ -84,7 +84,7 @@ class SectionsReader {
   mcpr_result take_pieces(const PackedSections& packed) {
     for (int t = 1; t < wanted_tiers(); ++t) {
       const Bytes piece = packed.piece(t);
-      known_bytes_ += piece.size;
+      known_bytes_ += kSectionHead + piece.size;
       if (const mcpr_result result = take_piece(piece); failed(result)) return result;
     }
     return kOk;
@@ -129,7 +129,10 @@ class SectionsReader {
 
   /// Required sections come in a fixed order; optional ones may stand anywhere.
   mcpr_result take(const Section& section) {
-    if (next_ == Expected::Joints && section.is("TIER") && sections_.tiers.count == 0)
+    if (sections_.tiers_read > 1 && !section.is("FINE"))
+      return failure(MCPR_INVALID, section.start, "a section after the first FINE");
+    if (next_ == Expected::Joints && section.is("TIER") && sections_.tiers.count == 0 &&
+        sections_.learned.data == nullptr)
       return read_tiers(section.payload, sections_.tiers, is_packed_);
     if (next_ == Expected::Joints && section.is("JNTS")) {
       next_ = Expected::Clip;

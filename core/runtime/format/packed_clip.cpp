@@ -77,9 +77,9 @@ mcpr_result PackedSections::next(Section& section) {
   return kOk;
 }
 
-std::uint32_t PackedSections::joints_part() const {
-  const auto sections = (outline_.size - kOutlineHead) / kOutlineSection;
-  for (std::size_t s = 0; s < sections; ++s) {
+std::uint32_t PackedSections::joints_part() {
+  outline_ = bank_.item(BankItem::Outline, entry_.kind);
+  for (std::size_t s = 0; kOutlineHead + kOutlineSection * (s + 1) <= outline_.size; ++s) {
     std::uint32_t part = 0;
     if (section_at(static_cast<int>(s), part).is("JNTS")) return part;
   }

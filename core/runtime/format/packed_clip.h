@@ -49,8 +49,9 @@ class PackedSections {
   int tiers() const { return tiers_.present(); }
   Bytes piece(int tier) const { return bank_.bytes_of(tiers_.piece(tier, entry_.number)); }
 
-  /// The part that has the clip's joints, after begin(); kOwnPart if the clip has them itself.
-  std::uint32_t joints_part() const;
+  /// The part that has the clip's joints; kOwnPart if the clip has them itself. Reads the outline
+  /// alone, not the clip.
+  std::uint32_t joints_part();
 
   /// Bytes of the clip that no section has taken.
   std::size_t left() const { return left_.left(); }

@@ -70,6 +70,19 @@ struct Counted {
   }
 };
 
+/// The mean of the poses that count at one joint.
+void store_mean_of_some(const mcpr_weighted_pose* poses, std::uint32_t count, std::uint32_t joint,
+                        mcpr_transform* out) {
+  std::uint32_t i = 0;
+  while (weight_of(poses[i], joint) < kLightest) ++i;
+  Mean<float> mean(Placed<float>::load(poses[i].pose + joint), weight_of(poses[i], joint));
+  for (++i; i < count; ++i)
+    if (weight_of(poses[i], joint) >= kLightest)
+      mean.add(Placed<float>::load(poses[i].pose + joint), weight_of(poses[i], joint));
+  mean.value().store(out + joint);
+}
+
+/// The mean of all poses.
 template <typename Real>
 void store_mean(const mcpr_weighted_pose* poses, std::uint32_t count, std::uint32_t joint,
                 mcpr_transform* out) {
@@ -138,18 +151,18 @@ bool blend(const mcpr_weighted_pose* poses, std::uint32_t count, std::uint32_t j
   }
   if (joints == 0) return true;
   const Counted of_all(poses, count, 0);  // if no pose has a mask
-  const auto mixed = [&](std::uint32_t j) {
-    return (has_mask ? Counted(poses, count, j) : of_all).count > 1;
+  const auto counted = [&](std::uint32_t j) {
+    return (has_mask ? Counted(poses, count, j) : of_all).count;
   };
   for_joints(joints, [&](auto real, std::uint32_t first) {
     using Real = decltype(real);
-    bool all_mixed = true;
+    bool all_count = count > 1;
     for (std::uint32_t j = first; j < first + kJointsOf<Real>; ++j)
-      all_mixed = all_mixed && mixed(j);
-    if (all_mixed) return store_mean<Real>(poses, count, first, out);
+      all_count = all_count && counted(j) == count;
+    if (all_count) return store_mean<Real>(poses, count, first, out);
     for (std::uint32_t j = first; j < first + kJointsOf<Real>; ++j)
-      if (mixed(j))
-        store_mean<float>(poses, count, j, out);
+      if (counted(j) > 1)
+        store_mean_of_some(poses, count, j, out);
       else
         out[j] = Counted(poses, count, j).last->pose[j];
   });

@@ -22,7 +22,7 @@ namespace mocapress::runtime {
 
 inline constexpr int kGroup = 8;              // columns, or joints, that are processed together
 inline constexpr int kMostGroupsOfPart = 16;  // so that 7 bits can address a column of a part
-inline constexpr int kMostColumns = 4096;     // in a clip; sampling keeps them on the stack
+inline constexpr int kMostColumns = 4096;     // in a clip
 inline constexpr int kDetailWindow = 8;       // rows of a detail band that contribute to an instant
 inline constexpr int kFinestWindow = 6;       // the same for the finest band
 inline constexpr int kCrumbWindow = 12;       // the same for crumbs (2-bit numbers), of which a

@@ -124,6 +124,7 @@ void mcpr_cursor::keep_run(const runtime::PoseKernels& kernels, int from, int fr
 void mcpr_cursor::fill(const runtime::PoseKernels& kernels, int segment,
                        std::span<std::int16_t> work) {
   using namespace runtime;
+  constexpr std::size_t kMostWork = std::size_t{1} << 30;  // entries that an int counts
   const SegmentLayout layout = clip->layout();
   LiftLevel levels[kMostKeptBands];
   int length = layout.frames_of(segment);
@@ -141,9 +142,10 @@ void mcpr_cursor::fill(const runtime::PoseKernels& kernels, int segment,
     rows_of_entries += level.details.end - level.details.first;
     samples[++level_count] = level.evens;
   }
-  const int groups_at_once = rows_of_entries > 0
-                                 ? static_cast<int>(work.size()) / (kGroup * rows_of_entries)
-                                 : static_cast<int>(clip->row_groups);
+  const int groups_at_once =
+      rows_of_entries > 0
+          ? static_cast<int>(std::min(work.size(), kMostWork)) / (kGroup * rows_of_entries)
+          : static_cast<int>(clip->row_groups);
   for (int group = 0; group < static_cast<int>(clip->row_groups); group += groups_at_once) {
     const RowRange groups{group,
                           std::min(group + groups_at_once, static_cast<int>(clip->row_groups))};

@@ -103,7 +103,7 @@ std::vector<float> frames_of(std::span<const std::byte> file, int tiers) {
 
 TEST_F(BankTiersTest, GiveEveryFileBackByteForByte) {
   const BankFile made(bank());
-  EXPECT_EQ(mcpk_describe(&made.bank()).tiers, static_cast<std::uint32_t>(kTiers));
+  EXPECT_EQ(mcpk_tiers(&made.bank(), nullptr), static_cast<std::uint32_t>(kTiers));
   for (std::uint32_t clip = 0; clip < made.clips(); ++clip)
     EXPECT_EQ(made.extract(made.entry(clip)), file(made.entry(clip).name)) << made.entry(clip).name;
 }
@@ -127,7 +127,9 @@ TEST_F(BankTiersTest, AStrippedBankPlaysTheTiersThatItHas) {
     EXPECT_TRUE(
         std::equal(cut.begin() + sizeof(mcpk_bank), cut.end(), whole.begin() + sizeof(mcpk_bank)));
     const BankFile made(stripped(tiers));
-    EXPECT_EQ(mcpk_describe(&made.bank()).tiers_present, static_cast<std::uint32_t>(tiers));
+    std::uint32_t present = 0;
+    EXPECT_EQ(mcpk_tiers(&made.bank(), &present), static_cast<std::uint32_t>(kTiers));
+    EXPECT_EQ(present, static_cast<std::uint32_t>(tiers));
     for (std::uint32_t clip = 0; clip < made.clips(); ++clip) {
       const std::string name = made.entry(clip).name;
       const int there = tiers_of(name, tiers);
@@ -153,6 +155,21 @@ TEST_F(BankTiersTest, StayWithTheirClipsWhenOthersAreRemoved) {
   ASSERT_EQ(made.clips(), 3U);
   for (std::uint32_t clip = 0; clip < made.clips(); ++clip)
     EXPECT_EQ(made.extract(made.entry(clip)), file(made.entry(clip).name));
+  remove_from_bank(bank(), {"long", "z"});
+  EXPECT_EQ(mcpk_tiers(&BankFile(bank()).bank(), nullptr), 1U);
+}
+
+TEST_F(BankTiersTest, NothingMayFollowABankWithoutThem) {
+  remove_from_bank(bank(), {"long", "two", "z"});
+  std::vector<std::byte> bytes = read_bytes(bank());
+  bytes.insert(bytes.end(), 100, std::byte{0x5A});
+  mcpk_bank head;
+  std::memcpy(&head, bytes.data(), sizeof head);
+  head.bytes = bytes.size();
+  head.checksum = runtime::bank_checksum(&head, offsetof(mcpk_bank, checksum));
+  std::memcpy(bytes.data(), &head, sizeof head);
+  write_bytes(bank(), bytes);
+  EXPECT_THROW(BankFile made(bank()), InputError);
 }
 
 /// A bank of which only the first tier is in memory, as while the rest is on its way.

@@ -194,6 +194,21 @@ TEST_F(RuntimeSkeleton, JointsThatHangElsewhereAreCounted) {
   engine.parents = parents.data();
   ASSERT_EQ(mcpr_map_joints(opened_.clip, &engine, map.data(), &gaps).status, MCPR_OK);
   EXPECT_EQ(gaps.moved, 1U);
+  // A joint of the engine above the clip's root.
+  std::vector<const char*> names(engine.names, engine.names + joints());
+  names.push_back("armature");
+  parents = parents_;
+  parents[0] = static_cast<std::int16_t>(joints());
+  parents.push_back(-1);
+  const mcpr_skeleton above{.joints = static_cast<std::uint32_t>(names.size()),
+                            .names = names.data(),
+                            .parents = parents.data()};
+  std::vector<std::int16_t> map_of_more(names.size());
+  ASSERT_EQ(mcpr_map_joints(opened_.clip, &above, map_of_more.data(), &gaps).status, MCPR_OK);
+  EXPECT_EQ(gaps.missing, 1U);
+  EXPECT_EQ(gaps.moved, 1U);
+  parents = parents_;
+  engine.parents = parents.data();
   parents[2] = static_cast<std::int16_t>(joints());
   EXPECT_EQ(mcpr_map_joints(opened_.clip, &engine, map.data(), &gaps).status, MCPR_ARGUMENT);
   EXPECT_EQ(mcpr_map_joints(nullptr, &engine, map.data(), &gaps).status, MCPR_ARGUMENT);

@@ -136,7 +136,8 @@ TEST(Tiers, NeedEveryByteUpToTheirEnd) {
 TEST(Tiers, AreNotToldOfAFileWithoutThem) {
   const std::vector<std::byte> file = files().front();
   mcpr_tier tier;
-  EXPECT_EQ(mcpr_tier_of(file.data(), file.size(), 0, &tier).status, MCPR_ARGUMENT);
+  for (const std::size_t size : {file.size(), std::size_t{MCPR_TIERS_HEAD_BYTES}})
+    EXPECT_EQ(mcpr_tier_of(file.data(), size, 0, &tier).status, MCPR_ARGUMENT);
   EXPECT_EQ(mcpr_tier_of(tiered(file).data(), MCPR_TIERS_HEAD_BYTES, kTiers, &tier).status,
             MCPR_ARGUMENT);
   EXPECT_EQ(without_tiers(file), file);

@@ -156,6 +156,15 @@ TEST(Blending, TheOnlyPoseThatCountsIsTakenBitByBit) {
   expect_same_bits(blended({b}, {0.7F}), b);
 }
 
+TEST(Blending, PosesWithoutWeightDoNotCount) {
+  const mcpr_transform a = turned(0.2F, 0, 1, 0, 2, 0, 0);
+  const mcpr_transform b = turned(1.0F, 1, 0, 0, 4, 6, 0);
+  mcpr_transform broken = a;
+  broken.translation[0] = std::numeric_limits<float>::quiet_NaN();
+  broken.rotation[0] = std::numeric_limits<float>::quiet_NaN();
+  expect_same_bits(blended({broken, a, broken, b}, {0, 1, 9e-7F, 1}), blended({a, b}, {1, 1}));
+}
+
 TEST(Blending, WithoutAnyWeightTheFirstPoseIsTaken) {
   const mcpr_transform a = turned(0.2F, 0, 1, 0, 2, 1e-3F, 0);
   expect_same_bits(blended({a, turned(1, 1, 0, 0)}, {0, 0}), a);
