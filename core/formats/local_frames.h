@@ -61,7 +61,7 @@ class LocalFrames {
   template <typename Value>
   void append(const Value& value, std::vector<Value>& values) {
     if (size_ > 0 && values.size() == 1 && is_same(values.front(), value)) return;
-    if (values.size() < size_) {
+    if (values.size() == 1) {  // it changes from now on
       values.reserve(room_);
       values.resize(size_, values.front());
     }

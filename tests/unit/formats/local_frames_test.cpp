@@ -21,6 +21,18 @@ TEST(LocalFrames, StoresAPartThatStaysOnce) {
   EXPECT_EQ(frames.scales().size(), 1u);
 }
 
+TEST(LocalFrames, APartThatChangesTakesTheRoomReserved) {
+  constexpr std::size_t kFrames = 33'000;
+  for (const std::size_t still : {std::size_t{1}, std::size_t{100}}) {
+    LocalFrames frames;
+    frames.reserve(kFrames);
+    for (std::size_t t = 0; t < kFrames; ++t)
+      frames.push_back(turned(t < still ? 0 : 1e-3 * static_cast<double>(t)));
+    EXPECT_EQ(frames.rotations().capacity(), kFrames) << still;
+    EXPECT_EQ(frames.scales().size(), 1u);
+  }
+}
+
 TEST(LocalFrames, GivesEveryFrameBack) {
   std::vector<LocalTransform> given = {turned(0), turned(0), turned(1), turned(0)};
   given[2].scale = {1, 2, 1};
