@@ -39,8 +39,29 @@ bool FbxMovement::has_keys() const {
                      [](const auto& curve) { return curve.has_value(); });
 }
 
+void add_layered(FbxLayered& movements, const FbxMovement& movement) {
+  if (movements.empty() || movements.back()->layer != movement.layer)
+    movements.push_back(&movement);
+  else if (!movements.back()->has_keys() && movement.has_keys())
+    movements.back() = &movement;
+}
+
 double FbxLayer::weight_at(double ticks) const {
   return weight_curve ? std::clamp(kPercent * weight_curve->at(ticks), 0.0, 1.0) : weight;
+}
+
+double FbxTakeInfo::value_at(const FbxLayered& movements, std::size_t axis, double rest,
+                             double ticks) const {
+  double value = rest;
+  for (const FbxMovement* const movement : movements) {
+    const double still = movement->still(static_cast<Eigen::Index>(axis));
+    const auto& curve = movement->curves[axis];
+    if (!curve && !std::isfinite(still)) continue;
+    const double own = curve ? curve->at(ticks) : still;
+    const FbxLayer& layer = layers[movement->layer];
+    value = movement->layer == 0 ? own : layer.over(value, own, layer.weight_at(ticks));
+  }
+  return value;
 }
 
 FbxAnimation::FbxAnimation(FbxRecords& records, const FbxObjects& objects, double ticks_per_second)

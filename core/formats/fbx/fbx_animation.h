@@ -34,6 +34,13 @@ struct FbxMovement {
   bool has_keys() const;
 };
 
+/// The movements of one property, layer by layer, at most one of each.
+using FbxLayered = std::vector<const FbxMovement*>;
+
+/// Adds a movement of the same or a higher layer than those before. On the same layer, the first
+/// that has keys counts, else the first.
+void add_layered(FbxLayered& movements, const FbxMovement& movement);
+
 struct FbxLayer {
   enum class Blend { Add, Replace, Mix };
 
@@ -61,6 +68,9 @@ struct FbxTakeInfo {
   std::vector<FbxLayer> layers;
   std::size_t object = 0;             // version 7
   const FbxRecord* record = nullptr;  // version 6
+
+  /// The value of all layers for an axis; the first one replaces the value at rest.
+  double value_at(const FbxLayered& movements, std::size_t axis, double rest, double ticks) const;
 };
 
 /// The axis that a curve moves: 1 for "d|Y" or "Y", 2 for "d|Z" or "Z", else 0, as for a property

@@ -67,11 +67,12 @@ std::int64_t FbxCurveOutput::add_node(std::int64_t layer, std::int64_t object_id
 }
 
 void FbxCurveOutput::add(std::int64_t layer, std::int64_t object_id, std::string_view property,
-                         const std::array<std::vector<float>, 3>& values) {
+                         const std::array<std::vector<float>, 3>& values,
+                         const std::array<bool, 3>& steps) {
   const std::int64_t node =
       add_node(layer, object_id, property, {kFbxCurveAxes.begin(), kFbxCurveAxes.end()},
                {values[0].front(), values[1].front(), values[2].front()});
-  for (std::size_t a = 0; a < 3; ++a) add_curve(node, kFbxCurveAxes[a], values[a], false);
+  for (std::size_t a = 0; a < 3; ++a) add_curve(node, kFbxCurveAxes[a], values[a], steps[a]);
 }
 
 void FbxCurveOutput::add(std::int64_t layer, std::int64_t object_id, std::string_view property,

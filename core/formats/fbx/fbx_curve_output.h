@@ -34,7 +34,7 @@ class FbxCurveOutput {
 
   /// Adds curves for a property of three numbers.
   void add(std::int64_t layer, std::int64_t object, std::string_view property,
-           const std::array<std::vector<float>, 3>& values);
+           const std::array<std::vector<float>, 3>& values, const std::array<bool, 3>& steps = {});
   /// Adds a curve for a property of one number.
   void add(std::int64_t layer, std::int64_t object, std::string_view property,
            const std::vector<float>& values, bool steps);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -94,6 +95,15 @@ class EditedTake {
   std::string bytes();
 
  private:
+  using Property = std::pair<std::size_t, std::string>;  // an object and one of its properties
+  struct GivenTrack {
+    const ScalarTrack* track;
+    std::size_t axis;
+    double scale;
+    bool stays;
+  };
+  using GivenTracks = std::vector<GivenTrack>;  // for one property
+
   const FbxRecord* list(const char* name) const {
     const FbxRecord* const found = file_.records.find(file_.records.top(), name);
     if (found == nullptr) file_.records.fail(std::string("has no ") + name);
@@ -113,8 +123,9 @@ class EditedTake {
   void set_axis(std::size_t curve_node, std::size_t axis, const std::vector<float>& values,
                 bool steps);
   void set_keys(const FbxRecord& curve, const std::vector<float>& values, bool steps);
+  void move(const Property& property, const GivenTracks& given);
   bool is_layered(std::size_t object, std::string_view property) const;
-  void add(std::size_t object, const std::string& property, Curves& curves, bool steps);
+  void sample(const Property& property, Curves& curves, std::array<bool, 3>& steps) const;
   void lengthen();
 
   FbxFile& file_;
@@ -308,46 +319,53 @@ void EditedTake::move(const NodeTrack& track) {
   set(object, kScale, scale, rest.scaling, scales, kSameNumber);
 }
 
-/// Tracks of the same name are used in order, each once. Where several layers move a property, its
-/// values go to the first layer, and the others leave all of it.
+/// Tracks of the same name are used in order, each once.
 void EditedTake::move(const ScalarTracks& tracks) {
-  using Property = std::pair<std::size_t, std::string>;
-  std::vector<const ScalarTrack*> given;  // for each track of the file; null: none
-  std::unordered_set<const ScalarTrack*> taken;
+  std::map<Property, GivenTracks> given;
   std::set<Property> changed;
+  std::unordered_set<const ScalarTrack*> taken;
   for (std::size_t w = 0; w < read_.track_places.size(); ++w) {
     const ScalarTrack& wanted = read_.take.tracks[w];
+    const FbxTake::TrackPlace& place = read_.track_places[w];
     const auto found = std::find_if(tracks.begin(), tracks.end(), [&](const ScalarTrack& track) {
       return track.kind == wanted.kind && track.node == wanted.node && track.name == wanted.name &&
              !taken.contains(&track);
     });
-    given.push_back(found != tracks.end() ? &*found : nullptr);
     if (found == tracks.end()) continue;
     taken.insert(&*found);
-    if (!keeps_rate_ || found->values != wanted.values)
-      changed.emplace(read_.track_places[w].object, read_.track_places[w].property);
+    const Property property = {place.object, place.property};
+    const bool stays = keeps_rate_ && found->values == wanted.values;
+    given[property].push_back({&*found, place.axis, place.scale, stays});
+    if (!stays) changed.insert(property);
   }
-  std::map<Property, std::pair<Curves, bool>> added;  // and whether they step
-  for (std::size_t w = 0; w < read_.track_places.size(); ++w) {
-    const auto& [object, property, axis, scale] = read_.track_places[w];
-    const ScalarTrack& was = read_.take.tracks[w];
-    const ScalarTrack& wanted = given[w] != nullptr ? *given[w] : was;
-    const bool stays = &wanted == &was || (keeps_rate_ && wanted.values == was.values);
-    if (!changed.contains({object, property}) || (stays && !is_layered(object, property))) continue;
-    std::vector<float> values;
-    for (const float value : wanted.values)
-      values.push_back(static_cast<float>(static_cast<double>(value) / scale));
-    values.resize(ticks_.size(), values.back());
-    if (const FbxMovement* const movement = movement_of(object, property)) {
-      set_axis(movement->curve_node, axis, values, wanted.steps);
-    } else {
-      auto& [curves, steps] = added[{object, property}];
-      curves[axis] = std::move(values);
-      steps = wanted.steps;
-    }
+  for (const Property& property : changed) move(property, given.at(property));
+}
+
+/// Where several layers move a property, or others share its curves, the values of all its axes go
+/// to curves of its own in the first layer.
+void EditedTake::move(const Property& property, const GivenTracks& given) {
+  const auto& [object, name] = property;
+  const FbxMovement* const movement = movement_of(object, name);
+  const bool is_whole = movement == nullptr || is_layered(object, name);
+  Curves curves;
+  std::array<bool, 3> steps = {};
+  if (is_whole) sample(property, curves, steps);
+  for (const auto& [track, axis, scale, stays] : given) {
+    if (stays && !is_whole) continue;
+    curves[axis].clear();
+    for (const float value : track->values)
+      curves[axis].push_back(static_cast<float>(static_cast<double>(value) / scale));
+    curves[axis].resize(ticks_.size(), curves[axis].back());
+    steps[axis] = track->steps;
   }
-  for (auto& [property, curves] : added)
-    add(property.first, property.second, curves.first, curves.second);
+  if (movement != nullptr) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (!curves[axis].empty()) set_axis(movement->curve_node, axis, curves[axis], steps[axis]);
+  } else if (curves[1].empty() && curves[2].empty()) {
+    out_.add(layer_, id(object), name, curves[0], steps[0]);
+  } else {
+    out_.add(layer_, id(object), name, curves, steps);
+  }
 }
 
 bool EditedTake::is_layered(std::size_t object, std::string_view property) const {
@@ -356,17 +374,28 @@ bool EditedTake::is_layered(std::size_t object, std::string_view property) const
          }) > 1;
 }
 
-/// Adds curves to a property of one number, or to one of three, whose other axes stay at rest.
-void EditedTake::add(std::size_t object, const std::string& property, Curves& curves, bool steps) {
-  if (curves[1].empty() && curves[2].empty()) {
-    out_.add(layer_, id(object), property, curves[0], steps);
-    return;
-  }
-  const Vector3d rest = file_.objects.properties(object).vector(property, Vector3d::Zero());
-  for (std::size_t a = 0; a < 3; ++a)
-    if (curves[a].empty())
-      curves[a].assign(ticks_.size(), static_cast<float>(rest(static_cast<Eigen::Index>(a))));
-  out_.add(layer_, id(object), property, curves);
+/// The values of a property in the file, of one axis or three, at the times of the new keys.
+void EditedTake::sample(const Property& property, Curves& curves,
+                        std::array<bool, 3>& steps) const {
+  const auto& [object, name] = property;
+  FbxLayered movements;
+  for (const FbxMovement& movement : read_.movements)
+    if (movement.object == object && movement.property == name) add_layered(movements, movement);
+  const FbxProperties properties = file_.objects.properties(object);
+  const Vector3d none = Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  const bool is_vector =
+      properties.vector(name, none).allFinite() ||
+      std::any_of(movements.begin(), movements.end(), [](const FbxMovement* movement) {
+        return movement->curves[1] || movement->curves[2];
+      });
+  const Vector3d rest = properties.vector(name, {properties.number(name, 0), 0, 0});
+  for (std::size_t axis = 0; axis < (is_vector ? 3 : 1); ++axis)
+    for (std::size_t t = 0; t < ticks_.size(); ++t)
+      curves[axis].push_back(static_cast<float>(
+          take_.value_at(movements, axis, rest(static_cast<Eigen::Index>(axis)), ticks_at(t))));
+  for (std::size_t w = 0; w < read_.track_places.size(); ++w)
+    if (read_.track_places[w].object == object && read_.track_places[w].property == name)
+      steps[read_.track_places[w].axis] = read_.take.tracks[w].steps;
 }
 
 /// Moves the take's stated end if the motion is longer.

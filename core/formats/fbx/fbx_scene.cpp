@@ -63,11 +63,8 @@ class FbxTakeReader {
   void sample();
   void sample_node(std::size_t node, const std::vector<FbxMovement*>& movements);
   void apply(const FbxMovement& movement, double ticks, Vector3d& part) const;
-  /// The movements of one property, layer by layer.
-  using Layered = std::vector<const FbxMovement*>;
   void sample_tracks();
-  bool sample_track(const Layered& movements, std::size_t axis, ScalarTrack track, double scale);
-  double layered_at(const Layered& movements, std::size_t axis, double rest, double ticks) const;
+  bool sample_track(const FbxLayered& movements, std::size_t axis, ScalarTrack track, double scale);
   std::optional<std::size_t> mesh_of_shape(std::size_t channel) const;
   double ticks_at(int frame) const { return times_.at(frame) * ticks_per_second_; }
   void warn(std::string message) {
@@ -445,22 +442,7 @@ std::optional<std::size_t> FbxTakeReader::mesh_of_shape(std::size_t channel) con
   return at;
 }
 
-/// The value of all layers; the first one replaces the value at rest.
-double FbxTakeReader::layered_at(const Layered& movements, std::size_t axis, double rest,
-                                 double ticks) const {
-  double value = rest;
-  for (const FbxMovement* const movement : movements) {
-    const double still = movement->still(static_cast<Eigen::Index>(axis));
-    const auto& curve = movement->curves[axis];
-    if (!curve && !std::isfinite(still)) continue;
-    const double own = curve ? curve->at(ticks) : still;
-    const FbxLayer& layer = chosen_->layers[movement->layer];
-    value = movement->layer == 0 ? own : layer.over(value, own, layer.weight_at(ticks));
-  }
-  return value;
-}
-
-bool FbxTakeReader::sample_track(const Layered& movements, std::size_t axis, ScalarTrack track,
+bool FbxTakeReader::sample_track(const FbxLayered& movements, std::size_t axis, ScalarTrack track,
                                  double scale) {
   auto& tracks = result_.take.tracks;
   if (tracks.size() == runtime::kMostTracks ||
@@ -477,7 +459,8 @@ bool FbxTakeReader::sample_track(const Layered& movements, std::size_t axis, Sca
   const double rest =
       properties.vector(first.property, {number, 0, 0})(static_cast<Eigen::Index>(axis));
   for (int t = 0; t < times_.frames; ++t) {
-    const auto value = static_cast<float>(scale * layered_at(movements, axis, rest, ticks_at(t)));
+    const auto value =
+        static_cast<float>(scale * chosen_->value_at(movements, axis, rest, ticks_at(t)));
     if (!(std::abs(value) <= 1e9F)) return false;
     track.values.push_back(value);
   }
@@ -491,15 +474,14 @@ void FbxTakeReader::sample_tracks() {
   constexpr double kFullShape = 0.01;
   constexpr const char* kAxes[] = {"", ".Y", ".Z"};
   int left_out = 0;
-  std::map<std::pair<std::size_t, std::string>, Layered> of_property;
-  std::vector<const Layered*> in_order;
+  std::map<std::pair<std::size_t, std::string>, FbxLayered> of_property;
+  std::vector<const FbxLayered*> in_order;
   for (const FbxMovement& movement : movements_) {
     const auto [of, is_new] = of_property.try_emplace({movement.object, movement.property});
-    if (!is_new && of->second.back()->layer == movement.layer) continue;  // the first counts
-    of->second.push_back(&movement);
+    add_layered(of->second, movement);
     if (is_new) in_order.push_back(&of->second);
   }
-  for (const Layered* const movements : in_order) {
+  for (const FbxLayered* const movements : in_order) {
     const FbxMovement& first = *movements->front();
     const FbxObject& object = objects_[first.object];
     if (object.type == "Model" && FbxTransform().part(first.property) != nullptr) continue;

@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -14,6 +16,7 @@
 #include "core/formats/fbx/fbx_curve_output.h"
 #include "core/formats/fbx/fbx_objects.h"
 #include "core/formats/fbx/fbx_reader.h"
+#include "core/formats/fbx/fbx_scene.h"
 #include "core/formats/fbx/fbx_writer.h"
 #include "core/motion/landmarks.h"
 #include "tests/support/corpus.h"
@@ -253,6 +256,123 @@ TEST_F(FbxOnto, TracksOfSeveralLayersTakeTheNewValues) {
   for (const ScalarTrack& track : tracks)
     EXPECT_NE(std::find(found.tracks.begin(), found.tracks.end(), track), found.tracks.end())
         << label(track);
+}
+
+/// Objects of a file whose curves a test adds.
+struct Aimed {
+  FbxCurveOutput& out;
+  std::int64_t stack = 0;
+  std::int64_t layer = 0;
+  std::vector<std::int64_t> joints;
+
+  std::int64_t add_layer() {
+    const std::int64_t more = out.new_id();
+    out.object("AnimationLayer", more, fbx_full_name("more", "AnimLayer"), "").is_list = true;
+    out.connect(more, stack);
+    return more;
+  }
+};
+
+/// The motion, whose joints have a property "aim" of three numbers, 0 0 3 at rest.
+template <typename AddCurves>
+std::string with_aims(const Motion& motion, const AddCurves& add_curves) {
+  const std::string plain = fbx_bytes(motion);
+  FbxRecords records("f", plain);
+  const FbxObjects objects(records);
+  FbxEdits edits;
+  std::vector<std::int64_t> ticks;
+  for (int t = 0; t < motion.clip.frames(); ++t)
+    ticks.push_back(std::llround(t * kFbxTicks / motion.clip.sample_rate_hz));
+  FbxCurveOutput out(ticks, edits.added[records.find(records.top(), "Objects")],
+                     edits.added[records.find(records.top(), "Connections")], 1'000'000);
+  Aimed aimed{.out = out};
+  for (const FbxObject& object : objects.all()) {
+    if (object.record == nullptr) continue;
+    const std::int64_t id = records.value(*object.record, 0)->whole();
+    if (object.type == "AnimationStack") aimed.stack = id;
+    if (object.type == "AnimationLayer") aimed.layer = id;
+    if (object.type != "Model") continue;
+    FbxOutRecord more;
+    more.property("aim", "Vector", "", "AU").value(0.0).value(0.0).value(3.0);
+    edits.added[records.find(*object.record, "Properties70")] = std::move(more.records);
+    aimed.joints.push_back(id);
+  }
+  add_curves(aimed);
+  return fbx_edited_bytes(records, edits);
+}
+
+const std::array<std::vector<float>, 3> kAims = {
+    {{1, 2, 3, 4, 5}, {10, 20, 30, 40, 50}, {7, 7, 7, 7, 7}}};
+
+/// The first joint's movement of "aim" at a time in seconds.
+Eigen::Vector3d aim_at(const std::string& bytes, double seconds) {
+  FbxFile file("f", bytes);
+  const FbxTake take = read_fbx_take(file, {}, FbxCurves::Keep);
+  for (const FbxMovement& movement : take.movements)
+    if (movement.object == take.object_of_node[1] && movement.property == "aim")
+      return movement.at(seconds * kFbxTicks);
+  return Eigen::Vector3d::Constant(-1);
+}
+
+TEST_F(FbxOnto, APropertyWhoseCurvesAreSharedKeepsItsOtherAxes) {
+  const Motion motion = test::smooth_motion(5);
+  const fs::path file = written(with_aims(motion, [](Aimed& aimed) {
+    aimed.out.add(aimed.layer, aimed.joints[0], "aim", kAims);
+    aimed.out.connect(1'000'000, aimed.joints[1], "aim");  // the curve node, once more
+  }));
+  ScalarTracks tracks = read_motion(file).tracks;
+  ASSERT_EQ(tracks.size(), 4u);  // X and Y of both
+  tracks[0].values = {9, 9, 9, 9, 9.5F};
+  EXPECT_EQ(again(file, motion, {}, tracks).tracks.size(), 4u);
+  for (const ScalarTrack& track : again(file, motion, {}, tracks).tracks)
+    EXPECT_NE(std::find(tracks.begin(), tracks.end(), track), tracks.end()) << label(track);
+  for (const ScalarTracks& given : {tracks, ScalarTracks{tracks[0]}})
+    EXPECT_EQ(aim_at(put_onto(file, motion, {}, given), 0), Eigen::Vector3d(9, 10, 7));
+}
+
+TEST_F(FbxOnto, APropertyThatOnlyAnUpperLayerMovesKeepsItsOtherAxes) {
+  const Motion motion = test::smooth_motion(5);
+  const fs::path file = written(with_aims(motion, [](Aimed& aimed) {
+    aimed.out.add(aimed.add_layer(), aimed.joints[0], "aim", kAims);
+  }));
+  ScalarTracks tracks = read_motion(file).tracks;
+  ASSERT_EQ(tracks.size(), 2u);
+  tracks[0].values = {9, 9, 9, 9, 9.5F};
+  EXPECT_EQ(again(file, motion, {}, tracks).tracks, tracks);
+  EXPECT_EQ(aim_at(put_onto(file, motion, {}, tracks), 0), Eigen::Vector3d(9, 10, 10));
+}
+
+TEST_F(FbxOnto, AnAxisOfSeveralLayersThatIsNotGivenKeepsItsTime) {
+  Motion motion = test::smooth_motion(5);
+  const double rate = motion.clip.sample_rate_hz;
+  const fs::path file = written(with_aims(motion, [](Aimed& aimed) {
+    aimed.out.add(aimed.layer, aimed.joints[0], "aim", kAims);
+    aimed.out.add(aimed.add_layer(), aimed.joints[0], "aim",
+                  {{{0, 1, 0, 0, 0}, {0, 0, 1, 0, 0}, {0, 1, 0, 0, 0}}});
+  }));
+  ScalarTracks tracks = read_motion(file).tracks;
+  ASSERT_EQ(tracks.size(), 3u);
+  motion.clip.sample_rate_hz = rate / 2;
+  const std::string bytes = put_onto(file, motion, {}, {tracks[0]});
+  EXPECT_LT((aim_at(bytes, 2 / rate) - Eigen::Vector3d(3, 31, 7)).norm(), 1e-5);
+  EXPECT_LT((aim_at(bytes, 4 / rate) - Eigen::Vector3d(3, 50, 7)).norm(), 1e-5);
+}
+
+TEST_F(FbxOnto, AnAxisThatStepsStepsInCurvesOfItsOwn) {
+  const Motion motion = test::smooth_motion(5);
+  const fs::path file = written(with_aims(motion, [](Aimed& aimed) {
+    aimed.out.add(aimed.layer, aimed.joints[0], "aim", kAims, {false, true, false});
+    aimed.out.connect(1'000'000, aimed.joints[1], "aim");
+  }));
+  ScalarTracks tracks = read_motion(file).tracks;
+  ASSERT_EQ(tracks.size(), 4u);
+  EXPECT_TRUE(tracks[1].steps);
+  tracks[0].values = {9, 9, 9, 9, 9.5F};
+  const double between = 3.5 / motion.clip.sample_rate_hz;
+  for (const ScalarTracks& given : {tracks, ScalarTracks{tracks[0]}})
+    EXPECT_LT(
+        (aim_at(put_onto(file, motion, {}, given), between) - Eigen::Vector3d(9.25, 40, 7)).norm(),
+        1e-5);
 }
 
 TEST_F(FbxOnto, AnAsciiFileIsRefusedInOneSentence) {

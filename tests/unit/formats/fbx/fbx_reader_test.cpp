@@ -443,6 +443,18 @@ TEST(FbxReader, AddsALayerToAPropertyThatNoOtherLayerMoves) {
   EXPECT_NEAR(file.tracks[0].values[10], 23, 1e-5);
 }
 
+TEST(FbxReader, TakesTheCurveNodeWithKeysIfOneBeforeItHasNone) {
+  std::string text = with_smile(fbx_text({{}}));
+  const std::string node = "AnimationCurveNode: 105";
+  text.insert(text.find(node),
+              "AnimationCurveNode: 104, \"AnimCurveNode::DeformPercent\", \"\" {\n}\n");
+  const std::string connection = "C: \"OO\",105,101\n";
+  text.insert(text.find(connection), "C: \"OO\",104,101\nC: \"OP\",104,23, \"DeformPercent\"\n");
+  const MotionFile file = read_fbx("f", text);
+  ASSERT_EQ(file.tracks.size(), 1u);
+  EXPECT_NEAR(file.tracks[0].values[10], 0.5, 1e-6);
+}
+
 TEST(FbxReader, FollowsTheWeightOfALayerThatChanges) {
   std::string text = with_layer(fbx_text({{}}), "2");
   text.insert(text.find("}\nConnections: {\n"),
