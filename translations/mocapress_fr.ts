@@ -1609,6 +1609,17 @@
     </message>
 </context>
 <context>
+    <name>mocapress::ForeignLock</name>
+    <message>
+        <source>%1 was opened by another Mocapress meanwhile, so it was not taken over.</source>
+        <translation>%1 a été ouvert entre-temps par un autre Mocapress, et n&apos;a donc pas été repris.</translation>
+    </message>
+    <message>
+        <source>The project cannot be taken over: its lock %1 is still held, or you may not change it.</source>
+        <translation>Le projet ne peut pas être repris : son verrou %1 est encore tenu, ou vous ne pouvez pas le modifier.</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::HeatMap</name>
     <message>
         <source>Heat map of errors</source>
@@ -1972,6 +1983,14 @@
     <message>
         <source>The project was not saved: %1</source>
         <translation>Le projet n&apos;est pas enregistré : %1</translation>
+    </message>
+    <message>
+        <source>its lock was replaced or removed by someone else; use Save Project As to keep the changes in another file</source>
+        <translation>son verrou a été remplacé ou supprimé par quelqu&apos;un d&apos;autre ; choisissez « Enregistrer le projet sous » pour garder les changements dans un autre fichier</translation>
+    </message>
+    <message>
+        <source>it was taken over on the computer %1; use Save Project As to keep the changes in another file</source>
+        <translation>il a été repris sur l&apos;ordinateur %1 ; choisissez « Enregistrer le projet sous » pour garder les changements dans un autre fichier</translation>
     </message>
 </context>
 <context>
@@ -3314,6 +3333,10 @@
     <message>
         <source>None</source>
         <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>%1 is open on the computer %2, since %3. Open a copy of it?</source>
+        <translation>%1 est ouvert sur l&apos;ordinateur %2, depuis %3. En ouvrir une copie ?</translation>
     </message>
 </context>
 <context>

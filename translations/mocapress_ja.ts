@@ -1597,6 +1597,17 @@
     </message>
 </context>
 <context>
+    <name>mocapress::ForeignLock</name>
+    <message>
+        <source>%1 was opened by another Mocapress meanwhile, so it was not taken over.</source>
+        <translation>%1はその間に別のMocapressで開かれたため、引き継ぎませんでした。</translation>
+    </message>
+    <message>
+        <source>The project cannot be taken over: its lock %1 is still held, or you may not change it.</source>
+        <translation>プロジェクトを引き継げません: ロック%1がまだ使用中か、変更する権限がありません。</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::HeatMap</name>
     <message>
         <source>Heat map of errors</source>
@@ -1960,6 +1971,14 @@
     <message>
         <source>The project was not saved: %1</source>
         <translation>プロジェクトが書き込まれていません: %1</translation>
+    </message>
+    <message>
+        <source>its lock was replaced or removed by someone else; use Save Project As to keep the changes in another file</source>
+        <translation>ロックが他の誰かに置き換えられたか削除されました。変更を別のファイルに残すには、「プロジェクトを保存」を使ってください</translation>
+    </message>
+    <message>
+        <source>it was taken over on the computer %1; use Save Project As to keep the changes in another file</source>
+        <translation>コンピューター%1で引き継がれました。変更を別のファイルに残すには、「プロジェクトを保存」を使ってください</translation>
     </message>
 </context>
 <context>
@@ -3287,6 +3306,10 @@
     <message>
         <source>None</source>
         <translation>なし</translation>
+    </message>
+    <message>
+        <source>%1 is open on the computer %2, since %3. Open a copy of it?</source>
+        <translation>%1はコンピューター%2で%3から開かれています。コピーを開きますか?</translation>
     </message>
 </context>
 <context>

@@ -60,6 +60,14 @@ class InALibrary : public testing::Test {
     return written.open(QIODevice::ReadOnly) && written.readAll().contains(text);
   }
 
+  /// Puts the lock of a studio on another computer in the place of this one's.
+  static void takeOverElsewhere(const QString& path) {
+    QFile::remove(ProjectLock::fileOf(path));
+    QFile lock(ProjectLock::fileOf(path));
+    ASSERT_TRUE(lock.open(QIODevice::WriteOnly));
+    lock.write("1\nmocapress-studio\nelsewhere\n");
+  }
+
   /// Replaces a project by the one of a killed studio, with the lock of a process that is gone.
   static void putBackAsAfterAKill(const QString& crashed, const QString& path) {
     QFile::remove(path);
@@ -312,6 +320,45 @@ TEST_F(InALibrary, AWriteThatFailsIsSaidOnceAndTriedAgain) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !run.library.stuck(); }, kPatience));
   EXPECT_TRUE(holds(knights, "knee"));
   EXPECT_EQ(failed.count(), 1);
+}
+
+TEST_F(InALibrary, AProjectTakenOverElsewhereIsNotWrittenAnyMore) {
+  const QString knights = path("knights.mocapress");
+  const QString mine = path("mine.mocapress");
+  {
+    Run run;
+    run.library.begin(data());
+    run.library.add({clip("walk.bvh", 1)});
+    ASSERT_TRUE(run.library.saveAs(knights));
+    takeOverElsewhere(knights);
+    QSignalSpy failed(&run.library, &Library::failed);
+    run.library.setNote(0, QStringLiteral("knee"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return run.library.stuck(); }, kPatience));
+    ASSERT_EQ(failed.count(), 1);
+    EXPECT_TRUE(failed[0][0].toString().contains(QStringLiteral("elsewhere")));
+    EXPECT_FALSE(run.library.end()) << "the window asks whether to quit without the changes";
+    EXPECT_FALSE(run.library.saveAs(knights)) << "it would overwrite the other's work";
+    EXPECT_FALSE(holds(knights, "knee"));
+    failed.clear();
+    EXPECT_TRUE(run.library.saveAs(mine));
+    EXPECT_EQ(failed.count(), 0) << "nothing is lost any more";
+    EXPECT_TRUE(holds(mine, "knee"));
+    run.library.setNote(0, QStringLiteral("elbow"));
+  }
+  EXPECT_TRUE(holds(mine, "elbow"));
+  EXPECT_FALSE(holds(knights, "knee"));
+  EXPECT_TRUE(holds(ProjectLock::fileOf(knights), "elsewhere")) << "the lock of the new owner";
+}
+
+TEST_F(InALibrary, AnUnnamedProjectTakenOverElsewhereStaysInItsFile) {
+  Run run;
+  run.library.begin(data());
+  run.library.add({clip("walk.bvh", 1)});
+  const QString unnamed = run.library.path();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return holds(unnamed, "walk"); }, kPatience));
+  takeOverElsewhere(unnamed);
+  EXPECT_TRUE(run.library.saveAs(path("mine.mocapress")));
+  EXPECT_TRUE(holds(unnamed, "walk")) << "the other studio works on it";
 }
 
 TEST_F(InALibrary, AProjectThatIsGoneOrUnreadableIsSaidAndANewOneBegins) {

@@ -7,11 +7,13 @@
 #include <QAction>
 #include <QApplication>
 #include <QDir>
+#include <QFile>
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QLocale>
 #include <QMenu>
 #include <QMessageBox>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QWidget>
@@ -61,6 +63,20 @@ class OfProjectFiles : public testing::Test {
       if (!dialog->isVisible()) look->deleteLater();
     });
     look->start(10);
+  }
+
+  /// Writes the lock of a studio on another computer.
+  void lockElsewhere(const QString& project) const {
+    QFile lock(ProjectLock::fileOf(project));
+    ASSERT_TRUE(lock.open(QIODevice::WriteOnly));
+    lock.write("1\nmocapress-studio\nelsewhere\n");
+  }
+
+  void takeOver() const {
+    ASSERT_TRUE(question());
+    for (QAbstractButton* button : question()->buttons())
+      if (question()->buttonRole(button) == QMessageBox::DestructiveRole) return button->click();
+    FAIL() << "it cannot be taken over";
   }
 
   QTemporaryDir directory_;
@@ -137,6 +153,35 @@ TEST_F(OfProjectFiles, AProjectInUseIsOpenedAsACopyIfThatIsWanted) {
   boxes[0]->button(QMessageBox::Open)->click();
   EXPECT_EQ(model.rowCount(), 2);
   EXPECT_EQ(files.title(), QStringLiteral("Unnamed Project"));
+}
+
+TEST_F(OfProjectFiles, AProjectLockedElsewhereIsTakenOver) {
+  addClips();
+  const QString knights = path("knights.mocapress");
+  ASSERT_TRUE(library_.saveAs(knights));
+  files_.startNew();
+  lockElsewhere(knights);
+  files_.open(knights);
+  ASSERT_TRUE(question());
+  EXPECT_TRUE(question()->text().contains(QStringLiteral("elsewhere")));
+  takeOver();
+  EXPECT_EQ(library_.path(), knights);
+}
+
+TEST_F(OfProjectFiles, ALockThatCannotBeTakenOverIsSaidAndTheQuestionIsOver) {
+  addClips();
+  const QString knights = path("knights.mocapress");
+  ASSERT_TRUE(library_.saveAs(knights));
+  files_.startNew();
+  const ProjectLock holder(knights);
+  lockElsewhere(knights);
+  QSignalSpy failed(&library_, &Library::failed);
+  files_.open(knights);
+  takeOver();
+  ASSERT_EQ(failed.count(), 1);
+  EXPECT_TRUE(failed[0][0].toString().contains(ProjectLock::fileOf(knights)));
+  EXPECT_FALSE(question());
+  EXPECT_NE(library_.path(), knights);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/studio/library/foreign_lock.h"
 
+#include <QCoreApplication>
+#include <QDir>
 #include <QFileInfo>
 #include <QLockFile>
 #include <QSysInfo>
@@ -19,8 +21,20 @@ std::optional<ForeignLock> foreignLock(const QString& project) {
   return ForeignLock{host, status.owner(), status.lastModified()};
 }
 
-bool removeForeignLock(const QString& project) {
-  return foreignLock(project) && QLockFile(ProjectLock::fileOf(project)).removeStaleLockFile();
+QString removeForeignLock(const QString& project, const ForeignLock& lock) {
+  const QString file = ProjectLock::fileOf(project);
+  if (!QFileInfo::exists(file)) return {};
+  if (foreignLock(project) != lock)
+    return QCoreApplication::translate(
+               "mocapress::ForeignLock",
+               "%1 was opened by another Mocapress meanwhile, so it was not taken over.")
+        .arg(QDir::toNativeSeparators(project));
+  if (QLockFile(file).removeStaleLockFile()) return {};
+  return QCoreApplication::translate(
+             "mocapress::ForeignLock",
+             "The project cannot be taken over: its lock %1 is still held, or you may not change "
+             "it.")
+      .arg(QDir::toNativeSeparators(file));
 }
 
 }  // namespace mocapress

@@ -11,14 +11,16 @@ namespace mocapress {
 /// away: nobody here can tell.
 struct ForeignLock {
   QString host;
-  QString user;
+  QString user;  // empty: a user that this computer does not know
   QDateTime since;
+
+  bool operator==(const ForeignLock&) const = default;
 };
 
 /// Unset if no studio on another computer has locked the project.
 std::optional<ForeignLock> foreignLock(const QString& project);
 
-/// Removes such a lock. False: there was none, or it cannot be removed.
-bool removeForeignLock(const QString& project);
+/// Removes this lock, and no other. Returns the reason why it is still there; empty: it is gone.
+QString removeForeignLock(const QString& project, const ForeignLock& lock);
 
 }  // namespace mocapress

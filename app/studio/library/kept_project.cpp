@@ -10,6 +10,7 @@
 #include <exception>
 #include <utility>
 
+#include "app/studio/library/foreign_lock.h"
 #include "core/base/error.h"
 #include "core/base/path_kind.h"
 
@@ -19,18 +20,55 @@ namespace {
 
 constexpr int kHalfMade = 1000;  // ms after which a lock without an owner counts as abandoned
 
+/// True if the file certainly does not exist. If the system cannot tell, opening the file will.
+bool isAbsent(const QString& path) {
+  try {
+    return !is_there(path.toStdU16String());
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 ProjectLock::ProjectLock(const QString& project)
-    : existed_(QFile::exists(fileOf(project))), lock_(fileOf(project)) {
+    : file_(fileOf(project)),
+      existed_(QFile::exists(file_)),
+      lock_(std::make_unique<QLockFile>(file_)) {
   // Age does not matter: a lock is abandoned only when its process is gone.
-  lock_.setStaleLockTime(0);
-  if (lock_.tryLock(0) || !inUse()) return;
-  qint64 process = 0;
-  QString host, program;
-  if (lock_.getLockInfo(&process, &host, &program)) return;
-  lock_.setStaleLockTime(kHalfMade);
-  lock_.tryLock(2 * kHalfMade);
+  lock_->setStaleLockTime(0);
+  if (!lock_->tryLock(0) && inUse()) {
+    qint64 process = 0;
+    QString host, program;
+    if (lock_->getLockInfo(&process, &host, &program)) return;
+    lock_->setStaleLockTime(kHalfMade);
+    lock_->tryLock(2 * kHalfMade);
+  }
+  if (held()) own_ = content();
+}
+
+ProjectLock::~ProjectLock() {
+  if (!held() || content() == own_) return;
+  // QLockFile would remove the other studio's lock when it is destroyed, so it never is.
+  static auto* const abandoned = new std::vector<std::unique_ptr<QLockFile>>;
+  abandoned->push_back(std::move(lock_));
+}
+
+bool ProjectLock::lost() const {
+  if (!held() || own_.isEmpty()) return false;
+  // Without its folder, as when a network is away, the lock may still be there.
+  if (isAbsent(file_)) return QFileInfo(file_).dir().exists();
+  const QByteArray now = content();
+  return !now.isNull() && now != own_;
+}
+
+/// Null if the file cannot be read.
+QByteArray ProjectLock::content() const {
+  QFile file(file_);
+  if (!file.open(QIODevice::ReadOnly)) return {};
+  const QByteArray text = file.readAll();
+  if (file.error() != QFile::NoError) return {};
+  return text.isNull() ? QByteArray("") : text;
 }
 
 QString ProjectLock::fileOf(const QString& project) {
@@ -52,20 +90,27 @@ QString fileOf(const QString& path) {
   return file.exists() ? file.canonicalFilePath() : file.absoluteFilePath();
 }
 
-/// True if the file certainly does not exist. If the system cannot tell, opening the file will.
-bool isAbsent(const QString& path) {
-  try {
-    return !is_there(path.toStdU16String());
-  } catch (const Error&) {
-    return false;
-  }
+/// The reason why a project is not written any more.
+QString takenOver(const QString& project) {
+  const std::optional<ForeignLock> owner = foreignLock(project);
+  if (!owner)
+    return KeptProject::tr(
+        "its lock was replaced or removed by someone else; use Save Project As to keep the "
+        "changes in another file");
+  const QString computer =
+      owner->user.isEmpty() ? owner->host : QStringLiteral("%1 (%2)").arg(owner->host, owner->user);
+  return KeptProject::tr(
+             "it was taken over on the computer %1; use Save Project As to keep the changes in "
+             "another file")
+      .arg(computer);
 }
 
-/// Writes the project and returns the error; empty: none. The next start opens the project that was
-/// written last, in whichever window.
-QString keep(const Project& project, const QString& path,
-             const std::optional<ProjectShelf>& shelf) {
+/// Writes the project, unless another studio has taken its lock over, and returns the error; empty:
+/// none. The next start opens the project that was written last, in whichever window.
+QString keep(const Project& project, const QString& path, const std::optional<ProjectShelf>& shelf,
+             const ProjectLock* lock) {
   try {
+    if (lock && lock->lost()) return takenOver(path);
     writeProject(path, project);
     if (shelf) shelf->use(path);
     return {};
@@ -198,7 +243,7 @@ bool KeptProject::enter(const QString& path, std::unique_ptr<ProjectLock> lock, 
   const QString before = std::exchange(path_, QString());
   const bool was_empty = project_.isEmpty();
   emit leaving();
-  if (shelf_ && was_empty && shelf_->isUnnamed(before)) QFile::remove(before);
+  if (was_empty) dropUnnamed(before);
   changed_ = unwritten_ = false;
   path_ = path;
   lock_ = std::move(lock);
@@ -221,13 +266,16 @@ bool KeptProject::saveAs(const QString& path) {
     return false;
   }
   // If the previous file cannot be written, an error says so, and the new file still has
-  // everything.
-  flush();
-  if (const QString trouble = keep(project_, file, shelf_); !trouble.isEmpty()) {
+  // everything. A project that was taken over is left as it is.
+  if (lostLock())
+    finishWriting();
+  else
+    flush();
+  if (const QString trouble = keep(project_, file, shelf_, lock.get()); !trouble.isEmpty()) {
     emit failed(trouble);
     return false;
   }
-  if (shelf_ && shelf_->isUnnamed(path_)) QFile::remove(path_);
+  dropUnnamed(path_);
   path_ = file;
   lock_ = std::move(lock);
   changed_ = unwritten_ = false;
@@ -273,12 +321,13 @@ void KeptProject::write() {
   if (path_.isEmpty() || !changed_ || writing_.valid()) return;
   changed_ = false;
   since_write_.start();
-  writing_ =
-      std::async(std::launch::async, [this, project = project_, path = path_, shelf = shelf_] {
-        const QString trouble = keep(project, path, shelf);
-        emit written(QPrivateSignal());
-        return trouble;
-      });
+  // The lock stays until finishWriting().
+  writing_ = std::async(std::launch::async, [this, project = project_, path = path_, shelf = shelf_,
+                                             lock = lock_.get()] {
+    const QString trouble = keep(project, path, shelf, lock);
+    emit written(QPrivateSignal());
+    return trouble;
+  });
 }
 
 void KeptProject::noteWritten() {
@@ -302,12 +351,21 @@ bool KeptProject::mayLeave() {
   return obstacle.isEmpty() && flush();
 }
 
-/// Writes everything that is pending. On failure it stays pending, and an error says so.
-bool KeptProject::flush() {
+void KeptProject::finishWriting() {
   write_later_.stop();
   if (writing_.valid()) writing_.get();
+}
+
+/// Removes the file of a project without a name, unless it is another studio's now.
+void KeptProject::dropUnnamed(const QString& path) {
+  if (shelf_ && shelf_->isUnnamed(path) && !lostLock()) QFile::remove(path);
+}
+
+/// Writes everything that is pending. On failure it stays pending, and an error says so.
+bool KeptProject::flush() {
+  finishWriting();
   if (path_.isEmpty() || !unwritten_) return true;
-  const QString trouble = keep(project_, path_, shelf_);
+  const QString trouble = keep(project_, path_, shelf_, lock_.get());
   changed_ = unwritten_ = !trouble.isEmpty();
   if (changed_) trouble_.clear();  // reports an error again, since the user asked to save
   setTrouble(trouble);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QByteArray>
 #include <QDateTime>
 #include <QElapsedTimer>
 #include <QLockFile>
@@ -20,16 +21,23 @@ namespace mocapress {
 
 /// Reserves a project for one studio, since two would overwrite each other's work. The lock is a
 /// hidden file beside the project with the id of its process, so that a lock left by a crash is
-/// recognised. It also works in network folders without file locks.
+/// recognised. It also works in network folders without file locks. Someone on another computer can
+/// take such a lock over, so it is looked at again before each write.
 class ProjectLock {
  public:
   explicit ProjectLock(const QString& project);
 
-  bool held() const { return lock_.isLocked(); }
+  /// Releases the lock, unless another studio has taken it over.
+  ~ProjectLock();
+
+  bool held() const { return lock_->isLocked(); }
+
+  /// Held once, but its file is now another studio's, or gone. False if nobody can tell.
+  bool lost() const;
 
   /// Another studio holds the lock. If the lock is neither held nor in use, the folder cannot be
   /// written.
-  bool inUse() const { return !held() && lock_.error() == QLockFile::LockFailedError; }
+  bool inUse() const { return !held() && lock_->error() == QLockFile::LockFailedError; }
 
   /// Held now, after a studio that ended without releasing it.
   bool wasLeftBehind() const { return held() && existed_; }
@@ -38,8 +46,12 @@ class ProjectLock {
   static QString fileOf(const QString& project);
 
  private:
+  QByteArray content() const;
+
+  QString file_;
   bool existed_;  // a lock file existed before
-  QLockFile lock_;
+  std::unique_ptr<QLockFile> lock_;
+  QByteArray own_;  // content of the file since this lock is held: process, program, computer
 };
 
 /// A project that can be opened again.
@@ -144,6 +156,9 @@ class KeptProject : public QObject {
   void write();
   void noteWritten();
   bool flush();
+  void finishWriting();
+  bool lostLock() const { return lock_ && lock_->lost(); }
+  void dropUnnamed(const QString& path);
   bool mayLeave();
   void setTrouble(const QString& message);
   bool enter(const QString& path, std::unique_ptr<ProjectLock> lock, Project project);

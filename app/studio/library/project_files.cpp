@@ -22,6 +22,20 @@ QString kinds() {
   return ProjectFiles::tr("Mocapress projects (*.mocapress)");
 }
 
+/// The question about a project that another studio has open.
+QString whereOpen(const QString& path, const std::optional<ForeignLock>& lock) {
+  const QString file = QDir::toNativeSeparators(path);
+  if (!lock)
+    return ProjectFiles::tr("%1 is open in another window of Mocapress. Open a copy of it?")
+        .arg(file);
+  const QString since = QLocale().toString(lock->since, QLocale::ShortFormat);
+  if (lock->user.isEmpty())
+    return ProjectFiles::tr("%1 is open on the computer %2, since %3. Open a copy of it?")
+        .arg(file, lock->host, since);
+  return ProjectFiles::tr("%1 is open on the computer %2, by %3, since %4. Open a copy of it?")
+      .arg(file, lock->host, lock->user, since);
+}
+
 }  // namespace
 
 ProjectFiles::ProjectFiles(Library* library, QWidget* window)
@@ -94,14 +108,9 @@ void ProjectFiles::askToQuit(std::function<void()> then) {
 
 void ProjectFiles::offerCopy(const QString& path) {
   const std::optional<ForeignLock> lock = foreignLock(path);
-  const QString file = QDir::toNativeSeparators(path);
-  const QString text =
-      lock ? tr("%1 is open on the computer %2, by %3, since %4. Open a copy of it?")
-                 .arg(file, lock->host, lock->user,
-                      QLocale().toString(lock->since, QLocale::ShortFormat))
-           : tr("%1 is open in another window of Mocapress. Open a copy of it?").arg(file);
-  auto* question = new QMessageBox(QMessageBox::Question, tr("Project in Use"), text,
-                                   QMessageBox::Open | QMessageBox::Cancel, window_);
+  auto* question =
+      new QMessageBox(QMessageBox::Question, tr("Project in Use"), whereOpen(path, lock),
+                      QMessageBox::Open | QMessageBox::Cancel, window_);
   QPushButton* take_over = nullptr;
   if (lock) {
     question->setInformativeText(
@@ -110,9 +119,10 @@ void ProjectFiles::offerCopy(const QString& path) {
     take_over = question->addButton(tr("Take Over"), QMessageBox::DestructiveRole);
   }
   question->setAttribute(Qt::WA_DeleteOnClose);
-  connect(question, &QMessageBox::finished, this, [this, path, question, take_over](int button) {
+  connect(question, &QMessageBox::finished, this, [=, this](int button) {
     const bool takes_over = take_over && question->clickedButton() == take_over;
-    if (takes_over) removeForeignLock(path);
+    const QString obstacle = takes_over ? removeForeignLock(path, *lock) : QString();
+    if (!obstacle.isEmpty()) return emit library_->failed(obstacle);
     if (takes_over ? library_->open(path) : button == QMessageBox::Open && library_->openCopy(path))
       noteOpened();
   });
