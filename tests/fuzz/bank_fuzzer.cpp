@@ -6,10 +6,14 @@
 #include "core/runtime/mocapress_runtime.h"
 #include "core/runtime/own_memory.h"
 #include "tests/fuzz/mended_bank.h"
+#include "tests/fuzz/played_tracks.h"
 
 namespace {
 
 using mocapress::AlignedBytes;
+
+constexpr const char* kNames[] = {"hips", "spine"};
+constexpr mcpr_skeleton kSkeleton = {2, kNames, nullptr};
 
 /// Samples enough neighbouring instants that whole frames are computed for them.
 void sample_crowd(const mcpr_cooked* clip) {
@@ -34,13 +38,17 @@ void sample_crowd(const mcpr_cooked* clip) {
 
 void sample(const mcpr_cooked* clip) {
   const mcpr_cooked_info info = mcpr_cooked_describe(clip);
-  for (const mcpr_wrap wrap : {MCPR_CLAMP, MCPR_LOOP}) {
-    const mcpr_sample_request request{.wrap = wrap};
+  const std::uint16_t root = 0;
+  for (const mcpr_wrap wrap : mocapress::test::kWraps) {
+    mcpr_sample_request request{.wrap = wrap, .stepped = &root, .stepped_count = 1};
+    const AlignedBytes scratch(mcpr_sample_scratch_bytes(clip, &request));
+    request.scratch = scratch.data();
+    request.scratch_size = scratch.size();
     std::vector<float> pose(mcpr_sample_values(clip, &request));
     for (const double at : {0.0, 0.5, 0.5 * info.frames, info.frames - 1.0})
       if (!pose.empty()) mcpr_sample(clip, &request, at, pose.data());
   }
-  const std::uint16_t root = 0;
+  mocapress::test::play_tracks(mcpr_cooked_tracks(clip), info.frames);
   const AlignedBytes memory(mcpr_selection_bytes(clip, 1));
   const mcpr_selection* selection = nullptr;
   if (mcpr_make_selection(clip, &root, 1, memory.data(), memory.size(), &selection).status !=
@@ -86,6 +94,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (mcpr_open_cooked(bytes.data(), size, 1, &alone).status == MCPR_OK) {
     sample(alone);
     mcpr_cooked_skeleton_hash(alone);
+    std::int16_t map[2];
+    mcpr_map_gaps gaps;
+    mcpr_map_cooked_joints(alone, &kSkeleton, map, &gaps);
   }
   const mcpk_bank* bank = nullptr;
   // Checks the head only: index and packed clips may be damaged.
@@ -99,6 +110,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       mcpk_find_joint(bank, clip, "hips");
       mcpk_skeleton(bank, clip);
       mcpk_skeleton_hash(bank, clip);
+      mcpk_tier_place(bank, clip, 1, &place[0], &place[1]);
+      std::int16_t map[2];
+      mcpr_map_gaps gaps;
+      mcpk_map_joints(bank, clip, &kSkeleton, map, &gaps);
       for (const std::uint32_t tiers : {0U, 1U})
         if (!bank->is_cooked()) read_packed(bank, clip, tiers);
     }

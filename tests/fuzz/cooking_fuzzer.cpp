@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Cooks any bytes that open as a .mcpr. The cooked clip must pass its check and be played in every
-// way, with loops and root motion.
+// way, with every wrap, root motion, tracks and blends.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
 #include "tests/fuzz/file_sections.h"
+#include "tests/fuzz/played_tracks.h"
 #include "tests/support/opened_clip.h"
 
 namespace {
@@ -21,6 +22,29 @@ mcpr_limits fuzzed_limits() {
   return limits;
 }
 
+constexpr std::uint16_t kRoot = 0;
+constexpr mcpr_convention kEngine = {{1, -3, 2}, 1, 0.01F};
+
+/// Every wrap and layout, with joints that step and without, and joints listed as an engine wants
+/// them.
+std::vector<mcpr_sample_request> requests() {
+  std::vector<mcpr_sample_request> all;
+  for (const mcpr_wrap wrap : mocapress::test::kWraps) {
+    const auto layout = static_cast<mcpr_layout>(wrap % 3);
+    all.push_back({.layout = layout, .wrap = wrap});
+    all.push_back({.layout = layout, .wrap = wrap, .stepped = &kRoot, .stepped_count = 1});
+  }
+  all.push_back({.unit = MCPR_SECONDS,
+                 .wrap = MCPR_LOOP_BLEND,
+                 .joints = &kRoot,
+                 .joint_count = 1,
+                 .bands_left_out = 1,
+                 .convention = &kEngine,
+                 .stepped = &kRoot,
+                 .stepped_count = 1});
+  return all;
+}
+
 /// Samples instants before, in and after the clip, and jumps between them.
 void play(const mcpr_cooked* clip) {
   const mcpr_cooked_info info = mcpr_cooked_describe(clip);
@@ -28,27 +52,74 @@ void play(const mcpr_cooked* clip) {
   mcpr_cursor* cursor = nullptr;
   if (mcpr_make_cursor(clip, memory.data(), memory.size(), &cursor).status != MCPR_OK) std::abort();
   const double end = info.frames;
-  for (const mcpr_wrap wrap : {MCPR_CLAMP, MCPR_LOOP})
-    for (const mcpr_layout layout : {MCPR_TRANSFORMS, MCPR_ARRAYS, MCPR_MATRICES}) {
-      const mcpr_sample_request request{.layout = layout, .wrap = wrap};
-      std::vector<float> pose(mcpr_sample_values(clip, &request));
-      if (pose.empty()) continue;
-      for (const double time : {0.0, 0.25, 1.75, end - 1, end + 0.5, -3.5, 0.5 * end, 1e9}) {
-        mcpr_sample(clip, &request, time, pose.data());
-        mcpr_sample_next(cursor, &request, time, pose.data());
-      }
-      mcpr_transform moved;
-      for (const auto& [from, to] : {std::pair(0.0, end - 1), {end, -2.5 * end}, {0.5, 1e6}})
-        mcpr_sample_motion(clip, &request, 0, from, to, &moved);
+  for (mcpr_sample_request request : requests()) {
+    std::vector<float> pose(mcpr_sample_values(clip, &request));
+    if (pose.empty()) continue;
+    // Memory of just the bytes that are asked for; a request that needs none may be given some.
+    const AlignedBytes scratch(mcpr_sample_scratch_bytes(clip, &request));
+    request.scratch = scratch.data();
+    request.scratch_size = scratch.size();
+    for (const double time : {0.0, 0.25, 1.75, end - 1, end + 0.5, -3.5, 0.5 * end, 1e9}) {
+      const mcpr_result sampled = mcpr_sample(clip, &request, time, pose.data());
+      const mcpr_result next = mcpr_sample_next(cursor, &request, time, pose.data());
+      if (sampled.status != MCPR_OK || next.status != MCPR_OK) std::abort();
     }
+    const AlignedBytes of_motion(std::size_t{64} << 10);  // it needs that of a list of joints
+    request.scratch = of_motion.data();
+    request.scratch_size = of_motion.size();
+    mcpr_transform moved;
+    for (const auto& [from, to] : {std::pair(0.0, end - 1), {end, -2.5 * end}, {0.5, 1e6}}) {
+      if (mcpr_sample_motion(clip, &request, 0, from, to, &moved).status != MCPR_OK) std::abort();
+      mcpr_sample_ground_motion(clip, &request, 0, from, to, &moved);
+    }
+  }
   for (const double refused : {std::nan(""), HUGE_VAL}) {
     const mcpr_sample_request request{};
     std::vector<float> pose(mcpr_sample_values(clip, &request));
     if (!pose.empty() && mcpr_sample(clip, &request, refused, pose.data()).status == MCPR_OK)
       std::abort();
   }
-  mocapress::test::OpenedClip::frames_of(mcpr_cooked_tracks(clip), 0,
-                                         std::min<std::uint32_t>(info.frames, 8));
+}
+
+/// Blends two poses of the clip in every way. Every rotation that comes out is a unit quaternion.
+void blend(const mcpr_cooked* clip) {
+  const std::uint32_t joints = mcpr_cooked_describe(clip).joints;
+  const mcpr_sample_request whole{};
+  const AlignedBytes scratch(mcpr_sample_scratch_bytes(clip, &whole));
+  const mcpr_sample_request request{.scratch = scratch.data(), .scratch_size = scratch.size()};
+  std::vector<mcpr_transform> first(joints), second(joints), out(joints);
+  mcpr_sample(clip, &request, 0, first.data()->rotation);
+  mcpr_sample(clip, &request, 1e9, second.data()->rotation);
+  const mcpr_pose_form form{.joints = joints};
+  const auto check = [&](const mcpr_result& result) {
+    if (result.status != MCPR_OK) std::abort();
+    for (const mcpr_transform& joint : out) {
+      float square = 0;
+      for (const float number : joint.rotation) square += number * number;
+      if (!(std::abs(square - 1) < 1e-3F)) std::abort();
+    }
+  };
+  const mcpr_weighted_pose both[] = {{first.data(), 1, nullptr}, {second.data(), 3, nullptr}};
+  check(mcpr_blend(&form, both, 2, out.data()));
+  const mcpr_weighted_pose layer{second.data(), 0.5F, nullptr};
+  check(mcpr_blend_layer(&form, &layer, out.data()));
+  check(mcpr_pose_difference(&form, second.data(), first.data(), out.data()));
+  const std::vector<mcpr_transform> difference = out;
+  out = first;
+  const mcpr_weighted_pose added{difference.data(), 0.5F, nullptr};
+  check(mcpr_blend_additive(&form, &added, out.data()));
+  mcpr_transform ground;
+  check(mcpr_split_root(nullptr, out.data(), &ground));
+  std::vector<mcpr_mirror_joint> mirror(joints);
+  std::vector<std::uint16_t> partners(joints);
+  std::vector<std::int16_t> parents(joints);
+  for (std::uint32_t j = 0; j < joints; ++j) {
+    partners[j] = static_cast<std::uint16_t>(j);
+    parents[j] = static_cast<std::int16_t>(static_cast<int>(j) - 1);
+  }
+  if (mcpr_make_mirror(&form, first.data(), parents.data(), partners.data(), 0, mirror.data())
+          .status == MCPR_OK)
+    check(mcpr_mirror_pose(&form, mirror.data(), 0, second.data(), out.data()));
 }
 
 void cook(const mcpr_clip* clip, const mcpr_cook_options& options) {
@@ -66,6 +137,8 @@ void cook(const mcpr_clip* clip, const mcpr_cook_options& options) {
   if (mcpr_cooked_skeleton_hash(cooked) != (options.skeleton != 0 ? mcpr_skeleton_hash(clip) : 0))
     std::abort();
   play(cooked);
+  mocapress::test::play_tracks(mcpr_cooked_tracks(cooked), mcpr_cooked_describe(cooked).frames);
+  blend(cooked);
 }
 
 }  // namespace
@@ -78,6 +151,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const mocapress::test::OpenedClip clip(file, &limits);
   if (clip.clip == nullptr) return 0;
   for (const int apply_ik : {0, 1}) cook(clip.clip, {.apply_ik = apply_ik});
+  cook(clip.clip, {.apply_ik = 1, .ik_error = 0.5F});
   cook(clip.clip, {.skeleton = 1});
   return 0;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tests/fuzz/file_sections.h"
+#include "tests/fuzz/played_tracks.h"
 #include "tests/support/opened_clip.h"
 
 namespace {
@@ -26,7 +27,10 @@ void play(const mocapress::test::OpenedClip& clip) {
       const mcpr_request request{.output = output, .apply_ik = corrected};
       clip.frames(request, info.frames - count, count);
       clip.moment(request, 0.5 * (info.frames - 1));
+      for (const mcpr_wrap wrap : mocapress::test::kWraps)
+        clip.moment({.output = output, .apply_ik = corrected, .wrap = wrap}, info.frames - 0.5);
     }
+  mocapress::test::play_tracks(mcpr_clip_tracks(clip.clip), info.frames);
   clip.tracks(info.frames - count, count);
   const mcpr_track_request first_track{channels, info.tracks > 0 ? 1U : 0U};
   float value = 0;
