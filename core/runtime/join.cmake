@@ -68,4 +68,6 @@ endforeach()
 # Collapses the blank lines that includes leave behind.
 string(REGEX REPLACE "\n\n\n+" "\n\n" joined "${joined}")
 file(WRITE "${FOLDER}/mocapress_runtime.cpp" "${joined}")
-file(COPY_FILE "${ROOT}/core/runtime/mocapress_runtime.h" "${FOLDER}/mocapress_runtime.h")
+foreach(header mocapress_runtime.h mocapress_runtime.hpp)
+  file(COPY_FILE "${ROOT}/core/runtime/${header}" "${FOLDER}/${header}")
+endforeach()

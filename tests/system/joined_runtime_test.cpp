@@ -2,6 +2,7 @@
 // Tests the runtime decoder in the form of two files, for users who copy them into a game.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -20,7 +21,8 @@ class JoinedRuntime : public CommandLine {
   void SetUp() override {
     run("cmake --install " MOCAPRESS_BINARY_DIR " --component runtime --prefix " + prefix());
     fs::create_directory(file("game"));
-    for (const char* name : {"mocapress_runtime.h", "mocapress_runtime.cpp"})
+    for (const char* name :
+         {"mocapress_runtime.h", "mocapress_runtime.hpp", "mocapress_runtime.cpp"})
       fs::copy_file(file("prefix/share/mocapress-runtime") / name, file("game") / name);
     example_ = file("prefix/share/mocapress-runtime/example");
   }
@@ -68,6 +70,31 @@ TEST_F(JoinedRuntime, CompilesAloneNeedsNothingOfCxxAndPlaysAsTheLibraryDoes) {
   EXPECT_EQ(missing.find("std::"), std::string::npos) << missing;
   EXPECT_EQ(missing.find("operator new"), std::string::npos) << missing;
   EXPECT_EQ(missing.find("mocapress"), std::string::npos) << missing;
+}
+
+/// The indented lines of the readme from the first that includes the header for C++.
+TEST_F(JoinedRuntime, PlaysByTheExampleInCxxOfItsReadme) {
+  std::istringstream readme(read_text(fs::path(MOCAPRESS_SOURCE_DIR) / "core/runtime/README.md"));
+  std::string program;
+  for (std::string line; std::getline(readme, line) && line != "    }";)
+    if (!program.empty() || line == "    #include <mocapress_runtime.hpp>")
+      program += line.substr(std::min<std::size_t>(line.size(), 4)) + "\n";
+  write("game/example.cpp", program + "}\n");
+  std::string compiler = "g++";
+  if (std::system("command -v clang++ > /dev/null") == 0) compiler = "clang++";
+  run("g++ -std=c++20 -O1 -fno-exceptions -fno-rtti -c mocapress_runtime.cpp");
+  for (const std::string by : {std::string("g++"), compiler}) {
+    run(by +
+        " -std=c++20 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror "
+        "-fno-exceptions -fno-rtti -I. example.cpp mocapress_runtime.o -o example");
+    const std::string said = run("./example " + (example_ / "walk.mcpr").string());
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 4) << said;
+    EXPECT_NE(said.find("1.5 s: the root is 9"), std::string::npos) << said;
+  }
+  const Outcome refused =
+      run_program({(file("game") / "example").string(), write("no.mcpr", "no clip at all")});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_NE(refused.out.find("not a Mocapress file"), std::string::npos) << refused.out;
 }
 
 /// A pragma for AVX2 would apply to all templates of a joined source, which must run without it.

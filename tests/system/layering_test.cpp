@@ -43,7 +43,8 @@ const std::map<std::string, RoomRules> kRooms = {
       false,
       true}},
     {"core/runtime/bank", {{kCInterface, "core/runtime/format", "core/runtime/pose"}, false, true}},
-    {"core/runtime", {{"core/runtime"}, false, true}},
+    // The header for C++ lies beside the C header wherever it is installed.
+    {"core/runtime", {{"core/runtime", "mocapress_runtime.h"}, false, true}},
     // A program that uses the interface, as an engine does.
     {"core/runtime/web", {{kCInterface}, false, true}},
     {"core/motion", {{"core/base", "core/runtime"}}},
@@ -199,8 +200,8 @@ std::vector<fs::path> sources_below(const fs::path& folder) {
   std::vector<fs::path> sources;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const fs::path& path = entry.path();
-    if (path.extension() == ".h" || path.extension() == ".cpp" || path.extension() == ".inc" ||
-        path.filename() == "CMakeLists.txt")
+    if (path.extension() == ".h" || path.extension() == ".hpp" || path.extension() == ".cpp" ||
+        path.extension() == ".inc" || path.filename() == "CMakeLists.txt")
       sources.push_back(path);
   }
   return sources;

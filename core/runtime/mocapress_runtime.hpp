@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// The runtime for C++20: spans, and pointers that free what they point to. Nothing throws. Types
+// and calls mean what mocapress_runtime.h says; its other functions take the same pointers.
+#ifndef MOCAPRESS_RUNTIME_HPP
+#define MOCAPRESS_RUNTIME_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <new>
+#include <span>
+#include <string_view>
+
+#include "mocapress_runtime.h"
+
+namespace mcpr {
+
+/// A value; or, if a call failed, an empty one and the result of that call.
+template <typename T>
+struct Expected {
+  T value{};
+  mcpr_result result{};
+
+  explicit operator bool() const { return result.status == MCPR_OK; }
+  T& operator*() { return value; }
+  T* operator->() { return &value; }
+  const T& operator*() const { return value; }
+  const T* operator->() const { return &value; }
+};
+
+struct Release {
+  void operator()(const void* memory) const {
+    ::operator delete (const_cast<void*>(memory), std::align_val_t{MCPR_ALIGNMENT});
+  }
+};
+
+/// A clip, a cooked clip, or memory for the runtime.
+template <typename T>
+using Owned = std::unique_ptr<T, Release>;
+
+/// Null if there is no such memory, which functions of the runtime take and tell.
+inline Owned<void> allocate(std::size_t bytes) {
+  return Owned<void>(::operator new (bytes, std::align_val_t{MCPR_ALIGNMENT}, std::nothrow));
+}
+
+inline constexpr mcpr_allocator kAllocator = {
+    [](void*, std::size_t bytes, std::size_t) { return allocate(bytes).release(); },
+    [](void*, void* memory) { Release()(memory); }, nullptr};
+
+/// Opens a file, which is not needed afterwards.
+inline Expected<Owned<const mcpr_clip>> load(std::span<const std::byte> file,
+                                             const mcpr_limits* limits = nullptr) {
+  const mcpr_clip* clip = nullptr;
+  const mcpr_result result = mcpr_load(file.data(), file.size(), limits, &kAllocator, &clip);
+  return {Owned<const mcpr_clip>(result.status == MCPR_OK ? clip : nullptr), result};
+}
+
+/// Opens a file for a Player.
+inline Expected<Owned<const mcpr_cooked>> load_cooked(std::span<const std::byte> file,
+                                                      const mcpr_cook_options& options = {},
+                                                      const mcpr_limits* limits = nullptr) {
+  const mcpr_cooked* clip = nullptr;
+  const mcpr_result result =
+      mcpr_load_cooked(file.data(), file.size(), limits, &options, &kAllocator, &clip);
+  return {Owned<const mcpr_cooked>(result.status == MCPR_OK ? clip : nullptr), result};
+}
+
+/// The number of tiers that are whole in a file's first bytes: mcpr_limits.tiers for reading them.
+/// 0: none yet, or a file without tiers.
+inline std::uint32_t tiers_within(std::span<const std::byte> file) {
+  std::uint32_t count = 0;
+  for (mcpr_tier tier; mcpr_tier_of(file.data(), file.size(), count, &tier).status == MCPR_OK &&
+                       tier.bytes <= file.size();)
+    ++count;
+  return count;
+}
+
+/// Plays a cooked clip, which outlives it, for one character.
+class Player {
+ public:
+  static Expected<Player> of(const mcpr_cooked* clip) {
+    Expected<Player> player;
+    const std::size_t bytes = mcpr_cursor_bytes(clip);
+    player->clip_ = clip;
+    player->memory_ = allocate(bytes);
+    player.result = mcpr_make_cursor(clip, player->memory_.get(), bytes, &player->cursor_);
+    return player;
+  }
+
+  /// Writes mcpr_sample_values() floats. Finds the scratch memory that very large clips need.
+  mcpr_result sample(mcpr_sample_request request, double time, std::span<float> out) {
+    if (out.size() < mcpr_sample_values(clip_, &request))
+      return {MCPR_MEMORY, 0, "the pose has no room for all values"};
+    const std::size_t bytes = mcpr_sample_scratch_bytes(clip_, &request);
+    if (bytes > scratch_bytes_) scratch_ = allocate(scratch_bytes_ = bytes);
+    request.scratch = scratch_.get();
+    request.scratch_size = scratch_bytes_;
+    return mcpr_sample_next(cursor_, &request, time, out.data());
+  }
+
+  /// Writes one transform a joint.
+  mcpr_result sample(double seconds, std::span<mcpr_transform> pose, mcpr_wrap wrap = MCPR_CLAMP) {
+    mcpr_sample_request request = {};
+    request.unit = MCPR_SECONDS;
+    request.wrap = wrap;
+    if (pose.empty()) return sample(request, seconds, std::span<float>());
+    constexpr std::size_t kValues = sizeof(mcpr_transform) / sizeof(float);
+    return sample(request, seconds, {pose.data()->rotation, kValues * pose.size()});
+  }
+
+ private:
+  const mcpr_cooked* clip_ = nullptr;
+  mcpr_cursor* cursor_ = nullptr;
+  Owned<void> memory_;
+  Owned<void> scratch_;
+  std::size_t scratch_bytes_ = 0;
+};
+
+/// Opens a bank in memory that is aligned and stays. Fails as mcpk_open does.
+inline Expected<const mcpk_bank*> open_bank(std::span<const std::byte> memory, int check = 1) {
+  Expected<const mcpk_bank*> bank;
+  bank.result = mcpk_open(memory.data(), memory.size(), check, &bank.value);
+  return bank;
+}
+
+/// The name of a clip in a bank; empty if there is none.
+struct Name {
+  char text[MCPK_NAME_BYTES] = {};
+
+  Name(const mcpk_bank* bank, std::uint32_t clip) { mcpk_name(bank, clip, text); }
+  operator std::string_view() const { return text; }
+};
+
+/// Points to a clip of a cooked bank by its name.
+inline Expected<const mcpr_cooked*> cooked_of(const mcpk_bank* bank, const char* name) {
+  const std::int32_t number = mcpk_find(bank, name);
+  if (number < 0) return {nullptr, {MCPR_ARGUMENT, 0, "the bank has no clip of this name"}};
+  Expected<const mcpr_cooked*> clip;
+  clip.result = mcpk_cooked(bank, static_cast<std::uint32_t>(number), &clip.value);
+  return clip;
+}
+
+}  // namespace mcpr
+
+#endif
