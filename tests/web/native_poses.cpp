@@ -35,8 +35,7 @@ std::vector<char> bytes_of(const char* path) {
   return bytes;
 }
 
-const mcpr_clip* clip_of(const std::vector<char>& file) {
-  mcpr_info info;
+const mcpr_clip* clip_of(const std::vector<char>& file, mcpr_info& info) {
   std::size_t bytes = 0;
   const mcpr_clip* clip = nullptr;
   check(mcpr_inspect(file.data(), file.size(), nullptr, &info));
@@ -46,9 +45,11 @@ const mcpr_clip* clip_of(const std::vector<char>& file) {
   return clip;
 }
 
-const mcpr_cooked* cooked_of(const mcpr_clip* clip) {
+/// Cooked as the package does.
+const mcpr_cooked* cooked_of(const mcpr_clip* clip, float ik_error) {
   mcpr_cook_options options = {};
   options.apply_ik = 1;
+  options.ik_error = ik_error;
   const std::size_t scratch_bytes = mcpr_cook_scratch_bytes(clip, &options);
   void* const scratch = memory_of(scratch_bytes);
   std::size_t bytes = 0;
@@ -81,8 +82,9 @@ double microseconds_a_pose(mcpr_cursor* cursor, const Instant& instant, std::vec
 
 int main(int count, char** arguments) {
   if (count != 3) return 2;
-  const mcpr_clip* const clip = clip_of(bytes_of(arguments[1]));
-  const mcpr_cooked* const cooked = cooked_of(clip);
+  mcpr_info file;
+  const mcpr_clip* const clip = clip_of(bytes_of(arguments[1]), file);
+  const mcpr_cooked* const cooked = cooked_of(clip, file.error);
   const mcpr_clip_info info = mcpr_clip_describe(clip);
   const int instants = std::atoi(arguments[2]);
   mcpr_cursor* cursor = nullptr;

@@ -14,7 +14,7 @@ import { gzipSync } from 'node:zlib';
 const source = join(import.meta.dirname, '../..');
 const { WEB_PROGRAM, WEB_NATIVE_POSES, WEB_PACKAGE, WEB_NODE, WEB_PICTURES } = process.env;
 const { chromium } = createRequire(join(WEB_NODE, 'package.json'))('playwright-core');
-const { worldPositions } = await import(join(WEB_PACKAGE, 'mocapress.js'));
+const { createMocapress, worldPositions } = await import(join(WEB_PACKAGE, 'mocapress.js'));
 const corpus = process.env.MOCAPRESS_CORPUS ?? join(source, '../shared/corpus');
 const files = mkdtempSync(join(tmpdir(), 'mocapress-web-'));
 const character = join(source, 'resources/samples/character.glb');
@@ -146,6 +146,28 @@ test('every module samples the poses of the native runtime', async () => {
         `native ${expected.us_playing} and ${expected.us_random}`,
     );
   }
+});
+
+test('a clip with inverse kinematics has the poses of the native runtime, cooked as coarsely', async () => {
+  mocapress('compress', join(source, 'resources/samples/human_walk.amc'), '-o', join(files, 'held.mcpr'), '--ik', '0.2');
+  const expected = native('held.mcpr', 60);
+  const clip = (await createMocapress()).openClip(readFileSync(join(files, 'held.mcpr')));
+  const poses = expected.seconds.flatMap((second) => [...clip.sample(second)]);
+  assert.ok(largestDifference(poses, expected.poses) < 1e-4);
+});
+
+test('a clip goes on after its end as the caller wants', async () => {
+  const clip = (await createMocapress()).openClip(readFileSync(join(files, 'human_walk.mcpr')));
+  const end = clip.duration;
+  const apart = (seconds, wrap, other) =>
+    largestDifference([...clip.sample(seconds, { wrap })], [...clip.sample(other)]);
+  assert.ok(apart(end + 0.3, 'clamp', end) < 1e-3);
+  assert.ok(apart(end + 0.3, 'pingPong', end - 0.3) < 1e-3);
+  assert.ok(apart(end + 0.3, 'loopJump', 0.3) < 1e-3);
+  assert.ok(apart(end + 0.7 / clip.sampleRate, 'loopHold', end) < 1e-3);
+  assert.ok(apart(end + 1.3 / clip.sampleRate, 'loopBlend', 0.3 / clip.sampleRate) < 1e-3);
+  assert.equal(clip.sampleTracks(end + 1, { wrap: 'pingPong' }).length, clip.tracks.length);
+  assert.throws(() => clip.sample(0, { wrap: 'sideways' }), /no wrap sideways/);
 });
 
 test('banks give the poses of their clips, packed and cooked', async () => {

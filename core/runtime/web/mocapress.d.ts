@@ -63,9 +63,20 @@ export interface Track {
   steps: boolean;
 }
 
-export interface SampleOptions {
-  /** Goes on in the next cycle after the end. Only for clips with `loopFrames`. */
+/**
+ * The pose before the first frame and after the last: that frame; another cycle of a clip with `loopFrames`; forwards,
+ * then backwards; or any clip as a loop, whose last frame stands for the first, is blended to it, or is held.
+ */
+export type Wrap = 'clamp' | 'loop' | 'pingPong' | 'loopJump' | 'loopBlend' | 'loopHold';
+
+export interface WrapOptions {
+  /** Goes on in the next cycle after the end, as the wrap 'loop'. Only for clips with `loopFrames`. */
   loop?: boolean;
+  /** By default 'loop' with `loop`, else 'clamp'. */
+  wrap?: Wrap;
+}
+
+export interface SampleOptions extends WrapOptions {
   /** Finest bands of detail to leave out, 0 to 4, for characters far away. */
   bandsLeftOut?: number;
 }
@@ -97,7 +108,10 @@ export class Clip {
   readonly tracks: Track[];
   /** A player for another character. */
   createPlayer(): Player;
-  /** As Player.sample(), with a player of the clip's own. */
+  /**
+   * As Player.sample(), with a player of the clip's own. Where inverse kinematics hold feet or hands, joints are within
+   * the error that the file tells of what decode() gives.
+   */
   sample(seconds: number, options?: SampleOptions): Float32Array;
   positions(seconds: number, options?: SampleOptions): Float32Array;
   /**
@@ -106,7 +120,7 @@ export class Clip {
    */
   decode(first?: number, count?: number): Float32Array;
   /** One value a track. A view that the next call may change. */
-  sampleTracks(seconds: number): Float32Array;
+  sampleTracks(seconds: number, options?: WrapOptions): Float32Array;
   /** Frees the clip and its players. */
   dispose(): void;
 }

@@ -8,6 +8,8 @@ const simdProbe = new Uint8Array([
 
 const headBytes = 104; // MCPK_HEAD_BYTES
 
+const wraps = ['clamp', 'loop', 'pingPong', 'loopJump', 'loopBlend', 'loopHold']; // mcpr_wrap
+
 const trackKinds = ['property', 'morphWeight', 'scaleX', 'scaleY', 'scaleZ'];
 
 export class MocapressError extends Error {
@@ -228,10 +230,11 @@ export class Clip {
     }
   }
 
-  sampleTracks(seconds) {
-    const frame = Math.min(Math.max(nearFrame(seconds * this.sampleRate), 0), this.frames - 1);
+  sampleTracks(seconds, { loop = false, wrap = loop ? 'loop' : 'clamp' } = {}) {
+    const frame = nearFrame(seconds * this.sampleRate);
+    const number = numberOfWrap(wrap);
     if (this.tracks.length === 0) return new Float32Array(0);
-    const values = this.#exports.web_sample_tracks(this.#open(), frame);
+    const values = this.#exports.web_sample_tracks(this.#open(), frame, number);
     if (values === 0) throw lastError(this.#exports);
     return new Float32Array(this.#exports.memory.buffer, values, this.tracks.length);
   }
@@ -298,9 +301,9 @@ export class Player {
     if (this.#player === 0) throw lastError(exports);
   }
 
-  sample(seconds, { loop = false, bandsLeftOut = 0 } = {}) {
+  sample(seconds, { loop = false, wrap = loop ? 'loop' : 'clamp', bandsLeftOut = 0 } = {}) {
     if (this.#player === 0) throw new MocapressError('the player was disposed of');
-    const pose = this.#exports.web_sample(this.#player, seconds, loop ? 1 : 0, bandsLeftOut);
+    const pose = this.#exports.web_sample(this.#player, seconds, numberOfWrap(wrap), bandsLeftOut);
     if (pose === 0) throw lastError(this.#exports);
     return new Float32Array(this.#exports.memory.buffer, pose, 8 * this.clip.joints.length);
   }
@@ -365,7 +368,12 @@ function placeIn(exports, bank, number) {
   return new Float64Array(exports.memory.buffer, place, 2);
 }
 
-/** Copies bytes into the module's memory. */
+function numberOfWrap(wrap) {
+  const number = wraps.indexOf(wrap);
+  if (number < 0) throw new MocapressError(`there is no wrap ${wrap}, but ${wraps.join(', ')}`);
+  return number;
+}
+
 /** Bytes for what is named, which is told where there are none: the module takes sizes below 2 GiB. */
 function allocate(exports, bytes, what) {
   const memory = bytes < 2 ** 31 ? exports.web_allocate(bytes) : 0;
@@ -379,6 +387,7 @@ function nearFrame(frame) {
   return Math.abs(frame - near) < 2 ** -16 ? near : frame;
 }
 
+/** Copies bytes into the module's memory. */
 function write(exports, address, bytes) {
   const view = ArrayBuffer.isView(bytes)
     ? new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength)

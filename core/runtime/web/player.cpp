@@ -86,6 +86,7 @@ class Clip {
         !succeeded(read(scratch.data(), info.read_bytes, &bytes)) || !resident_.reserve(bytes) ||
         !succeeded(mcpr_build(scratch.data(), info.read_bytes, resident_.data(), bytes, &clip_)))
       return false;
+    error_ = info.error;
     const mcpr_clip_info described = mcpr_clip_describe(clip_);
     dimensions_.sample_rate = described.sample_rate;
     dimensions_.frames = described.frames;
@@ -130,8 +131,10 @@ class Clip {
     return &track_;
   }
 
-  const float* sample_tracks(double frame) {
-    return succeeded(mcpr_track_moment(tracks_, &kAllTracks, frame, track_values_.floats(),
+  const float* sample_tracks(double frame, mcpr_wrap wrap) {
+    mcpr_track_request request = kAllTracks;
+    request.wrap = wrap;
+    return succeeded(mcpr_track_moment(tracks_, &request, frame, track_values_.floats(),
                                        track_scratch_.data(), track_scratch_.size()))
                ? track_values_.floats()
                : nullptr;
@@ -158,6 +161,7 @@ class Clip {
   bool cook() {
     mcpr_cook_options options = {};
     options.apply_ik = 1;
+    options.ik_error = error_;  // exact, it would take up to ten times the memory
     const std::size_t scratch_bytes = mcpr_cook_scratch_bytes(clip_, &options);
     Memory scratch;
     std::size_t bytes = 0;
@@ -181,6 +185,7 @@ class Clip {
   const mcpr_cooked* cooked_ = nullptr;
   const mcpr_tracks* tracks_ = nullptr;
   Dimensions dimensions_ = {};
+  float error_ = 0;  // cm, of the file; 0: not known
   JointRecord joint_ = {};
   TrackRecord track_ = {};
   Memory resident_;
@@ -199,10 +204,10 @@ class Player {
   }
 
   /// One mcpr_transform a joint.
-  const float* sample(double seconds, bool loops, std::uint32_t bands_left_out) {
+  const float* sample(double seconds, mcpr_wrap wrap, std::uint32_t bands_left_out) {
     mcpr_sample_request request = {};
     request.unit = MCPR_SECONDS;
-    request.wrap = loops ? MCPR_LOOP : MCPR_CLAMP;
+    request.wrap = wrap;
     request.bands_left_out = bands_left_out;
     return succeeded(mcpr_sample_next(cursor_, &request, seconds, pose_.floats())) ? pose_.floats()
                                                                                    : nullptr;
@@ -361,9 +366,11 @@ MOCAPRESS_EXPORT const TrackRecord* web_track(Clip* clip, std::uint32_t number) 
   return clip->track(number);
 }
 
+// A wrap is the number of an mcpr_wrap.
+
 /// One float a track.
-MOCAPRESS_EXPORT const float* web_sample_tracks(Clip* clip, double frame) {
-  return clip->sample_tracks(frame);
+MOCAPRESS_EXPORT const float* web_sample_tracks(Clip* clip, double frame, int wrap) {
+  return clip->sample_tracks(frame, static_cast<mcpr_wrap>(wrap));
 }
 
 MOCAPRESS_EXPORT Player* web_play(const Clip* clip) {
@@ -377,7 +384,7 @@ MOCAPRESS_EXPORT void web_stop(Player* player) {
 }
 
 /// Eight floats a joint.
-MOCAPRESS_EXPORT const float* web_sample(Player* player, double seconds, int loops,
+MOCAPRESS_EXPORT const float* web_sample(Player* player, double seconds, int wrap,
                                          std::uint32_t bands_left_out) {
-  return player->sample(seconds, loops != 0, bands_left_out);
+  return player->sample(seconds, static_cast<mcpr_wrap>(wrap), bands_left_out);
 }
