@@ -206,6 +206,13 @@
             <numerusform>%Ln contacts of its own.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln range(s) with more care.</source>
+        <translation>
+            <numerusform>%Ln range with more care.</numerusform>
+            <numerusform>%Ln ranges with more care.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ProjectFiles</name>

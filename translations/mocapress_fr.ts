@@ -1692,6 +1692,10 @@
         <source>Click on the scale of the error strip: choose another</source>
         <translation>Clic sur l&apos;échelle de la bande d&apos;erreur : en choisir une autre</translation>
     </message>
+    <message>
+        <source>Drag on the ruler: choose a range; right button: what to do with it</source>
+        <translation>Glisser sur la règle : choisir une plage ; bouton droit : qu&apos;en faire</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ImportOptionsDialog</name>
@@ -3253,6 +3257,13 @@
         <source>Like Gameplay, with much less sliding of feet, for 5 to 13 % more bytes.</source>
         <translation>Comme Jeu, avec des pieds qui restent où ils sont posés : bien moins de glissement, pour 5 à 13 % d&apos;octets de plus.</translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln range(s) with more care.</source>
+        <translation>
+            <numerusform>%Ln plage plus soignée.</numerusform>
+            <numerusform>%Ln plages plus soignées.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ProjectFiles</name>
@@ -3337,6 +3348,57 @@
     <message>
         <source>%1 is open on the computer %2, since %3. Open a copy of it?</source>
         <translation>%1 est ouvert sur l&apos;ordinateur %2, depuis %3. En ouvrir une copie ?</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::RangeActions</name>
+    <message>
+        <source>More &amp;Care in the Range</source>
+        <translation>Plus de &amp;soin dans la plage</translation>
+    </message>
+    <message>
+        <source>C&amp;ontacts in the Range</source>
+        <translation>C&amp;ontacts dans la plage</translation>
+    </message>
+    <message>
+        <source>The Clip as a Loo&amp;p</source>
+        <translation>Le clip en &amp;boucle</translation>
+    </message>
+    <message>
+        <source>As &amp;elsewhere</source>
+        <translation>Comme &amp;ailleurs</translation>
+    </message>
+    <message>
+        <source>%1 times stricter</source>
+        <translation>%1 fois plus strict</translation>
+    </message>
+    <message>
+        <source>%1 stands</source>
+        <translation>%1 est posé</translation>
+    </message>
+    <message>
+        <source>%1 is in the air</source>
+        <translation>%1 est en l&apos;air</translation>
+    </message>
+    <message>
+        <source>No foot stands in this clip</source>
+        <translation>Aucun pied n&apos;est posé dans ce clip</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic</source>
+        <translation>&amp;Automatique</translation>
+    </message>
+    <message>
+        <source>&amp;Not a loop</source>
+        <translation>&amp;Pas une boucle</translation>
+    </message>
+    <message>
+        <source>The last frame &amp;repeats the first</source>
+        <translation>La dernière image &amp;répète la première</translation>
+    </message>
+    <message>
+        <source>The first frame follo&amp;ws the last</source>
+        <translation>La première image &amp;suit la dernière</translation>
     </message>
 </context>
 <context>
@@ -4438,6 +4500,14 @@
         <source>Tracks</source>
         <translation>Pistes</translation>
     </message>
+    <message>
+        <source>Care in a Range</source>
+        <translation>Soin dans une plage</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Boucle</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::Sight</name>
@@ -5087,6 +5157,45 @@ Cliquer pour le charger dans le studio.</translation>
     <message>
         <source>Size of the motion</source>
         <translation>Taille du mouvement</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::TimeRuler</name>
+    <message>
+        <source>Time ruler</source>
+        <translation>Règle du temps</translation>
+    </message>
+    <message>
+        <source>Frames and seconds. The menu Play chooses a range.</source>
+        <translation>Images et secondes. Le menu Lecture choisit une plage.</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>Secondes</translation>
+    </message>
+    <message>
+        <source>Care</source>
+        <translation>Soin</translation>
+    </message>
+    <message>
+        <source>Frames %L1–%L2: the target is %L3 times stricter. A click chooses the range.</source>
+        <translation>Images %L1–%L2 : la cible est %L3 fois plus stricte. Un clic choisit la plage.</translation>
+    </message>
+    <message>
+        <source>Drag to choose a range, then right-click it.</source>
+        <translation>Glissez pour choisir une plage, puis faites un clic droit.</translation>
+    </message>
+    <message>
+        <source>Frames %L1–%L2, %3. A double click chooses the whole clip again.</source>
+        <translation>Images %L1–%L2, %3. Un double clic choisit de nouveau tout le clip.</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
     </message>
 </context>
 <context>

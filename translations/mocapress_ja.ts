@@ -1680,6 +1680,10 @@
         <source>Click on the scale of the error strip: choose another</source>
         <translation>誤差の帯の目盛りをクリック：別の尺度を選ぶ</translation>
     </message>
+    <message>
+        <source>Drag on the ruler: choose a range; right button: what to do with it</source>
+        <translation>ルーラー上をドラッグ：範囲を選ぶ、右ボタン：範囲に対する操作</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ImportOptionsDialog</name>
@@ -3228,6 +3232,12 @@
         <source>Like Gameplay, with much less sliding of feet, for 5 to 13 % more bytes.</source>
         <translation>ゲームプレイと同じで、足は立った位置にとどまります：滑りはずっと少なく、バイト数は 5～13 % 増えます。</translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln range(s) with more care.</source>
+        <translation>
+            <numerusform>重視する範囲 %Ln 個。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ProjectFiles</name>
@@ -3310,6 +3320,57 @@
     <message>
         <source>%1 is open on the computer %2, since %3. Open a copy of it?</source>
         <translation>%1はコンピューター%2で%3から開かれています。コピーを開きますか?</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::RangeActions</name>
+    <message>
+        <source>More &amp;Care in the Range</source>
+        <translation>範囲をより忠実に(&amp;C)</translation>
+    </message>
+    <message>
+        <source>C&amp;ontacts in the Range</source>
+        <translation>範囲内の接地(&amp;O)</translation>
+    </message>
+    <message>
+        <source>The Clip as a Loo&amp;p</source>
+        <translation>クリップのループ(&amp;P)</translation>
+    </message>
+    <message>
+        <source>As &amp;elsewhere</source>
+        <translation>ほかと同じ(&amp;E)</translation>
+    </message>
+    <message>
+        <source>%1 times stricter</source>
+        <translation>%1 倍厳しく</translation>
+    </message>
+    <message>
+        <source>%1 stands</source>
+        <translation>%1 は接地</translation>
+    </message>
+    <message>
+        <source>%1 is in the air</source>
+        <translation>%1 は空中</translation>
+    </message>
+    <message>
+        <source>No foot stands in this clip</source>
+        <translation>このクリップでは足が接地しません</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic</source>
+        <translation>自動判定(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Not a loop</source>
+        <translation>ループではない(&amp;N)</translation>
+    </message>
+    <message>
+        <source>The last frame &amp;repeats the first</source>
+        <translation>最終フレームが先頭を繰り返す(&amp;R)</translation>
+    </message>
+    <message>
+        <source>The first frame follo&amp;ws the last</source>
+        <translation>先頭が最終フレームに続く(&amp;W)</translation>
     </message>
 </context>
 <context>
@@ -4400,6 +4461,14 @@
         <source>Tracks</source>
         <translation>トラック</translation>
     </message>
+    <message>
+        <source>Care in a Range</source>
+        <translation>範囲の重視</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>ループ</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::Sight</name>
@@ -5043,6 +5112,45 @@ Click to load it into the studio.</source>
     <message>
         <source>Size of the motion</source>
         <translation>モーションのサイズ</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::TimeRuler</name>
+    <message>
+        <source>Time ruler</source>
+        <translation>時間ルーラー</translation>
+    </message>
+    <message>
+        <source>Frames and seconds. The menu Play chooses a range.</source>
+        <translation>フレームと秒。範囲は再生メニューで選べます。</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>フレーム</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>秒</translation>
+    </message>
+    <message>
+        <source>Care</source>
+        <translation>重視</translation>
+    </message>
+    <message>
+        <source>Frames %L1–%L2: the target is %L3 times stricter. A click chooses the range.</source>
+        <translation>フレーム %L1–%L2：目標が %L3 倍厳しくなります。クリックで範囲を選びます。</translation>
+    </message>
+    <message>
+        <source>Drag to choose a range, then right-click it.</source>
+        <translation>ドラッグで範囲を選び、右クリックします。</translation>
+    </message>
+    <message>
+        <source>Frames %L1–%L2, %3. A double click chooses the whole clip again.</source>
+        <translation>フレーム %L1–%L2、%3。ダブルクリックでクリップ全体に戻します。</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
     </message>
 </context>
 <context>

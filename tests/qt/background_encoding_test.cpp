@@ -165,6 +165,21 @@ TEST_F(ALibraryInTheBackground, SettingsAreCopiedToTheSelectionInOneStep) {
   EXPECT_TRUE(project(2).settings->preset.importance.is_even());
 }
 
+TEST_F(ALibraryInTheBackground, RangesAndLoopStayWithTheirClip) {
+  Settings own = standard(25);
+  own.ranges = {{2, 5, 3}};
+  own.loop = Loop::None;
+  library_.setPreset({0}, own);
+  library_.copySettings(0);
+  library_.pasteSettings({1});
+  EXPECT_DOUBLE_EQ(project(1).settings->preset.target.value, 25);
+  EXPECT_TRUE(project(1).settings->preset.ranges.empty());
+  EXPECT_FALSE(project(1).settings->preset.loop);
+  library_.setPreset({0}, standard(30));
+  EXPECT_EQ(project(0).settings->preset.ranges, own.ranges);
+  EXPECT_EQ(project(0).settings->preset.loop, Loop::None);
+}
+
 TEST_F(ALibraryInTheBackground, TheBytesBeforeAStepStandBesideThoseAfter) {
   BackgroundEncoding encoding(&session_, &library_);
   encoding.setActive(true);

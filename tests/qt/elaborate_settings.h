@@ -26,6 +26,7 @@ inline ClipSettings elaborate() {
                                                 .solver = IkSolver::CyclicDescent,
                                                 .at = CorrectAt::Contacts};
   settings.encode.contacts = std::vector<ContactSpan>{{4, 10, 20}, {7, 0, 3}};
+  settings.encode.ranges = {{5, 9, 2.5}, {12, 12, 100}};
   settings.contacts.begin_speed = 12;
   settings.track_error = 0.0125;
   return settings;

@@ -6,6 +6,7 @@
 #include "core/codec/encode/encoder.h"
 #include "core/wavelet/lifting.h"
 #include "tests/support/test_motion.h"
+#include "widgets/models/care_edit.h"
 #include "widgets/models/contact_edit.h"
 #include "widgets/models/error_profile.h"
 #include "widgets/models/kept_coefficients.h"
@@ -104,6 +105,34 @@ TEST(ContactEdit, NeverMakesContactsOfOneFootOverlap) {
           EXPECT_LT(span.last_frame, 100);
         }
       }
+}
+
+TEST(ContactEdit, StandsOverARangeAndJoinsWhatItTouches) {
+  const std::vector<ContactSpan> stands = {{2, 10, 19}, {2, 40, 60}, {5, 30, 69}};
+  EXPECT_EQ(withContactOver(stands, 2, 20, 45),
+            (std::vector<ContactSpan>{{2, 10, 60}, {5, 30, 69}}));
+  EXPECT_EQ(withContactOver(stands, 2, 25, 30),
+            (std::vector<ContactSpan>{{2, 10, 19}, {2, 25, 30}, {2, 40, 60}, {5, 30, 69}}));
+  EXPECT_EQ(withContactOver({}, 5, 3, 4), (std::vector<ContactSpan>{{5, 3, 4}}));
+}
+
+TEST(ContactEdit, LiftsAFootInARangeAlone) {
+  const std::vector<ContactSpan> stands = {{2, 10, 19}, {2, 40, 60}, {5, 30, 69}};
+  EXPECT_EQ(withoutContactOver(stands, 2, 15, 50),
+            (std::vector<ContactSpan>{{2, 10, 14}, {2, 51, 60}, {5, 30, 69}}));
+  EXPECT_EQ(withoutContactOver(stands, 5, 40, 49),
+            (std::vector<ContactSpan>{{2, 10, 19}, {2, 40, 60}, {5, 30, 39}, {5, 50, 69}}));
+}
+
+TEST(CareEdit, TheLastFactorOfAFrameIsItsFactor) {
+  const auto once = withCareOver({}, 10, 30, 3);
+  EXPECT_EQ(once, (std::vector<ImportantRange>{{10, 30, 3}}));
+  EXPECT_EQ(withCareOver(once, 20, 40, 2), (std::vector<ImportantRange>{{10, 19, 3}, {20, 40, 2}}));
+  EXPECT_EQ(withCareOver(once, 15, 20, 1), (std::vector<ImportantRange>{{10, 14, 3}, {21, 30, 3}}));
+  EXPECT_EQ(withCareOver(once, 31, 40, 3), (std::vector<ImportantRange>{{10, 40, 3}}));
+  EXPECT_TRUE(withCareOver(once, 0, 99, 1).empty());
+  EXPECT_EQ(careOver(once, 12, 30), 3);
+  EXPECT_EQ(careOver(once, 12, 31), 1);
 }
 
 TEST(ContactEdit, AddsWhereThereIsRoomAndRemoves) {

@@ -22,7 +22,7 @@ EncodeSettings standard(double ratio) {
 
 TEST(SettingsKey, DiffersInEverythingThatChangesTheAnswer) {
   const EncodeSettings plain{.method = Method::Annealed};
-  std::vector<EncodeSettings> others(12, plain);
+  std::vector<EncodeSettings> others(15, plain);
   others[0].method = Method::Standard;
   others[1].coding = Coding::Rle16;
   others[2].weighting = Weighting::JointOrigins;
@@ -35,6 +35,9 @@ TEST(SettingsKey, DiffersInEverythingThatChangesTheAnswer) {
   others[9].effort = Effort::Best;
   others[10].importance.contacts = 20;
   others[11].importance.joints = {1, 4};
+  others[12].ranges = {{1, 2, 3}};
+  others[13].ranges = {{1, 2, 4}};
+  others[14].loop = Loop::None;
   for (std::size_t i = 0; i < others.size(); ++i) {
     EXPECT_NE(settingsKey(others[i]), settingsKey(plain)) << i;
     for (std::size_t j = 0; j < i; ++j) EXPECT_NE(settingsKey(others[i]), settingsKey(others[j]));
@@ -77,6 +80,8 @@ TEST(SettingsField, NamesWhatChanged) {
   EXPECT_EQ(fieldOf([](ClipSettings& s) { s.encode.effort = mocapress::Effort::Best; }), Effort);
   EXPECT_EQ(fieldOf([](ClipSettings& s) { s.encode.ends = mocapress::Ends::Exact; }), Ends);
   EXPECT_EQ(fieldOf([](ClipSettings& s) { s.encode.importance.contacts = 9; }), Importance);
+  EXPECT_EQ(fieldOf([](ClipSettings& s) { s.encode.ranges = {{1, 2, 3}}; }), Ranges);
+  EXPECT_EQ(fieldOf([](ClipSettings& s) { s.encode.loop = mocapress::Loop::None; }), Loop);
   EXPECT_EQ(fieldOf([](ClipSettings& s) { s.preset = QStringLiteral("Mine"); }), Preset);
 }
 
@@ -148,6 +153,22 @@ TEST_F(History, EveryContactEditIsAStepOfItsOwn) {
   EXPECT_EQ(session_.document().contacts(), (std::vector<ContactSpan>{{4, 10, 20}}));
   session_.history()->undo();
   EXPECT_FALSE(session_.document().options().contacts);
+}
+
+TEST_F(History, CareInARangeIsAStepAndOfOneClip) {
+  const std::vector<ImportantRange> care = {{10, 40, 3}};
+  session_.setRanges(care);
+  session_.setLoop(Loop::None);
+  EXPECT_EQ(session_.history()->count(), 2);
+  session_.history()->undo();
+  EXPECT_FALSE(session_.document().options().loop);
+  EXPECT_EQ(session_.document().options().ranges, care);
+  const QString path = directory_.filePath(QStringLiteral("other.bvh"));
+  write_motion(path.toStdU16String(), test::smooth_motion(100, 2));
+  settleAfter([&] { session_.open(path); });
+  EXPECT_TRUE(session_.document().options().ranges.empty());
+  settleAfter([&] { session_.open(directory_.filePath(QStringLiteral("clip.bvh"))); });
+  EXPECT_EQ(session_.document().options().ranges, care);
 }
 
 TEST_F(History, BeginsAnewWithAnotherClip) {

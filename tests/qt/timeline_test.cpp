@@ -25,6 +25,7 @@
 #include "widgets/timeline/contact_strip.h"
 #include "widgets/timeline/error_strip.h"
 #include "widgets/timeline/sight_strip.h"
+#include "widgets/timeline/time_ruler.h"
 
 namespace mocapress {
 namespace {
@@ -96,6 +97,63 @@ TEST_F(TimelineStrips, AClickSeeksAndShiftDragChoosesTheRange) {
                    Qt::LeftButton, Qt::ShiftModifier);
   QCoreApplication::sendEvent(timeline_.errors(), &move);
   EXPECT_EQ(range, FrameRange(30, 60));
+}
+
+/// Presses at one frame's middle and releases at another's.
+void dragOn(QWidget* widget, const QPoint& from, const QPoint& to) {
+  QTest::mousePress(widget, Qt::LeftButton, {}, from);
+  QMouseEvent move(QEvent::MouseMove, QPointF(to), QPointF(), Qt::NoButton, Qt::LeftButton, {});
+  QCoreApplication::sendEvent(widget, &move);
+  QTest::mouseRelease(widget, Qt::LeftButton, {}, to);
+}
+
+TEST_F(TimelineStrips, ADragOnTheRulerChoosesFramesAndAClickSeeks) {
+  TimeRuler* ruler = timeline_.ruler();
+  std::optional<FrameRange> range;
+  QObject::connect(ruler, &TimeRuler::rangeChosen, [&](const auto& chosen) {
+    range = chosen;
+    ruler->setRange(chosen);
+  });
+  QSignalSpy seek(&timeline_, &Timeline::seekRequested);
+  QTest::mouseClick(ruler, Qt::LeftButton, {}, {xOf(40) + 2, 5});
+  ASSERT_EQ(seek.count(), 1);
+  EXPECT_EQ(seek[0][0].toInt(), 40);
+  EXPECT_FALSE(range);
+  dragOn(ruler, {xOf(60) + 2, 5}, {xOf(30) + 2, 5});
+  EXPECT_EQ(range, FrameRange(30, 60));
+  dragOn(ruler, {xOf(61), 5}, {xOf(80) + 2, 5});  // its end
+  EXPECT_EQ(range, FrameRange(30, 80));
+  EXPECT_EQ(seek.count(), 1);
+  QTest::mouseDClick(ruler, Qt::LeftButton, {}, {xOf(50), 5});
+  EXPECT_FALSE(range);
+}
+
+TEST_F(TimelineStrips, TheRulerShowsMoreCareAndAClickChoosesItsFrames) {
+  TimeRuler* ruler = timeline_.ruler();
+  const int height = ruler->sizeHint().height();
+  ruler->setCare({{20, 39, 3}});
+  EXPECT_GT(ruler->sizeHint().height(), height) << "it has a lane of its own";
+  timeline_.resize(500, timeline_.sizeHint().height());
+  QTest::qWait(0);
+  const QColor blue(0x00, 0x72, 0xb2);
+  const QRect lane(xOf(21), ruler->height() - 12, xOf(39) - xOf(21), 8);
+  const QImage picture = ruler->grab().toImage();
+  EXPECT_GT(countOf(picture, blue, lane), lane.width() * lane.height() / 2);
+  EXPECT_EQ(countOf(picture, blue, lane.translated(xOf(30) - xOf(0), 0)), 0);
+  std::optional<FrameRange> range;
+  QObject::connect(ruler, &TimeRuler::rangeChosen, [&](const auto& chosen) { range = chosen; });
+  QTest::mouseClick(ruler, Qt::LeftButton, {}, lane.center());
+  EXPECT_EQ(range, FrameRange(20, 39));
+}
+
+TEST_F(TimelineStrips, NumbersOfTheRulerKeepApart) {
+  TimeRuler* ruler = timeline_.ruler();
+  ruler->setClip(kFrames, 30);
+  EXPECT_EQ(ruler->framesApart(), 5);
+  ruler->setClip(100'000, 30);
+  EXPECT_EQ(ruler->framesApart(), 20'000);
+  ruler->setWindow({0, 12});
+  EXPECT_EQ(ruler->framesApart(), 2);
 }
 
 TEST_F(TimelineStrips, AContactsEndCanBeDragged) {

@@ -24,6 +24,21 @@ Room roomAround(const std::vector<ContactSpan>& contacts, int landmark, int fram
   return room;
 }
 
+/// Keeps the order by landmark and time.
+void insert(const ContactSpan& added, std::vector<ContactSpan>& contacts) {
+  // The place before the landmark's next contact, else after its last one, else at the end.
+  auto place = std::find_if(contacts.begin(), contacts.end(), [&](const ContactSpan& span) {
+    return span.landmark == added.landmark && span.first_frame > added.first_frame;
+  });
+  if (place == contacts.end()) {
+    const auto last =
+        std::find_if(contacts.rbegin(), contacts.rend(),
+                     [&](const ContactSpan& span) { return span.landmark == added.landmark; });
+    if (last != contacts.rend()) place = last.base();
+  }
+  contacts.insert(place, added);
+}
+
 }  // namespace
 
 std::vector<ContactSpan> withEndAt(std::vector<ContactSpan> contacts, int index, SpanEnd end,
@@ -49,19 +64,39 @@ std::vector<ContactSpan> withContactAt(std::vector<ContactSpan> contacts, int la
       return contacts;
   const Room room = roomAround(contacts, landmark, frame, frames);
   const int first = std::max(room.first, frame - length / 2);
-  const ContactSpan added{landmark, first, std::min(room.last, first + length - 1)};
-  // The place before the landmark's next contact, else after its last one, else at the end.
-  auto place = std::find_if(contacts.begin(), contacts.end(), [&](const ContactSpan& span) {
-    return span.landmark == landmark && span.first_frame > frame;
-  });
-  if (place == contacts.end()) {
-    const auto last =
-        std::find_if(contacts.rbegin(), contacts.rend(),
-                     [&](const ContactSpan& span) { return span.landmark == landmark; });
-    if (last != contacts.rend()) place = last.base();
-  }
-  contacts.insert(place, added);
+  insert({landmark, first, std::min(room.last, first + length - 1)}, contacts);
   return contacts;
+}
+
+std::vector<ContactSpan> withContactOver(std::vector<ContactSpan> contacts, int landmark,
+                                         int first_frame, int last_frame) {
+  ContactSpan joined{landmark, first_frame, last_frame};
+  for (const ContactSpan& span : contacts) {
+    if (span.landmark != landmark || span.last_frame < first_frame - 1 ||
+        span.first_frame > last_frame + 1)
+      continue;
+    joined.first_frame = std::min(joined.first_frame, span.first_frame);
+    joined.last_frame = std::max(joined.last_frame, span.last_frame);
+  }
+  contacts = withoutContactOver(contacts, landmark, joined.first_frame, joined.last_frame);
+  insert(joined, contacts);
+  return contacts;
+}
+
+std::vector<ContactSpan> withoutContactOver(const std::vector<ContactSpan>& contacts, int landmark,
+                                            int first_frame, int last_frame) {
+  std::vector<ContactSpan> rest;
+  for (const ContactSpan& span : contacts) {
+    if (span.landmark != landmark || span.last_frame < first_frame ||
+        span.first_frame > last_frame) {
+      rest.push_back(span);
+      continue;
+    }
+    if (span.first_frame < first_frame)
+      rest.push_back({landmark, span.first_frame, first_frame - 1});
+    if (span.last_frame > last_frame) rest.push_back({landmark, last_frame + 1, span.last_frame});
+  }
+  return rest;
 }
 
 }  // namespace mocapress

@@ -21,4 +21,13 @@ std::vector<ContactSpan> withoutContact(std::vector<ContactSpan> contacts, int i
 std::vector<ContactSpan> withContactAt(std::vector<ContactSpan> contacts, int landmark, int frame,
                                        int length, int frames);
 
+/// Lets a landmark stand over a range of frames; contacts of it that touch the range become one
+/// with it.
+std::vector<ContactSpan> withContactOver(std::vector<ContactSpan> contacts, int landmark,
+                                         int first_frame, int last_frame);
+
+/// Takes the contacts of a landmark out of a range of frames; what lies outside stays.
+std::vector<ContactSpan> withoutContactOver(const std::vector<ContactSpan>& contacts, int landmark,
+                                            int first_frame, int last_frame);
+
 }  // namespace mocapress

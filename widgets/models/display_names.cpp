@@ -142,6 +142,9 @@ QString detailsOf(const Settings& preset) {
   if (preset.contacts)
     texts << Presets::tr("%Ln contact(s) of its own.", nullptr,
                          static_cast<int>(preset.contacts->size()));
+  if (!preset.ranges.empty())
+    texts << Presets::tr("%Ln range(s) with more care.", nullptr,
+                         static_cast<int>(preset.ranges.size()));
   return texts.join(QLatin1Char(' '));
 }
 

@@ -4,7 +4,6 @@
 #include <QPixmap>
 #include <QWidget>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "core/metrics/glitches.h"
@@ -13,9 +12,6 @@
 #include "widgets/timeline/time_axis.h"
 
 namespace mocapress {
-
-/// First and last frame of a part of a clip.
-using FrameRange = std::pair<int, int>;
 
 /// The error over time in a narrow strip: the maximum as coloured columns, the mean as a line,
 /// one-frame glitches as marks, and the range that is played. Its scale stands beside it; a click

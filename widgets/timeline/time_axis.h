@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mocapress {
+
+/// First and last frame of a part of a clip.
+using FrameRange = std::pair<int, int>;
 
 /// The visible part of a clip.
 struct FrameWindow {

@@ -11,6 +11,7 @@
 #include "widgets/timeline/contact_strip.h"
 #include "widgets/timeline/error_strip.h"
 #include "widgets/timeline/sight_strip.h"
+#include "widgets/timeline/time_ruler.h"
 
 namespace mocapress {
 namespace {
@@ -30,6 +31,7 @@ double possibleLength(double wanted, int frames) {
 
 Timeline::Timeline(QWidget* parent)
     : QWidget(parent),
+      ruler_(new TimeRuler(this)),
       errors_(new ErrorStrip(this)),
       sight_(new SightStrip(this)),
       contacts_(new ContactStrip(this)),
@@ -40,10 +42,12 @@ Timeline::Timeline(QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 2, 0, 0);
   column->setSpacing(0);
+  column->addWidget(ruler_);
   column->addWidget(errors_);
   column->addWidget(sight_);
   column->addWidget(contacts_);
   column->addWidget(scroll_);
+  connect(ruler_, &TimeRuler::seekRequested, this, &Timeline::seekRequested);
   connect(errors_, &ErrorStrip::seekRequested, this, &Timeline::seekRequested);
   connect(contacts_, &ContactStrip::seekRequested, this, &Timeline::seekRequested);
   connect(scroll_, &QScrollBar::valueChanged, this,
@@ -52,22 +56,31 @@ Timeline::Timeline(QWidget* parent)
 }
 
 int Timeline::labelWidth() const {
-  return std::max({errors_->labelWidth(), sight_->labelWidth(), contacts_->labelWidth()});
+  return std::max({ruler_->labelWidth(), errors_->labelWidth(), sight_->labelWidth(),
+                   contacts_->labelWidth()});
+}
+
+void Timeline::setRate(double sample_rate_hz) {
+  sample_rate_hz_ = sample_rate_hz;
+  ruler_->setClip(frames_, sample_rate_hz_);
 }
 
 void Timeline::setContacts(std::vector<ContactSpan> contacts, const std::vector<QString>& names,
                            int frames) {
   contacts_->setContacts(std::move(contacts), names, frames);
   const int width = labelWidth();
+  ruler_->setLabelWidth(width);
   errors_->setLabelWidth(width);
   sight_->setLabelWidth(width);
   contacts_->setLabelWidth(width);
   if (frames == frames_) return;
   frames_ = frames;
+  ruler_->setClip(frames_, sample_rate_hz_);
   showAll();
 }
 
 void Timeline::setFrame(int frame) {
+  ruler_->setFrame(frame);
   errors_->setFrame(frame);
   sight_->setFrame(frame);
   contacts_->setFrame(frame);
@@ -91,6 +104,7 @@ void Timeline::setWindow(double first, double length) {
   length = possibleLength(length, frames_);
   const bool whole = length >= frames_;
   window_ = whole ? FrameWindow() : FrameWindow{std::clamp(first, 0.0, frames_ - length), length};
+  ruler_->setWindow(window_);
   errors_->setWindow(window_);
   sight_->setWindow(window_);
   contacts_->setWindow(window_);

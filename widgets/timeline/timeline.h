@@ -14,6 +14,7 @@ namespace mocapress {
 class ContactStrip;
 class ErrorStrip;
 class SightStrip;
+class TimeRuler;
 
 /// The strips below the 3D view, in line with each other. The wheel zooms about the mouse, with
 /// Shift it scrolls; a scroll bar appears while only a part is visible.
@@ -23,10 +24,14 @@ class Timeline : public QWidget {
  public:
   explicit Timeline(QWidget* parent = nullptr);
 
+  TimeRuler* ruler() const { return ruler_; }
   ErrorStrip* errors() const { return errors_; }
   SightStrip* sight() const { return sight_; }
   ContactStrip* contacts() const { return contacts_; }
   QScrollBar* scroll() const { return scroll_; }
+
+  /// Frames a second of the clip.
+  void setRate(double sample_rate_hz);
 
   /// Calls ContactStrip::setContacts() and reserves equal room for names in all strips.
   void setContacts(std::vector<ContactSpan> contacts, const std::vector<QString>& names,
@@ -51,11 +56,13 @@ class Timeline : public QWidget {
   TimeAxis axis() const;
   int labelWidth() const;
 
+  TimeRuler* ruler_;
   ErrorStrip* errors_;
   SightStrip* sight_;
   ContactStrip* contacts_;
   QScrollBar* scroll_;
   int frames_ = 0;
+  double sample_rate_hz_ = 120;
   FrameWindow window_;
 };
 

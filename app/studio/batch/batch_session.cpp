@@ -27,8 +27,9 @@ std::filesystem::path pathOf(const QString& text) {
   return text.toStdU16String();
 }
 
+/// True if the settings may not fit each clip.
 bool namesJoints(const Settings& preset) {
-  return !preset.importance.factors.empty() || preset.contacts ||
+  return !preset.importance.factors.empty() || preset.contacts || !preset.ranges.empty() ||
          (preset.correction && !preset.correction->effectors.empty());
 }
 

@@ -10,6 +10,7 @@
 #include "app/studio/compare/clip_curve.h"
 #include "app/studio/compare/error_display.h"
 #include "app/studio/compare/figures.h"
+#include "app/studio/compare/range_actions.h"
 #include "app/studio/document/session.h"
 #include "core/motion/landmarks.h"
 #include "core/motion/rig.h"
@@ -21,6 +22,7 @@
 #include "widgets/timeline/error_strip.h"
 #include "widgets/timeline/playback.h"
 #include "widgets/timeline/sight_strip.h"
+#include "widgets/timeline/time_ruler.h"
 #include "widgets/timeline/timeline.h"
 
 namespace mocapress {
@@ -74,12 +76,14 @@ Inspector::Inspector(Session* session, Playback* playback, const InspectionViews
       playback_(playback),
       views_(views),
       error_display_(error_display),
-      curve_(new ClipCurve(session, this)) {
+      curve_(new ClipCurve(session, this)),
+      range_actions_(new RangeActions(session, playback, this)) {
   const Document* document = &session->document();
   connect(document, &Document::clipChanged, this, [this] {
     views_.timeline->showAll();
     showErrors();
     showContacts();
+    showRanges();
     showJoint();
   });
   connect(document, &Document::decodedChanged, this, [this] {
@@ -89,6 +93,7 @@ Inspector::Inspector(Session* session, Playback* playback, const InspectionViews
   });
   connect(document, &Document::shownChanged, this, &Inspector::showContacts);
   connect(document, &Document::optionsChanged, this, &Inspector::showContacts);
+  connect(document, &Document::optionsChanged, this, &Inspector::showRanges);
   connect(document, &Document::currentJointChanged, this, &Inspector::showJoint);
   connect(error_display_, &ErrorDisplay::changed, this, [this] {
     showErrorScales();
@@ -107,6 +112,10 @@ void Inspector::connectViews() {
   connect(timeline, &Timeline::seekRequested, playback_, &Playback::seek);
   connect(timeline->contacts(), &ContactStrip::contactsEdited, session_, &Session::setContacts);
   connect(timeline->sight(), &SightStrip::chosen, this, &Inspector::chooseCell);
+  timeline->ruler()->addActions(range_actions_->actions());
+  connect(timeline->ruler(), &TimeRuler::rangeChosen, playback_, &Playback::setRange);
+  connect(playback_, &Playback::rangeChanged, timeline->ruler(),
+          [=, this] { timeline->ruler()->setRange(playback_->range()); });
   connect(timeline->errors(), &ErrorStrip::rangeChosen, playback_,
           [this](const FrameRange& range) { playback_->setRange(range); });
   connect(playback_, &Playback::rangeChanged, timeline->errors(),
@@ -172,6 +181,12 @@ void Inspector::showContacts() {
   timeline->contacts()->setUsualLength(
       std::max(2, static_cast<int>(kContactSeconds * document.sampleRate())));
   timeline->contacts()->setFindings(footskate ? footskate->findings : std::vector<SlideFinding>());
+}
+
+void Inspector::showRanges() {
+  const Document& document = session_->document();
+  views_.timeline->setRate(document.sampleRate());
+  views_.timeline->ruler()->setCare(document.options().ranges);
 }
 
 void Inspector::showJoint() {

@@ -16,6 +16,7 @@ class ErrorDisplay;
 class FiguresBar;
 class HeatMap;
 class Playback;
+class RangeActions;
 class RatePlot;
 class Session;
 class Timeline;
@@ -40,6 +41,7 @@ class Inspector : public QObject {
   /// Moves the playhead to the next worst frame, or back.
   void showNextWorst(int step);
 
+  RangeActions* rangeActions() const { return range_actions_; }
   const ClipCurve& curve() const { return *curve_; }
 
  private:
@@ -52,6 +54,7 @@ class Inspector : public QObject {
   void showErrors();
   void showErrorScales();
   void showContacts();
+  void showRanges();
   void showJoint();
   void showChannel();
   void drawChannel();
@@ -65,6 +68,7 @@ class Inspector : public QObject {
   InspectionViews views_;
   ErrorDisplay* error_display_;
   ClipCurve* curve_;
+  RangeActions* range_actions_;
   std::map<QObject*, std::function<void()>> waiting_;
   std::vector<int> worst_;  // frames, worst first
   int shown_worst_ = -1;    // last one visited

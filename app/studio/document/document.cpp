@@ -129,7 +129,11 @@ void Document::setClip(OriginalPtr original, DecodedPtr decoded, const QString& 
   }
   if (!decoded_ && now.encode.correction)
     now.encode.correction->joints.clear();  // indices of another skeleton's joints
-  for (ClipSettings& each : tuning_.both) each.encode.contacts = contactsBy(each.contacts);
+  for (ClipSettings& each : tuning_.both) {
+    each.encode.contacts = contactsBy(each.contacts);
+    each.encode.ranges.clear();  // frames of another clip
+    each.encode.loop.reset();
+  }
   leaveMissingSkin();
   findSkin();
   emit clipChanged();
@@ -191,6 +195,7 @@ void Document::setTuning(const Tuning& tuning) {
 void Document::loadOptions(EncodeSettings options) {
   ClipSettings& now = tuning_.now();
   options.contacts = now.encode.contacts;
+  options.ranges = now.encode.ranges;
   now.encode = std::move(options);
   now.preset.clear();
   emit optionsChanged();

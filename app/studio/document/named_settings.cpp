@@ -69,6 +69,7 @@ Settings presetOf(const ClipSettings& settings, const Skeleton& skeleton) {
 
 Settings ownPresetOf(const ClipSettings& settings, const Skeleton& skeleton) {
   Settings preset = presetOf(settings, skeleton);
+  preset.ranges = settings.encode.ranges;
   if (!settings.encode.contacts) return preset;
   const std::vector<Landmark> points = landmarks(skeleton);
   preset.contacts.emplace();
@@ -83,6 +84,8 @@ ClipSettings withPreset(const ClipSettings& settings, const Settings& preset,
   ClipSettings with = settings;
   with.encode = encode_settings(preset, skeleton);
   if (!with.encode.contacts) with.encode.contacts = settings.encode.contacts;
+  if (with.encode.ranges.empty()) with.encode.ranges = settings.encode.ranges;
+  if (!with.encode.loop) with.encode.loop = settings.encode.loop;
   with.preset = QString::fromStdString(preset.name);
   with.track_error = preset.track_error;
   return with;
@@ -159,6 +162,9 @@ NamedSettings fitting(NamedSettings settings, const Motion& motion) {
                           [&](const Landmark& point) { return point.name == contact.point; });
     });
   }
+  std::erase_if(preset.ranges, [&](const ImportantRange& range) {
+    return range.last_frame >= motion.clip.frames();
+  });
   if (preset.weighting == Weighting::Skin && !skeleton.skin())
     preset.weighting = Settings().weighting;
   if (preset.target.kind == Target::Kind::CoefficientRatio) preset.target = {};

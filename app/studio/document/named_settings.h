@@ -15,14 +15,15 @@ namespace mocapress {
 const Settings& usualPreset();
 ClipSettings usualSettings(const Skeleton& skeleton = {});
 
-/// The settings with joints by name, for use on other clips. Edited contacts are left out.
+/// The settings with joints by name, for use on other clips. Edited contacts and ranges are left
+/// out.
 Settings presetOf(const ClipSettings& settings, const Skeleton& skeleton);
 
-/// The same with the edited contacts, for this clip only.
+/// The same with the edited contacts and ranges, for this clip only.
 Settings ownPresetOf(const ClipSettings& settings, const Skeleton& skeleton);
 
-/// Replaces the settings by a preset's; contacts stay. Throws Error if it names a joint that the
-/// skeleton lacks.
+/// Replaces the settings by a preset's; contacts, ranges and loop stay unless it has its own.
+/// Throws Error if it names a joint that the skeleton lacks.
 ClipSettings withPreset(const ClipSettings& settings, const Settings& preset,
                         const Skeleton& skeleton);
 

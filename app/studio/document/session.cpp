@@ -94,6 +94,7 @@ void Session::openRow(const StudyRow& row, const QString& skeleton) {
   const Tuning before = document_.tuning();
   EncodeSettings wanted = *request.options;
   wanted.contacts = before.now().encode.contacts;
+  wanted.ranges = before.now().encode.ranges;
   if (settingsKey(wanted) == settingsKey(before.now().encode)) return apply(before);  // no step
   document_.loadOptions(wanted);
   changeTuning(before, document_.tuning());
@@ -231,6 +232,18 @@ void Session::setOptions(const EncodeSettings& options) {
 void Session::setImportance(const Importance& importance) {
   ClipSettings settings = document_.settings();
   settings.encode.importance = importance;
+  change(settings);
+}
+
+void Session::setRanges(const std::vector<ImportantRange>& ranges) {
+  ClipSettings settings = document_.settings();
+  settings.encode.ranges = ranges;
+  change(settings);
+}
+
+void Session::setLoop(const std::optional<Loop>& loop) {
+  ClipSettings settings = document_.settings();
+  settings.encode.loop = loop;
   change(settings);
 }
 

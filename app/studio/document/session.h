@@ -67,6 +67,8 @@ class Session : public QObject {
   void setOptions(const EncodeSettings& options);
   void setContactSettings(const ContactSettings& settings);
   void setContacts(const std::vector<ContactSpan>& contacts);
+  void setRanges(const std::vector<ImportantRange>& ranges);
+  void setLoop(const std::optional<Loop>& loop);
   void setTrackError(double track_error);
   void setImportance(const Importance& importance);
 

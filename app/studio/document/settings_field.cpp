@@ -34,6 +34,10 @@ QString nameOf(SettingsField field) {
       return FieldTexts::tr("Effort");
     case SettingsField::Importance:
       return FieldTexts::tr("Importance");
+    case SettingsField::Ranges:
+      return FieldTexts::tr("Care in a Range");
+    case SettingsField::Loop:
+      return FieldTexts::tr("Loop");
     case SettingsField::Weighting:
       return FieldTexts::tr("Weighting");
     case SettingsField::Ends:
@@ -69,6 +73,8 @@ SettingsField firstDifference(const ClipSettings& a, const ClipSettings& b) {
   if (one.method != other.method) return SettingsField::Method;
   if (only(&EncodeSettings::effort)) return SettingsField::Effort;
   if (only(&EncodeSettings::importance)) return SettingsField::Importance;
+  if (only(&EncodeSettings::ranges)) return SettingsField::Ranges;
+  if (only(&EncodeSettings::loop)) return SettingsField::Loop;
   if (only(&EncodeSettings::weighting)) return SettingsField::Weighting;
   if (only(&EncodeSettings::ends)) return SettingsField::Ends;
   if (only(&EncodeSettings::coding)) return SettingsField::Coding;

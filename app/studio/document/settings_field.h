@@ -15,6 +15,8 @@ enum class SettingsField {
   Method,
   Effort,
   Importance,
+  Ranges,
+  Loop,
   Weighting,
   Ends,
   Coding,

@@ -315,9 +315,10 @@ void Library::apply(const Reviews& reviews) {
 
 void Library::setPreset(const std::vector<int>& rows, const Settings& preset) {
   change(rows, tr("Preset"), [&](NamedSettings& settings) {
-    const auto contacts = settings.preset.contacts;
-    settings.preset = preset;
-    if (!preset.contacts) settings.preset.contacts = contacts;
+    const Settings before = std::exchange(settings.preset, preset);
+    if (!preset.contacts) settings.preset.contacts = before.contacts;
+    if (preset.ranges.empty()) settings.preset.ranges = before.ranges;
+    if (!preset.loop) settings.preset.loop = before.loop;
   });
 }
 
@@ -329,9 +330,11 @@ void Library::copySettings(int row) {
 void Library::pasteSettings(const std::vector<int>& rows) {
   if (!copied_) return;
   change(rows, tr("Paste Settings"), [this](NamedSettings& settings) {
-    const auto contacts = settings.preset.contacts;
+    const Settings before = settings.preset;
     settings = *copied_;
-    settings.preset.contacts = contacts;
+    settings.preset.contacts = before.contacts;
+    settings.preset.ranges = before.ranges;
+    settings.preset.loop = before.loop;
   });
 }
 
@@ -714,9 +717,10 @@ NamedSettings Library::settingsNow() const {
     if (preset.name != settings.preset.name ||
         !isAsPreset(document.settings(), preset, *document.skeleton()))
       continue;
-    const std::optional<std::vector<ContactSetting>> contacts = settings.preset.contacts;
-    settings.preset = preset;
-    settings.preset.contacts = contacts;
+    const Settings own = std::exchange(settings.preset, preset);
+    settings.preset.contacts = own.contacts;
+    settings.preset.ranges = own.ranges;
+    settings.preset.loop = own.loop;
   }
   return settings;
 }

@@ -56,7 +56,8 @@ class Library : public KeptProject {
   void copySettings(int row);
   bool hasCopy() const { return copied_.has_value(); }
 
-  /// Gives clips what was copied, in one step. Edited contacts stay, which are of one clip.
+  /// Gives clips what was copied, in one step. Edited contacts, ranges and whether it is a loop
+  /// stay, which are of one clip.
   void pasteSettings(const std::vector<int>& rows);
   void pasteImportance(const std::vector<int>& rows);
 

@@ -187,6 +187,7 @@ RecentMenus addMenus(QMainWindow* window, const Actions& actions,
   play->addSeparator();
   play->addActions(
       {transport.loop, transport.range_from, transport.range_to, transport.whole_clip});
+  recent.play = play;
 
   QMenu* view = window->menuBar()->addMenu(Texts::tr("&View"));
   addInGroups(view, actions.view);

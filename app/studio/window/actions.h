@@ -68,6 +68,7 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
 struct RecentMenus {
   QMenu* files = nullptr;
   QMenu* projects = nullptr;
+  QMenu* play = nullptr;  // gets the actions on a range
 };
 
 /// Adds menus and tool bar.

@@ -55,6 +55,7 @@ QString shortcutSheet(const QMenuBar& menus) {
       HelpTexts::tr("Wheel over the timeline: zoom; with Shift: move along"),
       HelpTexts::tr("Click on the scale of the error strip: choose another"),
       HelpTexts::tr("Drag an end of a contact: move it; right button: add or remove"),
+      HelpTexts::tr("Drag on the ruler: choose a range; right button: what to do with it"),
       HelpTexts::tr("Shift and drag on the error strip: choose the range that is played")};
   html += QStringLiteral("<h3>%1</h3><ul><li>%2</li></ul>")
               .arg(HelpTexts::tr("Mouse"), mouse.join(QStringLiteral("</li><li>")));

@@ -10,6 +10,7 @@
 #include <QWidget>
 
 #include "app/studio/compare/pinned_results.h"
+#include "app/studio/compare/range_actions.h"
 #include "app/studio/document/clip_files.h"
 #include "app/studio/document/session.h"
 #include "app/studio/library/library.h"
@@ -94,6 +95,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   pinned_->setMemory([this](const QString& path) { return library_->pinsOf(path); });
   connect(pinned_, &PinnedResults::edited, library_, &Library::setPins);
   inspector_ = new Inspector(session_, playback_, panels_.inspection, error_display_, this);
+  recent_.play->addActions(inspector_->rangeActions()->actions());
   // Comes after the presenter, since a picture counts once the view has the answer.
   trace_ = new Trace(session_, panels_.views.viewport, this);
   notices_ = new Notices(session_, library_, panels_.messages, this);
