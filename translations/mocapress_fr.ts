@@ -259,6 +259,38 @@
         <source>Save Compressed Clip &amp;As…</source>
         <translation>Enregistrer le clip compressé &amp;sous…</translation>
     </message>
+    <message>
+        <source>Next to &amp;Review</source>
+        <translation>&amp;Suivant à relire</translation>
+    </message>
+    <message>
+        <source>Open the next clip that waits for a verdict (Q)</source>
+        <translation>Ouvrir le clip suivant qui attend un verdict (Q)</translation>
+    </message>
+    <message>
+        <source>&amp;Approve, and Next</source>
+        <translation>&amp;Approuver, puis le suivant</translation>
+    </message>
+    <message>
+        <source>Re&amp;ject, and Next</source>
+        <translation>Re&amp;jeter, puis le suivant</translation>
+    </message>
+    <message>
+        <source>&amp;Note on This Frame…</source>
+        <translation>&amp;Note sur cette image…</translation>
+    </message>
+    <message>
+        <source>Write a note on the frame that is shown and the joint that is chosen</source>
+        <translation>Écrire une note sur l&apos;image montrée et l&apos;articulation choisie</translation>
+    </message>
+    <message>
+        <source>Next No&amp;te</source>
+        <translation>No&amp;te suivante</translation>
+    </message>
+    <message>
+        <source>&amp;Review</source>
+        <translation>&amp;Revue</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::AnnealingPanel</name>
@@ -1620,6 +1652,21 @@
     </message>
 </context>
 <context>
+    <name>mocapress::FrameNotes</name>
+    <message>
+        <source>Frame %L1</source>
+        <translation>Image %L1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Note</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::HeatMap</name>
     <message>
         <source>Heat map of errors</source>
@@ -2288,6 +2335,14 @@
         <source>Missed or failed</source>
         <translation>Manqués ou en échec</translation>
     </message>
+    <message>
+        <source>To review</source>
+        <translation>À relire</translation>
+    </message>
+    <message>
+        <source>With notes</source>
+        <translation>Avec notes</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryModel</name>
@@ -2620,6 +2675,14 @@
         <source>Characters (*.fbx *.glb *.gltf *.vrm)</source>
         <translation>Personnages (*.fbx *.glb *.gltf *.vrm)</translation>
     </message>
+    <message>
+        <source>This is the last clip that waits for a verdict.</source>
+        <translation>C&apos;est le dernier clip qui attend un verdict.</translation>
+    </message>
+    <message>
+        <source>No clip that is shown waits for a verdict.</source>
+        <translation>Aucun clip affiché n&apos;attend de verdict.</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::MainWindow</name>
@@ -2747,6 +2810,33 @@
     <message>
         <source>Skin</source>
         <translation>Peau</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::NoteStrip</name>
+    <message>
+        <source>Notes on frames</source>
+        <translation>Notes sur des images</translation>
+    </message>
+    <message>
+        <source>The menu Review adds a note and goes from one to the next.</source>
+        <translation>Le menu Revue ajoute une note et va de l&apos;une à l&apos;autre.</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notes</translation>
+    </message>
+    <message>
+        <source>A click on a mark goes to its frame and joint; the right button edits or removes the note.</source>
+        <translation>Un clic sur une marque va à son image et à son articulation ; le bouton droit modifie ou retire la note.</translation>
+    </message>
+    <message>
+        <source>Edit Note…</source>
+        <translation>Modifier la note…</translation>
+    </message>
+    <message>
+        <source>Remove Note</source>
+        <translation>Retirer la note</translation>
     </message>
 </context>
 <context>
@@ -3613,6 +3703,29 @@
     <message>
         <source>Path of the feet over the ground while they stand, beyond the original&apos;s: sum over the clip, and worst contact. A foot that trembles in place has a long path.</source>
         <translation>Longueur du chemin des pieds sur le sol pendant qu&apos;ils se tiennent, au-delà de celui de l&apos;original : sommée sur le clip, et pour le pire contact. Le tremblement d&apos;un pied sur place s&apos;y additionne.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ReviewBar</name>
+    <message>
+        <source>Open the next clip that waits for a verdict (Q)</source>
+        <translation>Ouvrir le clip suivant qui attend un verdict (Q)</translation>
+    </message>
+    <message>
+        <source>Next to review</source>
+        <translation>Suivant à relire</translation>
+    </message>
+    <message>
+        <source>Clips that are reviewed</source>
+        <translation>Clips relus</translation>
+    </message>
+    <message>
+        <source>%L1 of %L2 reviewed</source>
+        <translation>%L1 relus sur %L2</translation>
+    </message>
+    <message>
+        <source>%1, %L2 rejected</source>
+        <translation>%1, %L2 rejetés</translation>
     </message>
 </context>
 <context>

@@ -259,6 +259,38 @@
         <source>Save Compressed Clip &amp;As…</source>
         <translation>圧縮クリップに名前を付けて保存(&amp;A)…</translation>
     </message>
+    <message>
+        <source>Next to &amp;Review</source>
+        <translation>次のレビュー対象(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Open the next clip that waits for a verdict (Q)</source>
+        <translation>判定待ちの次のクリップを開きます（Q）</translation>
+    </message>
+    <message>
+        <source>&amp;Approve, and Next</source>
+        <translation>承認して次へ(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Re&amp;ject, and Next</source>
+        <translation>却下して次へ(&amp;J)</translation>
+    </message>
+    <message>
+        <source>&amp;Note on This Frame…</source>
+        <translation>このフレームにメモ(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>Write a note on the frame that is shown and the joint that is chosen</source>
+        <translation>表示中のフレームと選択中の関節にメモを書きます</translation>
+    </message>
+    <message>
+        <source>Next No&amp;te</source>
+        <translation>次のメモ(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Review</source>
+        <translation>レビュー(&amp;R)</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::AnnealingPanel</name>
@@ -1608,6 +1640,21 @@
     </message>
 </context>
 <context>
+    <name>mocapress::FrameNotes</name>
+    <message>
+        <source>Frame %L1</source>
+        <translation>フレーム %L1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1、%2</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>メモ</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::HeatMap</name>
     <message>
         <source>Heat map of errors</source>
@@ -2269,6 +2316,14 @@
         <source>Missed or failed</source>
         <translation>未達または失敗</translation>
     </message>
+    <message>
+        <source>To review</source>
+        <translation>レビュー待ち</translation>
+    </message>
+    <message>
+        <source>With notes</source>
+        <translation>メモあり</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryModel</name>
@@ -2597,6 +2652,14 @@
         <source>Characters (*.fbx *.glb *.gltf *.vrm)</source>
         <translation>キャラクター (*.fbx *.glb *.gltf *.vrm)</translation>
     </message>
+    <message>
+        <source>This is the last clip that waits for a verdict.</source>
+        <translation>判定待ちのクリップはこれが最後です。</translation>
+    </message>
+    <message>
+        <source>No clip that is shown waits for a verdict.</source>
+        <translation>表示中のクリップに判定待ちはありません。</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::MainWindow</name>
@@ -2724,6 +2787,33 @@
     <message>
         <source>Skin</source>
         <translation>スキン</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::NoteStrip</name>
+    <message>
+        <source>Notes on frames</source>
+        <translation>フレームのメモ</translation>
+    </message>
+    <message>
+        <source>The menu Review adds a note and goes from one to the next.</source>
+        <translation>レビューメニューでメモの追加と移動ができます。</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>メモ</translation>
+    </message>
+    <message>
+        <source>A click on a mark goes to its frame and joint; the right button edits or removes the note.</source>
+        <translation>印をクリックするとそのフレームと関節へ移ります。右ボタンでメモを編集・削除できます。</translation>
+    </message>
+    <message>
+        <source>Edit Note…</source>
+        <translation>メモを編集…</translation>
+    </message>
+    <message>
+        <source>Remove Note</source>
+        <translation>メモを削除</translation>
     </message>
 </context>
 <context>
@@ -3585,6 +3675,29 @@
     <message>
         <source>Path of the feet over the ground while they stand, beyond the original&apos;s: sum over the clip, and worst contact. A foot that trembles in place has a long path.</source>
         <translation>接地中の足が床の上で動いた軌跡の長さのうち元を超える分。クリップ全体の合計と最大の接地のもの。その場での震えも積算されます。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ReviewBar</name>
+    <message>
+        <source>Open the next clip that waits for a verdict (Q)</source>
+        <translation>判定待ちの次のクリップを開きます（Q）</translation>
+    </message>
+    <message>
+        <source>Next to review</source>
+        <translation>次のレビュー対象</translation>
+    </message>
+    <message>
+        <source>Clips that are reviewed</source>
+        <translation>レビュー済みのクリップ</translation>
+    </message>
+    <message>
+        <source>%L1 of %L2 reviewed</source>
+        <translation>%L2 個中 %L1 個レビュー済み</translation>
+    </message>
+    <message>
+        <source>%1, %L2 rejected</source>
+        <translation>%1、却下 %L2</translation>
     </message>
 </context>
 <context>

@@ -14,12 +14,16 @@ bool isOf(const LibraryEntry& entry, LibraryShow show) {
       return true;
     case LibraryShow::NotReviewed:
       return entry.review.verdict == Verdict::None;
+    case LibraryShow::ToReview:
+      return wantsReview(entry);
     case LibraryShow::Approved:
       return entry.review.verdict == Verdict::Approved;
     case LibraryShow::Rejected:
       return entry.review.verdict == Verdict::Rejected;
     case LibraryShow::Stale:
       return entry.stale != Staleness::None || entry.outdated != Staleness::None;
+    case LibraryShow::WithNotes:
+      return !entry.review.note.empty() || !entry.review.notes.empty();
     case LibraryShow::WithWarnings:
       return !notesOf(entry).isEmpty();
     case LibraryShow::Visible:
@@ -40,12 +44,16 @@ QString displayName(LibraryShow show) {
       return LibraryFilter::tr("All clips");
     case LibraryShow::NotReviewed:
       return LibraryFilter::tr("Not reviewed");
+    case LibraryShow::ToReview:
+      return LibraryFilter::tr("To review");
     case LibraryShow::Approved:
       return LibraryFilter::tr("Approved");
     case LibraryShow::Rejected:
       return LibraryFilter::tr("Rejected");
     case LibraryShow::Stale:
       return LibraryFilter::tr("Out of date");
+    case LibraryShow::WithNotes:
+      return LibraryFilter::tr("With notes");
     case LibraryShow::WithWarnings:
       return LibraryFilter::tr("With warnings");
     case LibraryShow::Visible:

@@ -12,9 +12,11 @@ namespace mocapress {
 enum class LibraryShow {
   All,
   NotReviewed,
+  ToReview,  // not reviewed, or stale
   Approved,
   Rejected,
   Stale,  // the verdict, or the outcome
+  WithNotes,
   WithWarnings,
   Visible,     // an eye notices the difference, or might
   Unfinished,  // not compressed yet by their settings
@@ -34,6 +36,7 @@ class LibraryFilter : public QSortFilterProxyModel {
   void setWords(const QString& words);
   void setShow(LibraryShow show);
 
+  const LibraryModel* clips() const { return clips_; }
   const LibraryEntry& entry(int row) const { return clips_->entry(clipAt(row)); }
   int clipAt(int row) const { return mapToSource(index(row, 0)).row(); }
   int rowOf(int clip) const { return mapFromSource(clips_->index(clip, 0)).row(); }

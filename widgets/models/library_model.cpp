@@ -67,6 +67,11 @@ QColor colourOf(RowState state, const QPalette& palette) {
   return palette.color(QPalette::Text);
 }
 
+bool wantsReview(const LibraryEntry& entry) {
+  return !entry.missing &&
+         (entry.review.verdict == Verdict::None || entry.stale != Staleness::None);
+}
+
 bool isMissed(const LibraryEntry& entry) {
   return entry.missing || !entry.trouble.isEmpty() || !entry.failure.isEmpty() ||
          (entry.outcome && !entry.outcome->met);

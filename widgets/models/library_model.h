@@ -122,6 +122,10 @@ RowState stateOf(const LibraryEntry& entry);
 /// Dark enough on white, bright enough on black.
 QColor colourOf(RowState state, const QPalette& palette);
 
+/// Nobody has said anything about it, or the verdict is stale. A clip whose file is gone cannot be
+/// reviewed.
+bool wantsReview(const LibraryEntry& entry);
+
 /// Its target was not met, or it cannot be read or compressed at all.
 bool isMissed(const LibraryEntry& entry);
 

@@ -23,6 +23,7 @@
 #include "widgets/models/sentence.h"
 #include "widgets/panels/elided_label.h"
 #include "widgets/panels/encoding_bar.h"
+#include "widgets/panels/review_bar.h"
 
 namespace mocapress {
 namespace {
@@ -170,6 +171,7 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
       view_(new QTreeView(this)),
       sum_(new ElidedLabel(this)),
       encoding_(new EncodingBar(model, this)),
+      reviewed_(new ReviewBar(model, this)),
       add_(new QPushButton(tr("Add"), this)),
       remove_(new QPushButton(tr("Remove"), this)),
       verdict_(new QComboBox(this)),
@@ -237,6 +239,7 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
   below->setContentsMargins(8, 0, 8, 0);
   below->addWidget(sum_);
   below->addWidget(encoding_);
+  below->addWidget(reviewed_);
   below->addWidget(verdict_);
   below->addWidget(note_);
   below->addLayout(buttons);
@@ -406,6 +409,19 @@ std::vector<int> LibraryPanel::reviewedRows() const {
   const int row = current();
   if (row >= 0 && std::find(rows.begin(), rows.end(), row) == rows.end()) rows = {row};
   return rows;
+}
+
+int LibraryPanel::nextToReview() const {
+  const std::vector<int> clips = tree_->clipsBelow({});
+  const auto here = std::find(clips.begin(), clips.end(), current());
+  const auto waits = [this](int clip) { return wantsReview(model_->entry(clip)); };
+  const auto after = here == clips.end() ? clips.begin() : here + 1;
+  auto found = std::find_if(after, clips.end(), waits);
+  if (found == clips.end()) {
+    found = std::find_if(clips.begin(), after, waits);
+    if (found == after) return -1;
+  }
+  return *found == current() ? -1 : *found;
 }
 
 int LibraryPanel::current() const {

@@ -20,6 +20,7 @@ class ElidedLabel;
 class EncodingBar;
 class LibraryModel;
 class LibraryTree;
+class ReviewBar;
 
 /// The clips of the project in groups: what each came to, and what the reviewer says. A click opens
 /// a clip. The context menu of the head chooses columns.
@@ -61,7 +62,12 @@ class LibraryPanel : public QWidget {
   QMenu* makeColumnMenu();
   QComboBox* verdict() const { return verdict_; }
   QLineEdit* note() const { return note_; }
+  ReviewBar* reviewed() const { return reviewed_; }
   EncodingBar* encoding() const { return encoding_; }
+
+  /// The next clip, in the order shown, after the one that is open that waits for a verdict; -1:
+  /// none.
+  int nextToReview() const;
 
   /// Makes the context menu for the selection.
   QMenu* makeMenu();
@@ -122,6 +128,7 @@ class LibraryPanel : public QWidget {
   QTreeView* view_;
   ElidedLabel* sum_;
   EncodingBar* encoding_;
+  ReviewBar* reviewed_;
   QPushButton* add_;
   QPushButton* remove_;
   QComboBox* verdict_;

@@ -10,6 +10,7 @@
 
 #include "widgets/timeline/contact_strip.h"
 #include "widgets/timeline/error_strip.h"
+#include "widgets/timeline/note_strip.h"
 #include "widgets/timeline/sight_strip.h"
 #include "widgets/timeline/time_ruler.h"
 
@@ -34,6 +35,7 @@ Timeline::Timeline(QWidget* parent)
       ruler_(new TimeRuler(this)),
       errors_(new ErrorStrip(this)),
       sight_(new SightStrip(this)),
+      notes_(new NoteStrip(this)),
       contacts_(new ContactStrip(this)),
       scroll_(new QScrollBar(Qt::Horizontal, this)) {
   scroll_->setAccessibleName(tr("Visible part of the clip"));
@@ -45,6 +47,7 @@ Timeline::Timeline(QWidget* parent)
   column->addWidget(ruler_);
   column->addWidget(errors_);
   column->addWidget(sight_);
+  column->addWidget(notes_);
   column->addWidget(contacts_);
   column->addWidget(scroll_);
   connect(ruler_, &TimeRuler::seekRequested, this, &Timeline::seekRequested);
@@ -57,7 +60,7 @@ Timeline::Timeline(QWidget* parent)
 
 int Timeline::labelWidth() const {
   return std::max({ruler_->labelWidth(), errors_->labelWidth(), sight_->labelWidth(),
-                   contacts_->labelWidth()});
+                   notes_->labelWidth(), contacts_->labelWidth()});
 }
 
 void Timeline::setRate(double sample_rate_hz) {
@@ -72,6 +75,8 @@ void Timeline::setContacts(std::vector<ContactSpan> contacts, const std::vector<
   ruler_->setLabelWidth(width);
   errors_->setLabelWidth(width);
   sight_->setLabelWidth(width);
+  notes_->setLabelWidth(width);
+  notes_->setFrames(frames);
   contacts_->setLabelWidth(width);
   if (frames == frames_) return;
   frames_ = frames;
@@ -83,6 +88,7 @@ void Timeline::setFrame(int frame) {
   ruler_->setFrame(frame);
   errors_->setFrame(frame);
   sight_->setFrame(frame);
+  notes_->setFrame(frame);
   contacts_->setFrame(frame);
   if (window_.length == 0) return;
   if (frame < window_.first)
@@ -107,6 +113,7 @@ void Timeline::setWindow(double first, double length) {
   ruler_->setWindow(window_);
   errors_->setWindow(window_);
   sight_->setWindow(window_);
+  notes_->setWindow(window_);
   contacts_->setWindow(window_);
   const QSignalBlocker blocker(scroll_);
   scroll_->setRange(0, whole ? 0 : static_cast<int>(std::ceil(frames_ - length)));

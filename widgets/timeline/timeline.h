@@ -13,6 +13,7 @@ namespace mocapress {
 
 class ContactStrip;
 class ErrorStrip;
+class NoteStrip;
 class SightStrip;
 class TimeRuler;
 
@@ -27,6 +28,7 @@ class Timeline : public QWidget {
   TimeRuler* ruler() const { return ruler_; }
   ErrorStrip* errors() const { return errors_; }
   SightStrip* sight() const { return sight_; }
+  NoteStrip* notes() const { return notes_; }
   ContactStrip* contacts() const { return contacts_; }
   QScrollBar* scroll() const { return scroll_; }
 
@@ -59,6 +61,7 @@ class Timeline : public QWidget {
   TimeRuler* ruler_;
   ErrorStrip* errors_;
   SightStrip* sight_;
+  NoteStrip* notes_;
   ContactStrip* contacts_;
   QScrollBar* scroll_;
   int frames_ = 0;

@@ -251,12 +251,20 @@ int Library::currentRow() const {
   return found == project_.clips.end() ? -1 : static_cast<int>(found - project_.clips.begin());
 }
 
+namespace {
+
+std::string timeNow() {
+  return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+}
+
+}  // namespace
+
 /// The reviewer has seen what the row shows.
 ClipReview Library::reviewNow(const ProjectClip& clip, Verdict verdict) const {
-  ClipReview review{verdict, clip.review.note};
+  ClipReview review{.verdict = verdict, .note = clip.review.note, .notes = clip.review.notes};
   if (verdict == Verdict::None) return review;
   review.reviewer = userName();
-  review.time = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+  review.time = timeNow();
   const bool is_open = session_->isOpen(clip.path);
   review.source_hash = is_open        ? session_->document().original()->stamp.source
                        : clip.outcome ? clip.outcome->source
@@ -297,6 +305,32 @@ void Library::setNote(int row, const QString& note) {
   history_.push(new EditStep(
       tr("Note"), [this, after] { apply(after); }, [this, before] { apply(before); },
       QStringLiteral("note ") + clip.path, kOneNoteMs));
+}
+
+std::vector<FrameNote> Library::frameNotes(int row) const {
+  if (row < 0) return {};
+  return project_.clips[static_cast<std::size_t>(row)].review.notes;
+}
+
+void Library::setFrameNote(int row, int index, const FrameNote& note) {
+  if (row < 0 || row >= std::ssize(project_.clips)) return;
+  const ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
+  ClipReview review = clip.review;
+  if (index >= std::ssize(review.notes)) return;
+  if (index >= 0) review.notes.erase(review.notes.begin() + index);
+  if (!note.text.empty()) {
+    FrameNote written = note;
+    written.reviewer = userName();
+    written.time = timeNow();
+    const auto place =
+        std::upper_bound(review.notes.begin(), review.notes.end(), written,
+                         [](const FrameNote& a, const FrameNote& b) { return a.frame < b.frame; });
+    review.notes.insert(place, written);
+  }
+  if (review == clip.review) return;
+  const Reviews before{{clip.path, clip.review}}, after{{clip.path, review}};
+  history_.push(new EditStep(
+      tr("Note"), [this, after] { apply(after); }, [this, before] { apply(before); }));
 }
 
 void Library::apply(const Reviews& reviews) {
@@ -632,11 +666,13 @@ ClipReviews Library::reviews() const {
 
 std::vector<std::string> Library::remarksOn(const QString& path) const {
   std::vector<std::string> remarks;
-  for (const ProjectClip& clip : project_.clips)
-    if (clip.path == path)
-      remarks = {verdict_text(clip.review,
-                              stale_reason(clip.review, clip.stamp.source, settingsHash(clip))),
-                 clip.review.note};
+  for (const ProjectClip& clip : project_.clips) {
+    if (clip.path != path) continue;
+    remarks = {
+        verdict_text(clip.review, stale_reason(clip.review, clip.stamp.source, settingsHash(clip))),
+        clip.review.note};
+    for (const FrameNote& note : clip.review.notes) remarks.push_back(note_text(note));
+  }
   std::erase(remarks, "");
   return remarks;
 }

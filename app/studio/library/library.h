@@ -46,6 +46,13 @@ class Library : public KeptProject {
   void openClip(int row);
   void setNote(int row, const QString& note);
 
+  /// The notes on frames of a clip, in the order of frames; of row -1: none.
+  std::vector<FrameNote> frameNotes(int row) const;
+
+  /// Replaces the note of that index; -1 adds one, and a note without a text is removed. The
+  /// reviewer and the time are those of now.
+  void setFrameNote(int row, int index, const FrameNote& note);
+
   /// Sets a verdict for all these rows in one step. It applies to the files and settings of the
   /// outcome in the row, else to the clip's current ones. A clip without its file gets no verdict,
   /// and failed() says so.

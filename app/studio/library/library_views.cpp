@@ -14,9 +14,11 @@
 #include "app/studio/document/session.h"
 #include "app/studio/library/background_encoding.h"
 #include "app/studio/library/library.h"
+#include "widgets/models/library_tree.h"
 #include "widgets/models/number_text.h"
 #include "widgets/panels/encoding_bar.h"
 #include "widgets/panels/library_panel.h"
+#include "widgets/panels/review_bar.h"
 #include "widgets/panels/slot_control.h"
 #include "widgets/plots/library_plot.h"
 
@@ -66,6 +68,7 @@ LibraryViews::LibraryViews(Session* session, Library* library, LibraryPanel* pan
   connect(encoding_, &BackgroundEncoding::activeChanged, panel->encoding(),
           &EncodingBar::setActive);
   connect(encoding_, &BackgroundEncoding::failed, library, &Library::failed);
+  connect(panel->reviewed(), &ReviewBar::nextRequested, this, &LibraryViews::showNextToReview);
   connect(panel, &LibraryPanel::noteEdited, library, &Library::setNote);
   connect(panel, &LibraryPanel::addRequested, this, &LibraryViews::addClips);
   connect(panel, &LibraryPanel::addFolderRequested, this, &LibraryViews::addFolder);
@@ -102,6 +105,26 @@ void LibraryViews::showSlots() {
           tr("%L1 : 1, %2").arg(figures->ratio, 0, 'f', 1).arg(lengthText(figures->eps_cm));
   slots_->setSlots(session_->document().tuning().active, summaries);
   slots_->setEnabled(session_->document().original() != nullptr);
+}
+
+void LibraryViews::showNextToReview() {
+  const int next = panel_->nextToReview();
+  if (next >= 0) return library_->openClip(next);
+  const int row = library_->currentRow();
+  const bool waits = row >= 0 && wantsReview(panel_->tree()->filter()->clips()->entry(row));
+  emit library_->noted(waits ? tr("This is the last clip that waits for a verdict.")
+                             : tr("No clip that is shown waits for a verdict."));
+}
+
+void LibraryViews::judge(Verdict verdict) {
+  const int row = library_->currentRow();
+  if (row < 0) return;
+  const int next = panel_->nextToReview();  // before the clip may leave the list that is shown
+  library_->setVerdict({row}, verdict);
+  if (next >= 0)
+    library_->openClip(next);
+  else
+    showNextToReview();
 }
 
 void LibraryViews::addClips() {

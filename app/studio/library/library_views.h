@@ -29,6 +29,12 @@ class LibraryViews : public QObject {
   /// Clips are opened there too.
   void offer(LibraryPlot* plot);
 
+  /// Opens the next clip that waits for a verdict, and says so where there is none.
+  void showNextToReview();
+
+  /// Gives the open clip a verdict and opens the next that waits for one.
+  void judge(Verdict verdict);
+
   /// With a file dialog.
   void addClips();
   void addFolder();

@@ -125,6 +125,14 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
   actions.next_worst->setToolTip(
       Texts::tr("Go to the frame with the largest error, then to the next largest (N)"));
   actions.previous_worst = make(window, Texts::tr("P&revious Worst Frame"), Qt::SHIFT | Qt::Key_N);
+  actions.next_review = make(window, Texts::tr("Next to &Review"), Qt::Key_Q);
+  actions.next_review->setToolTip(Texts::tr("Open the next clip that waits for a verdict (Q)"));
+  actions.approve = make(window, Texts::tr("&Approve, and Next"), Qt::CTRL | Qt::Key_Return);
+  actions.reject = make(window, Texts::tr("Re&ject, and Next"), Qt::CTRL | Qt::Key_Backspace);
+  actions.note_here = make(window, Texts::tr("&Note on This Frame…"), Qt::CTRL | Qt::Key_M);
+  actions.note_here->setToolTip(
+      Texts::tr("Write a note on the frame that is shown and the joint that is chosen"));
+  actions.next_note = make(window, Texts::tr("Next No&te"), Qt::SHIFT | Qt::Key_M);
   actions.hold_feet = make(window, Texts::tr("&Hold Feet"), Qt::Key_I);
   actions.hold_feet->setToolTip(Texts::tr("Compress with or without inverse kinematics (I)"));
   actions.without_ik =
@@ -188,6 +196,11 @@ RecentMenus addMenus(QMainWindow* window, const Actions& actions,
   play->addActions(
       {transport.loop, transport.range_from, transport.range_to, transport.whole_clip});
   recent.play = play;
+
+  window->menuBar()
+      ->addMenu(Texts::tr("&Review"))
+      ->addActions({actions.next_review, actions.approve, actions.reject, actions.note_here,
+                    actions.next_note});
 
   QMenu* view = window->menuBar()->addMenu(Texts::tr("&View"));
   addInGroups(view, actions.view);

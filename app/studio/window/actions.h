@@ -42,6 +42,11 @@ struct Actions {
   QAction* pin = nullptr;  // pins the current result
   QAction* undo = nullptr;
   QAction* redo = nullptr;
+  QAction* next_review = nullptr;  // the next clip that waits for a verdict
+  QAction* approve = nullptr;      // and on to the next
+  QAction* reject = nullptr;
+  QAction* note_here = nullptr;
+  QAction* next_note = nullptr;
   QAction* next_worst = nullptr;
   QAction* previous_worst = nullptr;
   QAction* hold_feet = nullptr;

@@ -13,6 +13,7 @@
 #include "app/studio/compare/range_actions.h"
 #include "app/studio/document/clip_files.h"
 #include "app/studio/document/session.h"
+#include "app/studio/library/frame_notes.h"
 #include "app/studio/library/library.h"
 #include "app/studio/library/project_files.h"
 #include "app/studio/window/actions.h"
@@ -30,6 +31,7 @@
 #include "widgets/panels/library_panel.h"
 #include "widgets/plots/error_graph.h"
 #include "widgets/plots/heat_map.h"
+#include "widgets/timeline/timeline.h"
 #include "widgets/viewport/viewport.h"
 
 namespace mocapress {
@@ -96,6 +98,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   connect(pinned_, &PinnedResults::edited, library_, &Library::setPins);
   inspector_ = new Inspector(session_, playback_, panels_.inspection, error_display_, this);
   recent_.play->addActions(inspector_->rangeActions()->actions());
+  notes_ =
+      new FrameNotes(session_, library_, playback_, panels_.inspection.timeline->notes(), this);
   // Comes after the presenter, since a picture counts once the view has the answer.
   trace_ = new Trace(session_, panels_.views.viewport, this);
   notices_ = new Notices(session_, library_, panels_.messages, this);
@@ -162,6 +166,14 @@ void MainWindow::connectEditActions() {
   connect(actions_.pin, &QAction::triggered, pinned_, &PinnedResults::pinCurrent);
   connect(pinned_, &PinnedResults::canPinChanged, actions_.pin, &QAction::setEnabled);
   actions_.pin->setEnabled(false);
+  connect(actions_.next_review, &QAction::triggered, library_views_,
+          &LibraryViews::showNextToReview);
+  connect(actions_.approve, &QAction::triggered, library_views_,
+          [this] { library_views_->judge(Verdict::Approved); });
+  connect(actions_.reject, &QAction::triggered, library_views_,
+          [this] { library_views_->judge(Verdict::Rejected); });
+  connect(actions_.note_here, &QAction::triggered, notes_, &FrameNotes::addHere);
+  connect(actions_.next_note, &QAction::triggered, notes_, &FrameNotes::showNext);
   connect(actions_.next_worst, &QAction::triggered, inspector_,
           [this] { inspector_->showNextWorst(1); });
   connect(actions_.previous_worst, &QAction::triggered, inspector_,

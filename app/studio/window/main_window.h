@@ -23,6 +23,7 @@ class QWidget;
 namespace mocapress {
 
 class ClipFiles;
+class FrameNotes;
 class IncomingFiles;
 class Library;
 class Notices;
@@ -110,6 +111,7 @@ class MainWindow : public QMainWindow {
   RecentMenus recent_;
   Inspector* inspector_;
   LibraryViews* library_views_;
+  FrameNotes* notes_;
   PresetViews* preset_views_;
   PinnedResults* pinned_;
   Trace* trace_;

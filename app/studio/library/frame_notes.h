@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+class QWidget;
+
+namespace mocapress {
+
+class Library;
+class NoteStrip;
+class Playback;
+class Session;
+struct FrameNote;
+
+/// The notes on frames of the open clip: shown on the timeline, added, edited and removed. Each
+/// change is a step of the library's history.
+class FrameNotes : public QObject {
+  Q_OBJECT
+
+ public:
+  FrameNotes(Session* session, Library* library, Playback* playback, NoteStrip* strip,
+             QWidget* window);
+
+  /// Asks for a note on the frame that is shown, and the joint that is chosen.
+  void addHere();
+
+  /// Goes to the next note after the frame that is shown, from the last to the first.
+  void showNext();
+
+ private:
+  void show();
+  void choose(int index);
+  void edit(int index);
+  void ask(const FrameNote& note, int index);
+
+  Session* session_;
+  Library* library_;
+  Playback* playback_;
+  NoteStrip* strip_;
+  QWidget* window_;
+};
+
+}  // namespace mocapress

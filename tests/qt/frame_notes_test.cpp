@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Notes on frames, and the queue of clips that wait for a verdict.
+#include "app/studio/library/frame_notes.h"
+
+#include <gtest/gtest.h>
+
+#include <QProgressBar>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+#include <QTreeView>
+
+#include "app/studio/document/session.h"
+#include "app/studio/library/library.h"
+#include "core/formats/motion_file.h"
+#include "tests/qt/patience.h"
+#include "tests/support/test_motion.h"
+#include "widgets/panels/library_panel.h"
+#include "widgets/panels/review_bar.h"
+#include "widgets/timeline/note_strip.h"
+#include "widgets/timeline/playback.h"
+
+namespace mocapress {
+namespace {
+
+class NotesOnAClip : public testing::Test {
+ protected:
+  NotesOnAClip() {
+    const QString path = directory_.filePath(QStringLiteral("clip.bvh"));
+    write_motion(path.toStdU16String(), test::smooth_motion(120));
+    QSignalSpy settled(&session_, &Session::settled);
+    session_.open(path);
+    EXPECT_TRUE(settled.count() > 0 || settled.wait(kPatience));
+    playback_.setClip(120, 30);
+    strip_.setFrames(120);
+    strip_.resize(400, strip_.sizeHint().height());
+  }
+
+  void add(int frame, const std::string& joint, const std::string& text) {
+    library_.setFrameNote(0, -1, {.frame = frame, .joint = joint, .text = text});
+  }
+
+  QTemporaryDir directory_;
+  Session session_;
+  LibraryModel model_;
+  Library library_{&session_, &model_};
+  Playback playback_;
+  QWidget window_;
+  NoteStrip strip_;
+  FrameNotes notes_{&session_, &library_, &playback_, &strip_, &window_};
+};
+
+TEST_F(NotesOnAClip, AreInTheOrderOfFramesWithWhoAndWhen) {
+  add(70, "lhand", "slides");
+  add(10, "", "pops");
+  const std::vector<FrameNote> notes = library_.frameNotes(0);
+  ASSERT_EQ(notes.size(), 2u);
+  EXPECT_EQ(notes[0].text, "pops");
+  EXPECT_EQ(notes[1].joint, "lhand");
+  EXPECT_FALSE(notes[1].time.empty());
+  EXPECT_TRUE(library_.frameNotes(-1).empty());
+}
+
+TEST_F(NotesOnAClip, AreStepsAndOutliveAVerdict) {
+  add(10, "", "pops");
+  library_.setFrameNote(0, 0, {.frame = 10, .text = "pops a little"});
+  EXPECT_EQ(library_.frameNotes(0).front().text, "pops a little");
+  library_.setVerdict({0}, Verdict::Rejected);
+  EXPECT_EQ(library_.frameNotes(0).size(), 1u);
+  library_.setFrameNote(0, 0, {});
+  EXPECT_TRUE(library_.frameNotes(0).empty());
+  library_.history()->undo();
+  library_.history()->undo();
+  library_.history()->undo();
+  EXPECT_EQ(library_.frameNotes(0).front().text, "pops");
+}
+
+TEST_F(NotesOnAClip, AMarkGoesToItsFrameAndJoint) {
+  EXPECT_TRUE(strip_.isHidden());
+  add(60, "lhand", "slides");
+  EXPECT_FALSE(strip_.isHidden());
+  const TimeAxis axis{2.0 * kStripMargin, 400.0 - kStripMargin, 120};
+  QTest::mouseClick(&strip_, Qt::LeftButton, {},
+                    {static_cast<int>(axis.xOf(60.5)), strip_.height() / 2});
+  EXPECT_EQ(playback_.frame(), 60);
+  EXPECT_EQ(session_.document().currentJoint(), session_.document().skeleton()->find("lhand"));
+}
+
+TEST_F(NotesOnAClip, TheNextOneFollowsTheFrameThatIsShown) {
+  add(10, "", "a");
+  add(60, "", "b");
+  for (const int frame : {10, 60, 10}) {
+    notes_.showNext();
+    EXPECT_EQ(playback_.frame(), frame);
+  }
+}
+
+std::vector<LibraryEntry> fourClips() {
+  std::vector<LibraryEntry> clips;
+  for (const char* name : {"a", "b", "c", "d"})
+    clips.push_back(
+        {.path = QStringLiteral("/clips/%1.bvh").arg(QLatin1String(name)), .frames = 9});
+  clips[0].review.verdict = Verdict::Approved;
+  clips[1].review.verdict = Verdict::Rejected;
+  clips[1].stale = Staleness::Settings;
+  return clips;
+}
+
+TEST(ReviewQueue, GoesOnToWhatWaitsForAVerdict) {
+  LibraryModel model;
+  LibraryPanel panel(&model);
+  std::vector<LibraryEntry> clips = fourClips();
+  model.setEntries(clips);
+  panel.setCurrent(0);
+  EXPECT_EQ(panel.nextToReview(), 1) << "its verdict is stale";
+  panel.setCurrent(3);
+  EXPECT_EQ(panel.nextToReview(), 1) << "from the last to the first";
+  clips[2].missing = true;
+  clips[1].stale = Staleness::None;
+  model.setEntries(clips);
+  panel.setCurrent(3);
+  EXPECT_EQ(panel.nextToReview(), -1) << "no other waits";
+}
+
+TEST(ReviewQueue, TellsHowManyAreReviewed) {
+  LibraryModel model;
+  ReviewBar bar(&model);
+  EXPECT_TRUE(bar.isHidden());
+  std::vector<LibraryEntry> clips = fourClips();
+  clips[1].stale = Staleness::None;
+  clips[2].missing = true;  // nobody has reviewed it, though it does not wait
+  model.setEntries(clips);
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return bar.progress()->text() == QStringLiteral("2 of 4 reviewed, 1 rejected"); },
+      kPatience))
+      << qPrintable(bar.progress()->text());
+  QSignalSpy asked(&bar, &ReviewBar::nextRequested);
+  bar.next()->click();
+  EXPECT_EQ(asked.count(), 1);
+}
+
+}  // namespace
+}  // namespace mocapress

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+class QProgressBar;
+class QToolButton;
+
+namespace mocapress {
+
+class LibraryModel;
+
+/// How many clips of the library are reviewed, and a button that goes to the next that is not.
+class ReviewBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ReviewBar(const LibraryModel* model, QWidget* parent = nullptr);
+
+  QToolButton* next() const { return next_; }
+  QProgressBar* progress() const { return progress_; }
+
+ signals:
+  void nextRequested();
+
+ private:
+  void count();
+
+  const LibraryModel* model_;
+  QToolButton* next_;
+  QProgressBar* progress_;
+  QTimer count_later_;  // clips change by the thousand
+};
+
+}  // namespace mocapress

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "widgets/timeline/time_axis.h"
+
+namespace mocapress {
+
+/// A note on a frame, as the strip shows it.
+struct TimeNote {
+  int frame = 0;
+  QString text;     // beside the mark
+  QString details;  // the tooltip
+};
+
+/// Notes on frames over time: a mark each, and as much of its text as there is room for. A click on
+/// a mark chooses the note, the right button edits or removes it. Hidden without notes.
+class NoteStrip : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit NoteStrip(QWidget* parent = nullptr);
+
+  /// Notes in the order of their frames.
+  void setNotes(std::vector<TimeNote> notes);
+  void setFrames(int frames);
+  void setFrame(int frame);
+  void setWindow(const FrameWindow& window);
+
+  /// Width in pixels for names, in line with the other strips.
+  void setLabelWidth(int pixels);
+  int labelWidth() const;
+
+  QSize sizeHint() const override { return {200, 18}; }
+
+ signals:
+  void seekRequested(int frame);
+  void noteChosen(int index);
+  void editRequested(int index);
+  void removeRequested(int index);
+
+ protected:
+  bool event(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+
+ private:
+  TimeAxis axis() const;
+  int noteAt(double x) const;  // the nearest mark within reach; -1: none
+
+  std::vector<TimeNote> notes_;
+  int frames_ = 0;
+  FrameWindow window_;
+  int frame_ = 0;
+  int label_width_ = 0;
+};
+
+}  // namespace mocapress
