@@ -74,6 +74,13 @@ TEST_F(AProjectLock, OnlyTheForeignLockThatWasShownIsTakenOver) {
   EXPECT_EQ(removeForeignLock(project_, *shown), QString()) << "it is gone by itself";
 }
 
+TEST_F(AProjectLock, AForeignLockThatMayNotBeWrittenIsTakenOver) {
+  writeLock("1\nmocapress-studio\nelsewhere\n");
+  QFile::setPermissions(ProjectLock::fileOf(project_), QFile::ReadOwner);
+  EXPECT_EQ(removeForeignLock(project_, *foreignLock(project_)), QString());
+  EXPECT_FALSE(foreignLock(project_));
+}
+
 TEST_F(AProjectLock, AForeignLockOfAnotherTimeIsNotTakenOver) {
   writeLock("1\nmocapress-studio\nelsewhere\n");
   ForeignLock earlier = *foreignLock(project_);

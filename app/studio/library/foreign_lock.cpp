@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QLockFile>
 #include <QSysInfo>
@@ -29,7 +30,11 @@ QString removeForeignLock(const QString& project, const ForeignLock& lock) {
                "mocapress::ForeignLock",
                "%1 was opened by another Mocapress meanwhile, so it was not taken over.")
         .arg(QDir::toNativeSeparators(project));
-  if (QLockFile(file).removeStaleLockFile()) return {};
+  // QLockFile must write a lock to see whether it is in use. The lock of another user often cannot
+  // be written, but removed by anyone who may write in the folder.
+  const bool removed =
+      QFileInfo(file).isWritable() ? QLockFile(file).removeStaleLockFile() : QFile::remove(file);
+  if (removed) return {};
   return QCoreApplication::translate(
              "mocapress::ForeignLock",
              "The project cannot be taken over: its lock %1 is still held, or you may not change "
