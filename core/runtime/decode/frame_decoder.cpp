@@ -104,12 +104,15 @@ std::size_t values_of_frame(const ClipBlock& clip, const mcpr_request& request) 
 void place_joints(const ClipBlock& clip, const float* row, JointPlace* places) {
   for (std::uint32_t j = 0; j < clip.joint_count; ++j) {
     const JointModel& joint = clip.joint_models()[j];
-    JointPlace& place = places[j];
-    place = place_in_parent(joint, row);
-    if (joint.parent < 0) continue;
+    // Apart from `places`: in place, emscripten 3.1.6 gives wrong origins with -msimd128.
+    const JointPlace in_parent = place_in_parent(joint, row);
+    if (joint.parent < 0) {
+      places[j] = in_parent;
+      continue;
+    }
     const JointPlace& parent = places[joint.parent];
-    place.origin = parent.origin + parent.world_from_joint * place.origin;
-    place.world_from_joint = parent.world_from_joint * place.world_from_joint;
+    places[j].origin = parent.origin + parent.world_from_joint * in_parent.origin;
+    places[j].world_from_joint = parent.world_from_joint * in_parent.world_from_joint;
   }
 }
 
