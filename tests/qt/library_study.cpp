@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the studio takes a folder of many short clips into its library: pieces of 1 to 4 s, cut at
+// The time in which the studio takes a folder of many short clips into its library: pieces of 1 to 4 s, cut at
 // random from the clips named, as BVH. Prints how long it takes until all are listed and until all
 // have their picture, and for how long the window did not answer meanwhile: a timer that is due
 // every few milliseconds tells. Then the list, with results that are made up for every row, is

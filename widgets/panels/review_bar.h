@@ -11,7 +11,7 @@ namespace mocapress {
 
 class LibraryModel;
 
-/// How many clips of the library are reviewed, and a button that goes to the next that is not.
+/// The number of reviewed clips, and a button that goes to the next without a verdict.
 class ReviewBar : public QWidget {
   Q_OBJECT
 

@@ -95,7 +95,7 @@ class Library : public KeptProject {
   /// The background has compressed one of these, or could not.
   void noteEncoded(const TunedClip& clip, const BatchStep& step);
 
-  /// What was pinned of a clip.
+  /// The pinned results of a clip.
   std::vector<Pin> pinsOf(const QString& path);
   void setPins(const QString& path, const std::vector<Pin>& pins);
 

@@ -17,7 +17,7 @@ namespace mocapress {
 using InternItem =
     std::function<std::uint32_t(runtime::BankItem kind, std::span<const std::byte> bytes)>;
 
-/// What each tier but the first adds to a clip: tiers.h.
+/// The bytes that each tier but the first adds to a clip: tiers.h.
 using ClipPieces = std::vector<std::vector<std::byte>>;
 
 /// A clip prepared for a bank, not added to one yet.

@@ -9,7 +9,7 @@
 
 namespace mocapress::runtime {
 
-/// What of a convention matters to a blend.
+/// The parts of a convention that a blend needs.
 struct PoseSpace {
   bool w_last = false;
   int up = 1;  // the axis that points up, or down

@@ -506,7 +506,7 @@ TEST(CookedLoop, MotionFollowsTheWrap) {
   expect_near(motion(MCPR_LOOP_HOLD, 90, 120), motion(MCPR_CLAMP, 0, 30));
 }
 
-/// What a game does: the character moves by the motion on the ground, and the rest stays a pose.
+/// As in a game: the character moves by the motion on the ground, and the rest stays a pose.
 TEST(CookedLoop, MotionOnTheGroundAndTheRestOfTheRootMakeTheRoot) {
   const OpenedClip opened(write_container(compressed_of(test::smooth_motion(90))));
   const CookedClip cooked(opened.clip);
