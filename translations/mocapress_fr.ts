@@ -3444,7 +3444,7 @@
     <name>mocapress::RangeActions</name>
     <message>
         <source>More &amp;Care in the Range</source>
-        <translation>Plus de &amp;soin dans la plage</translation>
+        <translation>Plus de soin dans la pla&amp;ge</translation>
     </message>
     <message>
         <source>C&amp;ontacts in the Range</source>

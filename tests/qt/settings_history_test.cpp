@@ -165,9 +165,14 @@ TEST_F(History, CareInARangeIsAStepAndOfOneClip) {
   EXPECT_EQ(session_.document().options().ranges, care);
   const QString path = directory_.filePath(QStringLiteral("other.bvh"));
   write_motion(path.toStdU16String(), test::smooth_motion(100, 2));
-  settleAfter([&] { session_.open(path); });
+  const auto shows = [this](int frames) {
+    return QTest::qWaitFor([=, this] { return session_.document().frames() == frames; }, kPatience);
+  };
+  session_.open(path);
+  ASSERT_TRUE(shows(100));
   EXPECT_TRUE(session_.document().options().ranges.empty());
-  settleAfter([&] { session_.open(directory_.filePath(QStringLiteral("clip.bvh"))); });
+  session_.open(directory_.filePath(QStringLiteral("clip.bvh")));
+  ASSERT_TRUE(shows(120));
   EXPECT_EQ(session_.document().options().ranges, care);
 }
 

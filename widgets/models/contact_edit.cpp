@@ -26,7 +26,8 @@ Room roomAround(const std::vector<ContactSpan>& contacts, int landmark, int fram
 
 /// Keeps the order by landmark and time.
 void insert(const ContactSpan& added, std::vector<ContactSpan>& contacts) {
-  // The place before the landmark's next contact, else after its last one, else at the end.
+  // The place before the landmark's next contact, else after its last one, else before those of
+  // later landmarks.
   auto place = std::find_if(contacts.begin(), contacts.end(), [&](const ContactSpan& span) {
     return span.landmark == added.landmark && span.first_frame > added.first_frame;
   });
@@ -34,7 +35,11 @@ void insert(const ContactSpan& added, std::vector<ContactSpan>& contacts) {
     const auto last =
         std::find_if(contacts.rbegin(), contacts.rend(),
                      [&](const ContactSpan& span) { return span.landmark == added.landmark; });
-    if (last != contacts.rend()) place = last.base();
+    place = last != contacts.rend()
+                ? last.base()
+                : std::find_if(contacts.begin(), contacts.end(), [&](const ContactSpan& span) {
+                    return span.landmark > added.landmark;
+                  });
   }
   contacts.insert(place, added);
 }
