@@ -83,7 +83,7 @@ TEST_F(JoinedRuntime, PlaysByTheExampleInCxxOfItsReadme) {
   std::string compiler = "g++";
   if (std::system("command -v clang++ > /dev/null") == 0) compiler = "clang++";
   run("g++ -std=c++20 -O1 -fno-exceptions -fno-rtti -c mocapress_runtime.cpp");
-  for (const std::string by : {std::string("g++"), compiler}) {
+  for (const std::string& by : {std::string("g++"), compiler}) {
     run(by +
         " -std=c++20 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror "
         "-fno-exceptions -fno-rtti -I. example.cpp mocapress_runtime.o -o example");

@@ -55,11 +55,12 @@ TEST_F(Package, PassesLintianWithoutErrors) {
   EXPECT_NE(files.find("/mocapress_runtime.h"), std::string::npos) << "what an engine takes";
   for (const char* name : {"/libmocapress.a", "/mocapress/mocapress.h", "/mocapress-config.cmake"})
     EXPECT_NE(files.find(name), std::string::npos) << name << " of the C++ library";
-  if (fs::exists(fs::path(MOCAPRESS_BINARY_DIR) / "app/studio"))
+  if (fs::exists(fs::path(MOCAPRESS_BINARY_DIR) / "app/studio")) {
     for (const char* name : {"/usr/share/mime/packages/org.mocapress.Studio.mime.xml",
                              "/mimetypes/application-x-mocapress-clip.svg",
                              "/mimetypes/application-x-mocapress-bank.svg"})
       EXPECT_NE(files.find(name), std::string::npos) << name;
+  }
 }
 
 }  // namespace
