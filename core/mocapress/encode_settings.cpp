@@ -36,6 +36,7 @@ EncodeSettings encode_settings(const Settings& settings, const Skeleton& skeleto
                          .promises = settings.promises,
                          .ends = settings.ends,
                          .loop = settings.loop};
+  std::erase_if(of_clip.ranges, [](const ImportantRange& range) { return range.factor == 1; });
   require_measurable(skeleton, settings.weighting);
   if (const CompressionMethod* compression_method = find_compression_method(settings.method))
     choose_wavelets(*compression_method, of_clip);

@@ -457,7 +457,7 @@ class Addon(unittest.TestCase):
     def test_every_preset_of_the_program_exports(self):
         help_text = subprocess.run([MOCAPRESS, "batch", "--help"], capture_output=True,
                                    text=True).stdout
-        known = re.search(r"--preset P\|FILE +(.*), or a file", help_text)[1].split(", ")
+        known = re.search(r"--preset P\|FILE +Preset: (.*), or a preset file", help_text)[1].split(", ")
         operator = bpy.ops.export_anim.mocapress.get_rna_type()
         offered = [item.identifier for item in operator.properties["quality"].enum_items]
         self.assertEqual(sorted(offered), sorted([*known, "error"]))
