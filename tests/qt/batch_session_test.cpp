@@ -426,7 +426,7 @@ TEST_F(BatchInTheStudio, SaysThatItLearnsFromTheClipsOfABank) {
   session_.start();
   ASSERT_TRUE(waitForEnd());
   EXPECT_EQ(session_.state(), BatchState::Complete);
-  EXPECT_FALSE(said.filter(QStringLiteral("Learning from the clips")).isEmpty());
+  EXPECT_FALSE(said.filter(QStringLiteral("Fitting the coder")).isEmpty());
   EXPECT_EQ(BankFile(path("out/bank.mcpk").toStdString()).clips(), 2u);
 }
 

@@ -118,7 +118,7 @@ TEST_F(JointErrors, ShowsTheAngleOfEveryJointAndItsEnds) {
               points_[static_cast<std::size_t>(row)].joint);
   EXPECT_TRUE(model_.headerData(JointErrorModel::Angle, Qt::Horizontal, Qt::ToolTipRole)
                   .toString()
-                  .contains(QStringLiteral("in the world")));
+                  .contains(QStringLiteral("world-space rotation")));
 }
 
 TEST_F(JointErrors, ShowsHowMuchTheEyeSeesOfEveryJointAtWorst) {
