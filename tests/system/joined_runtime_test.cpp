@@ -139,7 +139,7 @@ TEST_F(JoinedRuntime, TakesNoMoreStackThanItsReadmeTells) {
   for (const std::string compiler : {"g++", "clang++"}) {
     if (std::system(("command -v " + compiler + " > /dev/null").c_str()) != 0) continue;
     run(compiler + " -std=c++20 -O2 -fno-exceptions -fno-rtti -c mocapress_runtime.cpp");
-    run("g++ -std=c++20 -I. " + (tests / "system/stack_use.cpp").string() +
+    run("g++ -std=c++20 -O2 -I. " + (tests / "system/stack_use.cpp").string() +
         " mocapress_runtime.o -pthread -Wl,-z,now -o stack_use");
     std::istringstream lines(run("./stack_use" + inputs));
     std::string call;
