@@ -5,17 +5,16 @@
 #include <QSet>
 #include <QStringList>
 #include <QUndoStack>
-#include <deque>
 #include <functional>
 #include <map>
 #include <optional>
 
-#include "app/jobs/clip_outline.h"
 #include "app/jobs/clip_sources.h"
 #include "app/jobs/job_runner.h"
 #include "app/studio/document/named_settings.h"
 #include "app/studio/library/folder_search.h"
 #include "app/studio/library/kept_project.h"
+#include "app/studio/library/outline_reader.h"
 #include "widgets/models/library_model.h"
 
 namespace mocapress {
@@ -26,7 +25,8 @@ struct BatchStep;
 struct OpenRequest;
 
 /// The open project: its clips with settings, results and verdicts. Entering a project opens its
-/// current clip.
+/// current clip. library.cpp has the list and the open clip; library_files.cpp,
+/// library_settings.cpp, library_outcomes.cpp and library_reviews.cpp have what their names say.
 class Library : public KeptProject {
   Q_OBJECT
 
@@ -139,6 +139,9 @@ class Library : public KeptProject {
   void openIfChanged();
   void noteFiles(const std::vector<ClipSource>& sources, const std::vector<SourceNow>& now);
   void noteOpenFailed(const OpenRequest& request, const QString& message);
+
+  /// Makes a clip's row; facts from its file are kept from the previous row.
+  static LibraryEntry entryOf(const ProjectClip& clip, const LibraryEntry& read);
   std::vector<LibraryEntry> entries() const;
   using ClipsByRow = std::map<int, ProjectClip>;
 
@@ -154,7 +157,7 @@ class Library : public KeptProject {
   void show(const ProjectClip& clip);
   void showRows(const std::vector<int>& rows);
   void showAsRead(const ProjectClip& clip, const OriginalClip& original);
-  void readNextOutline();
+  void noteOutline(const QString& path, const ClipOutline& outline, const QString& trouble);
   void leave();
   void enter();
   ProjectClip* openNow();
@@ -164,9 +167,8 @@ class Library : public KeptProject {
   Session* session_;
   LibraryModel* model_;
   QUndoStack history_;
-  JobRunner outlines_{Workers::LongRunning};
+  OutlineReader outlines_{&project_};
   FolderSearch folder_search_;
-  std::deque<QString> unread_;  // paths whose outline is not known yet
   std::map<std::pair<std::string, std::string>, Outcome>
       known_;  // by hashes of source and settings
   JobRunner checking_{Workers::LongRunning};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/studio/library/project.h"
 
+#include <QDateTime>
 #include <QFileInfo>
 #include <algorithm>
 
@@ -177,6 +178,21 @@ Staleness outdated(const ProjectClip& clip) {
   if (clip.missing) return Staleness::Missing;
   return staleness(clip.outcome->source, clip.outcome->settings, clip.stamp.source,
                    settingsHash(clip));
+}
+
+void bindVerdict(ProjectClip& clip) {
+  ClipReview& review = clip.review;
+  if (review.verdict == Verdict::None || !review.source_hash.empty() || clip.outcome) return;
+  const QDateTime given = QDateTime::fromString(QString::fromStdString(review.time), Qt::ISODate);
+  if (given.isValid() && clip.stamp.newest_ns / 1'000'000'000 <= given.toSecsSinceEpoch())
+    review.source_hash = clip.stamp.source;
+}
+
+QHash<QString, int> Project::rows() const {
+  QHash<QString, int> rows;
+  for (std::size_t row = 0; row < clips.size(); ++row)
+    rows.insert(clips[row].path, static_cast<int>(row));
+  return rows;
 }
 
 ProjectClip* Project::find(const QString& path) {

@@ -3,6 +3,7 @@
 
 #include <QByteArray>
 #include <QDir>
+#include <QHash>
 #include <QString>
 #include <optional>
 #include <vector>
@@ -38,6 +39,10 @@ std::string settingsHash(const ProjectClip& clip);
 Staleness staleVerdict(const ProjectClip& clip);
 Staleness outdated(const ProjectClip& clip);
 
+/// A verdict on a clip that was never compressed, and whose files had not been looked at yet, is
+/// about what they were then, if they have not been written since.
+void bindVerdict(ProjectClip& clip);
+
 /// A list of clips with their common data.
 struct Project {
   QString current;            // path of the open clip; empty: none
@@ -47,6 +52,9 @@ struct Project {
   std::optional<RememberedBatch> batch;  // unset: no batch yet
 
   ProjectClip* find(const QString& path);
+
+  /// The row of each clip by its path.
+  QHash<QString, int> rows() const;
 
   /// True if nothing would be lost without it.
   bool isEmpty() const { return clips.empty() && (!batch || batch->clips.empty()); }

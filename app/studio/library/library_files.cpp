@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The files of a library's clips: changed, missing, found elsewhere.
+#include <QFileInfo>
+#include <QHash>
+#include <utility>
+
+#include "app/jobs/open_clip.h"
+#include "app/studio/document/edit_step.h"
+#include "app/studio/document/session.h"
+#include "app/studio/library/library.h"
+
+namespace mocapress {
+
+void Library::checkFiles() {
+  check_again_ = checking_.busy();
+  if (check_again_ || project_.clips.empty()) return;
+  std::vector<ClipSource> sources;
+  for (const ProjectClip& clip : project_.clips)
+    sources.push_back({clip.path, clip.skeleton, clip.stamp});
+  checking_.start([sources](const Job& job) { return lookAt(sources, job); },
+                  [this, sources](const std::vector<SourceNow>& now) {
+                    noteFiles(sources, now);
+                    emit looked();
+                    // The runner is busy until its delivery has returned.
+                    if (check_again_)
+                      QMetaObject::invokeMethod(this, &Library::checkFiles, Qt::QueuedConnection);
+                  },
+                  [this](const QString& message) { emit failed(message); });
+}
+
+void Library::noteFiles(const std::vector<ClipSource>& sources, const std::vector<SourceNow>& now) {
+  const QHash<QString, int> rows = project_.rows();
+  std::vector<int> others;
+  int changed = 0, missing = 0;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const int row = rows.value(sources[i].path, -1);
+    if (row < 0) continue;
+    ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
+    if (clip.stamp.hash != sources[i].stamp.hash) continue;  // opened since: that is newer
+    const bool was_missing = std::exchange(clip.missing, now[i].state == SourceNow::State::Missing);
+    const bool is_new = now[i].state == SourceNow::State::Found &&
+                        (was_missing || now[i].stamp.hash != clip.stamp.hash);
+    if (is_new && (was_missing || !clip.stamp.hash.empty())) outlines_.add(clip.path);
+    if (is_new && !was_missing && !clip.stamp.hash.empty()) ++changed;
+    if (clip.missing && !was_missing) ++missing;
+    if (now[i].state == SourceNow::State::Found) clip.stamp = now[i].stamp;
+    if (is_new) clip.failure.clear();
+    bindVerdict(clip);
+    if (is_new || clip.missing != was_missing) others.push_back(row);
+  }
+  showRows(others);
+  if (!others.empty()) emit currentChanged();
+  if (changed > 0) emit noted(tr("The files of %Ln clip(s) have changed.", nullptr, changed));
+  if (missing > 0)
+    emit noted(
+        tr("The files of %Ln clip(s) are missing. The library's context menu finds them in "
+           "another folder.",
+           nullptr, missing));
+  openIfChanged();
+}
+
+/// Each content of a file once: a file that cannot be read, or takes longer than the time between
+/// two looks, is not opened over and over.
+void Library::openIfChanged() {
+  const ProjectClip* open = openNow();
+  if (!open || open->missing || session_->isOpening()) return;
+  const std::string& hash = open->stamp.hash;
+  if (hash == session_->document().original()->stamp.hash || hash == tried_) return;
+  tried_ = hash;
+  session_->open(open->path, open->skeleton);
+}
+
+void Library::lookAgain() {
+  if (!checking_.busy()) checkFiles();
+}
+
+void Library::findMissing(const QString& folder) {
+  std::vector<ClipSource> missing;
+  for (const ProjectClip& clip : project_.clips)
+    if (clip.missing) missing.push_back({clip.path, clip.skeleton, clip.stamp});
+  finding_.start(
+      [folder, missing](const Job& job) { return findMoved(folder, missing, job); },
+      [this, missing](std::map<QString, ClipSource> moved) {
+        const QHash<QString, int> rows = project_.rows();
+        std::erase_if(moved, [&](const auto& one) {
+          return !rows.contains(one.first) || rows.contains(one.second.path);
+        });
+        std::map<QString, ClipSource> back;
+        for (const ClipSource& clip : missing)
+          if (const auto found = moved.find(clip.path); found != moved.end())
+            back.emplace(found->second.path, clip);
+        const auto left = static_cast<int>(missing.size() - moved.size());
+        if (!moved.empty())
+          history_.push(new EditStep(
+              tr("Find Clips"), [this, moved] { move(moved); }, [this, back] { move(back); }));
+        emit noted(tr("Found %Ln clip(s)", nullptr, static_cast<int>(moved.size())) +
+                   (left > 0 ? tr(", %Ln still missing", nullptr, left) : QString()));
+      },
+      [this](const QString& message) { emit failed(message); });
+}
+
+/// The clips stay what they are, with their files elsewhere.
+void Library::move(const std::map<QString, ClipSource>& to) {
+  std::vector<LibraryEntry> all = entries();
+  bool current_moves = false;
+  for (std::size_t row = 0; row < project_.clips.size(); ++row) {
+    ProjectClip& clip = project_.clips[row];
+    const auto found = to.find(clip.path);
+    if (found == to.end()) continue;
+    if (clip.path == project_.current) {
+      project_.current = found->second.path;
+      current_moves = true;
+    }
+    clip.path = found->second.path;
+    clip.skeleton = found->second.skeleton;
+    clip.stamp = found->second.stamp;
+    clip.missing = false;
+    all[row] = entryOf(clip, all[row]);
+    all[row].trouble.clear();
+    outlines_.add(clip.path);
+  }
+  model_->setEntries(std::move(all));
+  checkFiles();
+  touch();
+  emit currentChanged();
+  if (current_moves) openClip(currentRow());
+}
+
+/// The view does not stay on the clip before: what is said of the chosen clip would seem to be said
+/// of that one.
+void Library::noteOpenFailed(const OpenRequest& request, const QString& message) {
+  const int row = model_->rowOf(request.path);
+  if (row < 0 || request.compare) return;
+  ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
+  clip.missing = !QFileInfo::exists(clip.path);
+  if (!session_->isOpen(request.path)) {
+    session_->closeClip();
+    project_.current = clip.path;
+  }
+  LibraryEntry entry = entryOf(clip, model_->entry(row));
+  entry.trouble = message;
+  model_->setEntry(entry);
+  touch();
+  emit currentChanged();
+}
+
+}  // namespace mocapress

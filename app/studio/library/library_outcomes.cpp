@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Results of compressing the clips of a library, in the studio, in a batch or in the background.
+#include <algorithm>
+#include <utility>
+
+#include "app/jobs/batch_runner.h"
+#include "app/studio/document/session.h"
+#include "app/studio/library/library.h"
+#include "core/batch/batch.h"
+
+namespace mocapress {
+
+namespace {
+
+/// The achieved value in the unit of the clip's target.
+double quantityOf(const DecodedClip& decoded, const EncodeSettings& options) {
+  switch (options.target.kind) {
+    case Target::Kind::Ratio:
+      return decoded.ratio;
+    case Target::Kind::Size:
+      return static_cast<double>(decoded.compressed.motion_bytes());
+    case Target::Kind::Error:
+      return decoded.distortion->eps(options.weighting);
+    case Target::Kind::MaxError:
+      return decoded.distortion->worst(options.weighting).cm;
+    case Target::Kind::Visibility:
+      return decoded.visibility->worst().times_noticed();
+    case Target::Kind::CoefficientRatio:
+      break;
+  }
+  return options.target.value;
+}
+
+/// Makes the outcome, including whether the target was met. Requires a distortion.
+Outcome outcomeOf(const DecodedClip& decoded, const OriginalClip& original,
+                  const EncodeSettings& options, bool has_contacts) {
+  Outcome outcome{decoded.ratio, decoded.distortion->eps(options.weighting),
+                  decoded.distortion->max.cm, decoded.compressed.motion_bytes(),
+                  reached(options.target, quantityOf(decoded, options))};
+  if (decoded.footskate && has_contacts) outcome.slide_cm = decoded.footskate->total_cm;
+  if (decoded.visibility) outcome.sight = decoded.visibility->sight();
+  for (const Warnings* warnings : {&original.warnings, &original.of_character})
+    for (const Warning& warning : *warnings)
+      outcome.warnings << QString::fromStdString(warning.text());
+  outcome.source = original.stamp.source;
+  return outcome;
+}
+
+/// The outcome of a batch's step. Requires that the clip was measured.
+Outcome outcomeOf(const BatchStep& step, const Settings& settings) {
+  const Measurement& measured = *step.measured;
+  Outcome outcome{measured.ratio, measured.eps_cm(settings.weighting), measured.max_error_cm,
+                  measured.motion_bytes, keeps_promise(settings, measured)};
+  outcome.slide_cm = measured.footskate_cm;
+  if (measured.seen) outcome.sight = measured.seen->sight();
+  for (const std::string& warning : step.warnings)
+    outcome.warnings << QString::fromStdString(warning);
+  outcome.source = step.source;
+  return outcome;
+}
+
+}  // namespace
+
+void Library::noteExported(const QString& path, const Settings& settings,
+                           const ReadOptions& reading, const BatchStep& step) {
+  ProjectClip* clip = project_.find(path);
+  if (!clip || !step.measured) return;
+  if (!clip->settings) clip->settings = NamedSettings{settings, {}};
+  Outcome outcome = outcomeOf(step, settings);
+  outcome.settings = settings_hash(settings, reading);
+  if (settingsHash(*clip) != outcome.settings) return;
+  setOutcome(*clip, outcome);
+}
+
+void Library::setOutcome(ProjectClip& clip, const Outcome& outcome) {
+  known_[{outcome.source, outcome.settings}] = outcome;
+  clip.outcome = outcome;
+  clip.failure.clear();
+  show(clip);
+  if (clip.path == project_.current) emit currentChanged();
+}
+
+/// Settings that the clip had before came to the same.
+void Library::recallOutcome(ProjectClip& clip) {
+  const auto found = known_.find({clip.stamp.source, settingsHash(clip)});
+  if (found != known_.end()) clip.outcome = found->second;
+}
+
+std::vector<TunedClip> Library::unencoded(std::size_t most) const {
+  std::vector<TunedClip> clips;
+  const auto count = static_cast<int>(project_.clips.size());
+  const int first = std::max(currentRow(), 0);
+  for (int i = 0; i < count && clips.size() < most; ++i) {
+    const int row = (first + i) % count;
+    const ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
+    if (!model_->entry(row).wantsEncoding() || session_->isOpen(clip.path)) continue;
+    clips.push_back(tunedClip(project_, clip));
+    if (!clips.back().settings) clips.back().settings = NamedSettings{usualPreset(), {}};
+  }
+  return clips;
+}
+
+void Library::noteEncoded(const TunedClip& tuned, const BatchStep& step) {
+  ProjectClip* clip = project_.find(tuned.path);
+  if (!clip || session_->isOpen(tuned.path)) return;
+  if (step.measured) {
+    noteExported(tuned.path, tuned.settings->preset, tuned.reading, step);
+  } else {
+    const std::string made_by = settings_hash(tuned.settings->preset, tuned.reading);
+    if (clip->settings && settingsHash(*clip) != made_by) return;  // it has others by now
+    clip->failure = QString::fromStdString(step.error);
+    show(*clip);
+  }
+  if (step.source.empty() || step.source == clip->stamp.source) return;
+  clip->failure =
+      tr("The clip's files changed while it was compressed.");  // until they are looked at
+  show(*clip);
+  checkFiles();
+}
+
+void Library::noteOutcome() {
+  ProjectClip* clip = openNow();
+  const DecodedPtr& decoded = session_->document().decoded();
+  if (!clip || !decoded || !decoded->distortion) return;
+  if (!clip->settings) {  // opened as it came: what it came to is by these from now on
+    clip->settings = settingsNow();
+    touch();
+  }
+  Outcome outcome =
+      outcomeOf(*decoded, *session_->document().original(), session_->document().options(),
+                !session_->document().contacts().empty());
+  outcome.settings = settingsHash(*clip);
+  if (clip->outcome != outcome) setOutcome(*clip, outcome);
+}
+
+}  // namespace mocapress

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <deque>
+
+#include "app/jobs/clip_outline.h"
+#include "app/jobs/job_runner.h"
+
+namespace mocapress {
+
+struct Project;
+
+/// Reads the outlines of a project's clips in the background, one after the other.
+class OutlineReader : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit OutlineReader(Project* project) : project_(project) {}
+
+  /// Queues a clip. It is read as the project has it when its turn comes, and left out if the
+  /// project has it no more.
+  void add(const QString& path);
+
+  /// Empties the queue; the clip that is being read is still delivered.
+  void clear() { unread_.clear(); }
+
+ signals:
+  /// `trouble` is the reason why the clip could not be read; empty: it could.
+  void read(const QString& path, const ClipOutline& outline, const QString& trouble);
+
+ private:
+  void readNext();
+
+  Project* project_;
+  std::deque<QString> unread_;
+  JobRunner reading_{Workers::LongRunning};
+};
+
+}  // namespace mocapress
