@@ -135,7 +135,12 @@ ClipOutline readOutline(const QString& path, const QString& skeleton, const Read
   ClipOutline outline = outlineOf(file.motion, file.skin.get());
   for (const Warning& warning : file.warnings)
     outline.notes << QString::fromStdString(warning.text());
+  outline.takes = file.takes;
   return outline;
+}
+
+std::optional<std::string> takeAmong(const Takes& takes) {
+  return takes.keys.size() > 1 ? std::optional(takes.keys.at(takes.read)) : std::nullopt;
 }
 
 }  // namespace mocapress

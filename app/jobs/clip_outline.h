@@ -6,6 +6,7 @@
 #include <QList>
 #include <QString>
 #include <QStringList>
+#include <optional>
 #include <string>
 
 #include "core/formats/motion_file.h"
@@ -22,7 +23,11 @@ struct ClipOutline {
   QImage skin;          // picture of the same pose; null: no skin
   QStringList notes;    // what the reader repaired or guessed
   Loop loop = Loop::None;
+  Takes takes;
 };
+
+/// The take that was read, as ReadOptions names it; unset: the file has no other.
+std::optional<std::string> takeAmong(const Takes& takes);
 
 /// Draws the middle frame from its widest side. `skin` may be null.
 ClipOutline outlineOf(const Motion& motion, const Skin* skin);

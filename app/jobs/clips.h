@@ -43,7 +43,7 @@ struct OriginalClip {
   QString character;                 // path of the character put on it, whether it fits or not
   bool has_character = false;        // the character could be read
   Warnings of_character;             // warnings about the character
-  Takes takes;
+  Takes takes;                       // with several, `reading` says which
   ClipOutline outline;
   ScalarTracks scalars;  // morph weights and other tracks
   std::shared_ptr<const Encoder> encoder;

@@ -55,6 +55,7 @@ OriginalPtr readOriginal(OpenRequest& request) {
   original.warnings = std::move(file.warnings);
   original.skin = std::move(file.skin);
   original.takes = std::move(file.takes);
+  original.reading.take = takeAmong(original.takes);
   original.scalars = std::move(file.tracks);
   // The outline is made here, off the GUI thread, before it is first shown.
   original.outline = outlineOf(file.motion, original.skin.get());

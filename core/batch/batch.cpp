@@ -61,7 +61,10 @@ std::vector<SourceClip> sources_of(const std::string& input, const std::string& 
 }
 
 std::string value_of(std::string_view word, const SourceClip& source, const Settings& preset) {
-  if (word == "stem") return utf8(utf8_path(source.path).stem());
+  if (word == "stem") {
+    const std::string stem = utf8(utf8_path(source.path).stem());
+    return source.take.empty() ? stem : stem + "-" + slug(source.take);
+  }
   if (word == "folder") return source.folder.empty() ? "." : source.folder;
   if (word == "type") {
     const std::string extension = utf8(utf8_path(source.path).extension());

@@ -33,8 +33,9 @@ std::optional<OutputFormat> output_format(std::string_view name);
 /// memory.
 struct SourceClip {
   std::string path;
-  std::string folder;   // names of the searched folder and of those below it: "walks/slow"
-  std::string problem;  // reason why it cannot be read, if known already; else empty
+  std::string folder;     // names of the searched folder and of those below it: "walks/slow"
+  std::string problem;    // reason why it cannot be read, if known already; else empty
+  std::string take = {};  // one of several animations in the file: part of {stem}; else empty
 
   bool operator==(const SourceClip&) const = default;
 };

@@ -13,6 +13,7 @@
 
 #include "app/jobs/batch_runner.h"
 #include "app/studio/document/session.h"
+#include "core/formats/fbx/fbx_writer.h"
 #include "core/formats/motion_file.h"
 #include "core/motion/landmarks.h"
 #include "tests/qt/patience.h"
@@ -962,6 +963,56 @@ TEST_F(InALibrary, SeveralClipsGoAndComeBackInOneChangeOfTheList) {
     EXPECT_EQ(run.library.project().clips[static_cast<std::size_t>(row)].path,
               run.model.entry(row).path);
   }
+}
+
+/// A file of two takes, "Idle" and "Run".
+QString writeTwoTakes(const QString& path) {
+  const Motion idle = test::smooth_motion(60, 1), run = test::smooth_motion(90, 2);
+  write_takes(path.toStdU16String(), {{"Idle", idle, {}}, {"Run", run, {}}});
+  return path;
+}
+
+TEST_F(InALibrary, ListsEachTakeOfAFileWithSettingsOfItsOwn) {
+  Run run;
+  const QString file = writeTwoTakes(path("moves.fbx"));
+  clip("walk.bvh", 3);
+  run.library.add({file, path("walk.bvh")});
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return run.model.rowCount() == 3 && run.model.entry(1).frames > 0; }, kPatience));
+  EXPECT_EQ(run.model.entry(0).name(), QStringLiteral("moves.fbx: Idle"));
+  EXPECT_EQ(run.model.entry(1).name(), QStringLiteral("moves.fbx: Run"));
+  EXPECT_EQ(run.model.entry(1).frames, 90);
+  EXPECT_EQ(run.model.entry(2).name(), QStringLiteral("walk.bvh"));
+
+  settleAfter(run, [&] { run.library.openClip(0); });
+  settleAfter(run,
+              [&] { run.session.setRanges({{.first_frame = 5, .last_frame = 9, .factor = 3}}); });
+  run.library.setVerdict({0}, Verdict::Approved);
+  settleAfter(run, [&] { run.session.chooseTake(1); });
+  EXPECT_EQ(run.library.currentRow(), 1);
+  EXPECT_TRUE(run.session.document().options().ranges.empty());
+  EXPECT_EQ(run.model.entry(1).review.verdict, Verdict::None);
+  settleAfter(run, [&] { run.library.openClip(0); });
+  EXPECT_EQ(run.session.document().options().ranges.size(), 1u);
+  EXPECT_EQ(run.session.document().frames(), 60);
+}
+
+TEST_F(InALibrary, KeepsTheTakesThatWereNotTakenOut) {
+  const QString file = writeTwoTakes(path("moves.fbx"));
+  {
+    Run run;
+    run.library.begin(data());
+    settleAfter(run, [&] { run.session.open(file); });
+    ASSERT_EQ(run.model.rowCount(), 2);
+    EXPECT_EQ(run.library.currentRow(), 0);
+    run.library.remove({1});
+    run.library.end();
+  }
+  Run run;
+  settleAfter(run, [&] { run.library.begin(data()); });
+  EXPECT_EQ(run.library.currentRow(), 0);
+  EXPECT_EQ(run.model.rowCount(), 1);
+  EXPECT_EQ(run.session.document().frames(), 60);
 }
 
 }  // namespace

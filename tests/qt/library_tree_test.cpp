@@ -59,7 +59,7 @@ TEST_F(ALibraryTree, IsAListWhereAllAreInOneFolder) {
 
 TEST_F(ALibraryTree, GrowsWithTheLibrary) {
   clips_.setEntry(entry("/m/walks/fast/e.bvh"));
-  clips_.addEntries({entry("/n/f.bvh")});
+  clips_.insert(clips_.rowCount(), {entry("/n/f.bvh")});
   EXPECT_EQ(textOf(tree_).toStdString(),
             "m[jumps/deep/er[c.bvh] walks[fast[b.bvh e.bvh] a.bvh d.bvh]] n[f.bvh]");
 }

@@ -105,7 +105,7 @@ void BatchQueueModel::setReviews(const ClipReviews& reviews) {
   bool any = false;
   for (int row = 0; row < rowCount(); ++row) {
     QueuedClip& clip = clips_[static_cast<std::size_t>(row)];
-    const auto found = reviews.find(QString::fromStdString(clip.source.path));
+    const auto found = reviews.find(clip.key());
     if (found == reviews.end()) continue;
     const bool same_files = found->source == clip.files && found->missing == clip.missing;
     clip.files = found->source;
@@ -131,11 +131,11 @@ void BatchQueueModel::setLeftOut(const std::vector<int>& rows, bool left_out) {
 }
 
 void BatchQueueModel::add(const std::vector<QueuedClip>& clips) {
-  std::set<std::string> there;
-  for (const QueuedClip& clip : clips_) there.insert(clip.source.path);
+  std::set<QString> there;
+  for (const QueuedClip& clip : clips_) there.insert(clip.key());
   std::vector<QueuedClip> fresh;
   for (const QueuedClip& clip : clips)
-    if (there.insert(clip.source.path).second) fresh.push_back(clip);
+    if (there.insert(clip.key()).second) fresh.push_back(clip);
   if (fresh.empty()) return;
   beginInsertRows({}, rowCount(), rowCount() + static_cast<int>(fresh.size()) - 1);
   clips_.insert(clips_.end(), fresh.begin(), fresh.end());
@@ -311,7 +311,10 @@ QVariant BatchQueueModel::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
       switch (index.column()) {
         case Clip:
-          return QFileInfo(QString::fromStdString(clip.source.path)).completeBaseName();
+          return clip.reading.take
+                     ? QFileInfo(QString::fromStdString(clip.source.path)).completeBaseName() +
+                           QStringLiteral(": ") + QString::fromStdString(*clip.reading.take)
+                     : QFileInfo(QString::fromStdString(clip.source.path)).completeBaseName();
         case Lock:
           return {};
         case Preset: {

@@ -47,6 +47,8 @@ struct QueuedClip {
   std::optional<Measurement> measured;  // set when done, measured on the file that was read back
   std::string error;                    // set when failed
   std::vector<std::string> warnings;    // set at the end: what the reader repaired or guessed
+
+  QString key() const { return clipKey(QString::fromStdString(source.path), reading.take); }
 };
 
 /// The clips of a batch, their common preset, and the result of each.

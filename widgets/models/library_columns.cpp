@@ -2,8 +2,8 @@
 #include "widgets/models/library_columns.h"
 
 #include <QCoreApplication>
-#include <QFileInfo>
 #include <QLocale>
+#include <utility>
 
 #include "widgets/models/display_names.h"
 #include "widgets/models/number_text.h"
@@ -132,7 +132,7 @@ QString textOf(const LibraryEntry& entry, LibraryColumn column) {
   const std::optional<Outcome>& outcome = entry.outcome;
   switch (column) {
     case LibraryColumn::Clip:
-      return QFileInfo(entry.path).fileName();
+      return entry.name();
     case LibraryColumn::Ratio:
       return outcome ? Columns::tr("%L1 : 1").arg(outcome->ratio, 0, 'f', 1) : QString();
     case LibraryColumn::Bytes:
@@ -173,7 +173,8 @@ bool isBefore(const LibraryEntry& a, const LibraryEntry& b, LibraryColumn column
   if (column == LibraryColumn::FromPreset) return a.preset < b.preset;
   if (column == LibraryColumn::Clip) {
     const int order = nameIn(a.path).compare(nameIn(b.path), Qt::CaseInsensitive);
-    return order != 0 ? order < 0 : a.path < b.path;
+    if (order != 0) return order < 0;
+    return std::pair(a.path, a.take) < std::pair(b.path, b.take);
   }
   return numberOf(a, column) < numberOf(b, column);  // what is unset is less than all else
 }

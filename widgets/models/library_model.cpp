@@ -20,6 +20,17 @@ Staleness staleness(const std::string& source, const std::string& settings,
   return settings == settings_now ? Staleness::None : Staleness::Settings;
 }
 
+QString clipKey(const QString& path, const std::optional<std::string>& take) {
+  return take ? path + QLatin1Char('\n') + QString::fromStdString(*take) : path;
+}
+
+QString LibraryEntry::name() const {
+  const QString file = QFileInfo(path).fileName();
+  return take
+             ? LibraryModel::tr("%1: %2", "take of a file").arg(file, QString::fromStdString(*take))
+             : file;
+}
+
 QStringList notesOf(const LibraryEntry& entry) {
   QStringList notes = entry.notes;
   if (entry.outcome && entry.outdated != Staleness::Source)
@@ -164,14 +175,14 @@ void LibraryModel::setEntries(std::vector<LibraryEntry> entries) {
   endResetModel();
 }
 
-int LibraryModel::rowOf(const QString& path) const {
+int LibraryModel::rowOf(const QString& key) const {
   for (int row = 0; row < rowCount(); ++row)
-    if (entry(row).path == path) return row;
+    if (entry(row).key() == key) return row;
   return -1;
 }
 
 void LibraryModel::setEntry(const LibraryEntry& entry) {
-  const int row = rowOf(entry.path);
+  const int row = rowOf(entry.key());
   if (row < 0) {
     beginInsertRows({}, rowCount(), rowCount());
     entries_.push_back(entry);
@@ -192,10 +203,10 @@ void LibraryModel::replace(const std::map<int, LibraryEntry>& entries) {
   tellOf(entries.begin()->first, entries.rbegin()->first);
 }
 
-void LibraryModel::addEntries(const std::vector<LibraryEntry>& entries) {
+void LibraryModel::insert(int row, const std::vector<LibraryEntry>& entries) {
   if (entries.empty()) return;
-  beginInsertRows({}, rowCount(), rowCount() + static_cast<int>(entries.size()) - 1);
-  entries_.insert(entries_.end(), entries.begin(), entries.end());
+  beginInsertRows({}, row, row + static_cast<int>(entries.size()) - 1);
+  entries_.insert(entries_.begin() + row, entries.begin(), entries.end());
   endInsertRows();
 }
 
@@ -230,7 +241,7 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
     return QGuiApplication::palette().color(QPalette::PlaceholderText);
   if (role == Qt::AccessibleTextRole && column != LibraryColumn::Clip)
     return titleOf(column) + QLatin1Char(' ') + textOf(shown, column);
-  const QString name = QFileInfo(shown.path).fileName();
+  const QString name = shown.name();
   switch (role) {
     case Qt::AccessibleTextRole: {
       QStringList parts = {name, outcomeText(shown), stateText(shown)};
@@ -241,6 +252,7 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
     }
     case Qt::ToolTipRole: {
       QStringList lines = {shown.path,
+                           QString::fromStdString(shown.take.value_or(std::string())),
                            translatedSentence(shown.trouble),
                            stateText(shown),
                            translatedSentence(shown.failure),

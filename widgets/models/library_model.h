@@ -46,11 +46,15 @@ struct Outcome {
   bool operator==(const Outcome&) const = default;
 };
 
+/// Identifies a clip of a library: its path and, in a file with several animations, its take.
+QString clipKey(const QString& path, const std::optional<std::string>& take);
+
 /// A clip as the library lists it.
 struct LibraryEntry {
   QString path;
-  bool is_compressed = false;  // a .mcpr
-  int frames = 0;              // 0: not read yet
+  std::optional<std::string> take;  // in a file with several animations: this one
+  bool is_compressed = false;       // a .mcpr
+  int frames = 0;                   // 0: not read yet
   double sample_rate_hz = 0;
   QList<QLineF> outline;  // a pose in a square from 0 to 1, y down
   QImage skin;            // the same pose, where the clip has a skin
@@ -67,6 +71,11 @@ struct LibraryEntry {
   Staleness outdated = Staleness::None;     // of the outcome: why it is no longer that of the clip
   ClipReview review;
   Staleness stale = Staleness::None;  // of the verdict
+
+  QString key() const { return clipKey(path, take); }
+
+  /// "walk.bvh", "moves.fbx: Run".
+  QString name() const;
 
   /// It could be compressed, and what that would come to is not known.
   bool wantsEncoding() const {
@@ -85,16 +94,16 @@ class LibraryModel : public QAbstractTableModel {
 
   void setEntries(std::vector<LibraryEntry> entries);
 
-  /// Replaces the entry with that path, or adds a row at the end.
+  /// Replaces the entry with that key, or adds a row at the end.
   void setEntry(const LibraryEntry& entry);
   /// Replaces these rows in one change.
   void replace(const std::map<int, LibraryEntry>& entries);
 
-  /// Adds rows at the end for paths that have none yet.
-  void addEntries(const std::vector<LibraryEntry>& entries);
+  /// Inserts rows before that row.
+  void insert(int row, const std::vector<LibraryEntry>& entries);
 
   const LibraryEntry& entry(int row) const { return entries_[static_cast<std::size_t>(row)]; }
-  int rowOf(const QString& path) const;  // -1: none
+  int rowOf(const QString& key) const;  // -1: none
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
@@ -153,7 +162,7 @@ struct LibraryReview {
   bool missing = false;  // the files are gone
 };
 
-/// Reviews of all clips of the library, by path.
+/// Reviews of all clips of the library, by clipKey().
 using ClipReviews = QHash<QString, LibraryReview>;
 
 }  // namespace mocapress

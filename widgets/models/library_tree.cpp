@@ -121,7 +121,7 @@ void LibraryTree::build() {
       Place& place = places_[static_cast<std::size_t>(clip)];
       place.folder = &folder;
       place.in_folder = static_cast<int>(names.size());
-      names << QFileInfo(clips_->entry(clip).path).fileName();
+      names << clips_->entry(clip).name();
     }
     folder.shared = sharedName(names);
     for (const auto& each : folder.folders) self(self, *each);

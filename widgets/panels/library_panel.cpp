@@ -255,7 +255,7 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
   connect(remove_, &QPushButton::clicked, this, &LibraryPanel::removeChosen);
   connect(view_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
     const int row = current();
-    if (row >= 0) chosen_ = model_->entry(row).path;
+    if (row >= 0) chosen_ = model_->entry(row).key();
     showReview();
     if (row >= 0) emit openRequested(row);
   });
@@ -429,7 +429,7 @@ int LibraryPanel::current() const {
 }
 
 void LibraryPanel::setCurrent(int row) {
-  chosen_ = row >= 0 ? model_->entry(row).path : QString();
+  chosen_ = row >= 0 ? model_->entry(row).key() : QString();
   if (const QModelIndex index = tree_->indexOf(row); index != view_->currentIndex()) {
     using Selection = QItemSelectionModel;
     Selection* selection = view_->selectionModel();
@@ -438,7 +438,7 @@ void LibraryPanel::setCurrent(int row) {
     selection->setCurrentIndex(index, selection->isSelected(index)
                                           ? Selection::SelectionFlags(Selection::NoUpdate)
                                           : Selection::ClearAndSelect | Selection::Rows);
-    selected_ = pathsOf(chosenRows());
+    selected_ = keysOf(chosenRows());
     if (index.isValid()) view_->scrollTo(index);
   }
   view_->viewport()->update();
@@ -468,7 +468,7 @@ void LibraryPanel::showTree() {
   view_->setCurrentIndex(tree_->indexOf(model_->rowOf(chosen_)));
   QItemSelection selection;
   for (int row = 0; row < model_->rowCount() && !selected_.isEmpty(); ++row)
-    if (selected_.contains(model_->entry(row).path))
+    if (selected_.contains(model_->entry(row).key()))
       if (const QModelIndex index = tree_->indexOf(row); index.isValid())
         selection.append(QItemSelectionRange(index));
   view_->selectionModel()->select(selection, Selection::Select | Selection::Rows);
@@ -477,14 +477,14 @@ void LibraryPanel::showTree() {
 }
 
 void LibraryPanel::noteSelection() {
-  selected_ = pathsOf(chosenRows());
+  selected_ = keysOf(chosenRows());
   showReview();
 }
 
-QSet<QString> LibraryPanel::pathsOf(const std::vector<int>& rows) const {
-  QSet<QString> paths;
-  for (const int row : rows) paths.insert(model_->entry(row).path);
-  return paths;
+QSet<QString> LibraryPanel::keysOf(const std::vector<int>& rows) const {
+  QSet<QString> keys;
+  for (const int row : rows) keys.insert(model_->entry(row).key());
+  return keys;
 }
 
 std::vector<int> LibraryPanel::chosenRows() const {

@@ -109,7 +109,7 @@ class LibraryPanel : public QWidget {
   void makeHead();
   void fitColumns();
   void noteSelection();
-  QSet<QString> pathsOf(const std::vector<int>& rows) const;
+  QSet<QString> keysOf(const std::vector<int>& rows) const;
   void showReview();
   void showSum();
   void addSettings(QMenu* menu, const std::vector<int>& rows);
@@ -137,8 +137,8 @@ class LibraryPanel : public QWidget {
   bool can_paste_ = false;
   QSet<QString> collapsed_;  // paths of folders
   // Kept while the tree is built anew:
-  QString chosen_;          // path of the clip that is current
-  QSet<QString> selected_;  // paths of clips
+  QString chosen_;          // key of the clip that is current
+  QSet<QString> selected_;  // keys of clips
   int scrolled_ = 0;
 };
 

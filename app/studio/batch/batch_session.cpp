@@ -227,11 +227,11 @@ void BatchSession::setLeftOut(const std::vector<int>& rows, bool left_out) {
 
 /// Adds the clips that are not in the queue yet at its end.
 void BatchSession::add(const std::vector<QueuedClip>& clips) {
-  std::set<std::string> there;
-  for (const QueuedClip& clip : queue_.clips()) there.insert(clip.source.path);
+  std::set<QString> there;
+  for (const QueuedClip& clip : queue_.clips()) there.insert(clip.key());
   std::vector<QueuedClip> fresh;
   for (const QueuedClip& clip : clips)
-    if (there.insert(clip.source.path).second) fresh.push_back(reviewed(clip));
+    if (there.insert(clip.key()).second) fresh.push_back(reviewed(clip));
   if (fresh.empty()) return;
   std::vector<int> rows(fresh.size());
   std::iota(rows.begin(), rows.end(), queue_.rowCount());
@@ -253,8 +253,7 @@ void BatchSession::take(const std::vector<QueuedClip>& clips) {
   const bool new_settings = std::any_of(clips.begin(), clips.end(), [this](const auto& clip) {
     const auto& queued = queue_.clips();
     return std::any_of(queued.begin(), queued.end(), [&](const QueuedClip& one) {
-      return one.source.path == clip.source.path &&
-             (one.own != clip.own || one.reading != clip.reading);
+      return one.key() == clip.key() && (one.own != clip.own || one.reading != clip.reading);
     });
   });
   if (!new_settings) return add(clips);
@@ -262,9 +261,8 @@ void BatchSession::take(const std::vector<QueuedClip>& clips) {
   add(clips);
   for (const QueuedClip& clip : clips) {
     const auto& queued = queue_.clips();
-    const auto at = std::find_if(queued.begin(), queued.end(), [&](const QueuedClip& one) {
-      return one.source.path == clip.source.path;
-    });
+    const auto at = std::find_if(queued.begin(), queued.end(),
+                                 [&](const QueuedClip& one) { return one.key() == clip.key(); });
     if (at == queued.end()) continue;
     const auto row = static_cast<int>(at - queued.begin());
     if (at->reading != clip.reading)
@@ -283,7 +281,7 @@ void BatchSession::setReviews(const ClipReviews& reviews) {
 
 /// The clip with the library's review.
 QueuedClip BatchSession::reviewed(QueuedClip clip) const {
-  const auto found = reviews_.find(QString::fromStdString(clip.source.path));
+  const auto found = reviews_.find(clip.key());
   if (found == reviews_.end()) return clip;
   clip.review = found->review;
   clip.files = found->source;
@@ -315,7 +313,9 @@ Batch BatchSession::batch() const {
       preset = static_cast<std::size_t>(found - batch.presets.begin());
       if (found == batch.presets.end()) batch.presets.push_back(*clip.own);
     }
-    add_items(batch, {clip.source}, preset, names);
+    SourceClip source = clip.source;
+    source.take = clip.reading.take.value_or(std::string());
+    add_items(batch, {source}, preset, names);
     if (clip.skeleton.empty() && clip.review == ClipReview() && clip.reading == ReadOptions())
       continue;
     BatchItem item = batch.items[batch.items.size() - 1];

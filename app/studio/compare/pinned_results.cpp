@@ -116,7 +116,7 @@ void PinnedResults::recall() {
   unmade_.clear();
   const OriginalPtr& original = session_->document().original();
   if (!memory_ || !original) return;
-  for (Pin& pin : memory_(original->path))
+  for (Pin& pin : memory_(session_->openKey()))
     if (unmade_.size() < kMostPinned) unmade_.push_back(std::move(pin));
   makeNext();
 }
@@ -145,8 +145,7 @@ void PinnedResults::makeNext() {
 
 void PinnedResults::noteEdit() {
   show();
-  if (const OriginalPtr& original = session_->document().original())
-    emit edited(original->path, all());
+  if (session_->document().original()) emit edited(session_->openKey(), all());
 }
 
 std::vector<Pin> PinnedResults::all() const {

@@ -236,7 +236,7 @@ void ClipFiles::write(const QString& path, const QString& worn) {
   // The name may have been typed in any dialog, and the clip may have changed since.
   if (const OriginalPtr& original = session_->document().original();
       kind == QLatin1String("html") && original)
-    return session_->exportReview(path, remarks_(original->path));
+    return session_->exportReview(path, remarks_(session_->openKey()));
   const QString skeleton =
       file.path() + QLatin1Char('/') + file.completeBaseName() + QLatin1String(".asf");
   // The dialog asked about replacing `path`, but not about the original or a skeleton beside it.

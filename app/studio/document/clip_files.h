@@ -76,7 +76,7 @@ class ClipFiles : public QObject {
   void exportReview();
 
   /// Returns remarks for a clip's page: the library's verdict and note.
-  using Remarks = std::function<std::vector<std::string>(const QString& path)>;
+  using Remarks = std::function<std::vector<std::string>(const QString& key)>;
   void setRemarks(Remarks remarks) { remarks_ = std::move(remarks); }
 
   /// Runs `then` unless unsaved work would be lost: at once, after saving, or never.

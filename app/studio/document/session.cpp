@@ -16,6 +16,7 @@
 #include "core/motion/landmarks.h"
 #include "core/motion/rig.h"
 #include "core/motion/surface_points.h"
+#include "widgets/models/library_model.h"
 
 namespace mocapress {
 namespace {
@@ -36,6 +37,10 @@ SlotFigures figuresOf(const DecodedClip& decoded) {
   return {decoded.ratio, decoded.distortion->eps(weighting), weighting};
 }
 
+QString keyOf(const OriginalClip& clip) {
+  return clipKey(clip.path, clip.reading.take);
+}
+
 QString absolute(const QString& path) {
   return QFileInfo(path).absoluteFilePath();
 }
@@ -54,11 +59,15 @@ Session::Session(QObject* parent) : QObject(parent) {
           });
 }
 
-void Session::open(const QString& path, const QString& skeleton) {
+void Session::open(const QString& path, const QString& skeleton,
+                   const std::optional<ReadOptions>& reading) {
   // Only a .mcpr without its original accepts one.
   const bool waits = document_.decoded() && !document_.original();
-  start({absolute(path), skeleton, document_.original(), waits ? document_.decoded() : nullptr,
-         false});
+  start({.path = absolute(path),
+         .skeleton = skeleton,
+         .original = document_.original(),
+         .decoded = waits ? document_.decoded() : nullptr,
+         .reading = reading});
 }
 
 void Session::closeClip() {
@@ -79,6 +88,10 @@ void Session::close() {
 
 bool Session::isOpen(const QString& path) const {
   return document_.original() && document_.original()->path == absolute(path);
+}
+
+QString Session::openKey() const {
+  return document_.original() ? keyOf(*document_.original()) : QString();
 }
 
 void Session::compareWith(const QString& path, const QString& skeleton) {
@@ -109,7 +122,7 @@ void Session::chooseTake(int take) {
   if (!original || take == static_cast<int>(original->takes.read)) return;
   ReadOptions reading = original->reading;
   reading.take = original->takes.keys.at(static_cast<std::size_t>(take));
-  readAs(tr("Take"), reading);
+  open(original->path, original->skeleton, reading);
 }
 
 void Session::readAs(const QString& step, const ReadOptions& reading) {
@@ -153,8 +166,8 @@ void Session::show(const OpenedClip& opened, const OpenRequest& request) {
                              : together                     ? document_.savedPath()
                                                             : QString();
   // The open file read with other options: earlier steps can still be undone.
-  const bool again =
-      opened.original && opened.original != document_.original() && isOpen(opened.original->path);
+  const bool again = opened.original && opened.original != document_.original() &&
+                     keyOf(*opened.original) == openKey();
   leave();
   compressor_.setEncoder(opened.original ? opened.original->encoder : nullptr);
   if (request.options) document_.loadOptions(*request.options);
@@ -167,7 +180,7 @@ void Session::show(const OpenedClip& opened, const OpenRequest& request) {
     past_->figures.clear();
     emit historyChanged();
   } else {
-    takeUp(opened.original ? opened.original->path : request.path,
+    takeUp(opened.original ? keyOf(*opened.original) : request.path,
            !opened.decoded && !request.options);
   }
   shown_slot_ = document_.tuning().active;
@@ -196,8 +209,8 @@ void Session::leave() {
 
 /// Restores the settings of a clip opened again `by_itself`, if its settings have not changed
 /// since.
-void Session::takeUp(const QString& path, bool by_itself) {
-  past_ = &pasts_[path];
+void Session::takeUp(const QString& key, bool by_itself) {
+  past_ = &pasts_[key];
   emit historyChanged();
   const bool same = by_itself && past_->tuning && document_.original() &&
                     past_->frames == document_.frames() &&
@@ -220,7 +233,7 @@ void Session::forgetHistories() {
 std::optional<NamedSettings> Session::rememberedOf(const OpenedClip& opened,
                                                    const OpenRequest& request) const {
   if (!memory_ || !opened.original || opened.decoded || request.options) return {};
-  return memory_(opened.original->path);
+  return memory_(keyOf(*opened.original));
 }
 
 void Session::setOptions(const EncodeSettings& options) {

@@ -38,8 +38,10 @@ class Session : public QObject {
   const Document& document() const { return document_; }
 
   /// Opens a motion and compresses it with the document's options, or opens a .mcpr. A .mcpr is
-  /// shown with its original if that is open or opened next.
-  void open(const QString& path, const QString& skeleton = {});
+  /// shown with its original if that is open or opened next. Without options the motion is read as
+  /// it was before.
+  void open(const QString& path, const QString& skeleton = {},
+            const std::optional<ReadOptions>& reading = {});
 
   /// Closes the clip and abandons one that is being opened.
   void closeClip();
@@ -50,10 +52,14 @@ class Session : public QObject {
   /// True if this motion is open.
   bool isOpen(const QString& path) const;
 
+  /// clipKey() of the open motion; empty: none is open.
+  QString openKey() const;
+
   /// Reads the open motion again with other options and keeps its settings. Can be undone.
   void readAgain(const ReadOptions& reading);
 
-  /// The same for another animation of its file, an index into OriginalClip::takes.
+  /// Opens another animation of the file, an index into OriginalClip::takes. Each is a clip of its
+  /// own, with its settings and history.
   void chooseTake(int take);
 
   /// Opens the original of the shown .mcpr; refuses any other motion.
@@ -94,11 +100,12 @@ class Session : public QObject {
   /// Figures of a slot's last answer; unset: unknown.
   std::optional<SlotFigures> slotFigures(int slot) const;
 
-  /// Returns a clip's earlier settings; unset: it is compressed like the last one.
-  using Memory = std::function<std::optional<NamedSettings>(const QString& path)>;
+  /// Returns the earlier settings of a clip by its clipKey(); unset: it is compressed like the last
+  /// one.
+  using Memory = std::function<std::optional<NamedSettings>(const QString& key)>;
   void setMemory(Memory memory) { memory_ = std::move(memory); }
 
-  /// Returns the options that a clip was read with before.
+  /// Returns the options that a file was read with before.
   using ReadingMemory = std::function<ReadOptions(const QString& path)>;
   void setReadingMemory(ReadingMemory memory) { reading_memory_ = std::move(memory); }
 
@@ -191,14 +198,14 @@ class Session : public QObject {
   void apply(const Tuning& tuning);
   void show(const OpenedClip& opened, const OpenRequest& request);
   void leave();
-  void takeUp(const QString& path, bool by_itself);
+  void takeUp(const QString& key, bool by_itself);
   void answer(const DecodedPtr& decoded, bool final);
   void chooseCurves();
   std::optional<NamedSettings> rememberedOf(const OpenedClip& opened,
                                             const OpenRequest& request) const;
 
   Document document_;
-  std::map<QString, Past> pasts_;  // by path; "" for no clip
+  std::map<QString, Past> pasts_;  // by clipKey(); "" for no clip
   Past* past_ = nullptr;           // entry of the open clip
   int shown_slot_ = 0;             // slot with the settings of the decoded clip
   Memory memory_;

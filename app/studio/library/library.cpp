@@ -17,6 +17,7 @@ namespace mocapress {
 LibraryEntry Library::entryOf(const ProjectClip& clip, const LibraryEntry& read) {
   LibraryEntry entry = read;
   entry.path = clip.path;
+  entry.take = clip.reading.take;
   entry.is_compressed = isCompressedFile(clip.path);
   entry.missing = clip.missing;
   entry.outcome = clip.outcome;
@@ -33,12 +34,12 @@ Library::Library(Session* session, LibraryModel* model, QObject* parent)
     : KeptProject(parent), session_(session), model_(model) {
   connect(this, &Library::leaving, this, &Library::leave);
   connect(this, &Library::entered, this, &Library::enter);
-  session->setMemory([this](const QString& path) {
-    const ProjectClip* clip = project_.find(path);
+  session->setMemory([this](const QString& key) {
+    const ProjectClip* clip = project_.find(key);
     return clip ? clip->settings : std::nullopt;
   });
   session->setReadingMemory([this](const QString& path) {
-    const ProjectClip* clip = project_.find(path);
+    const ProjectClip* clip = project_.findFile(path);
     return clip ? clip->reading : ReadOptions();
   });
   connect(session, &Session::opened, this,
@@ -69,7 +70,7 @@ void Library::enter() {
   outlines_.clear();
   for (const ProjectClip& clip : project_.clips) {
     entries.push_back(entryOf(clip, {}));
-    outlines_.add(clip.path);
+    outlines_.add(clip.key());
   }
   model_->setEntries(std::move(entries));
   emit currentChanged();
@@ -96,7 +97,7 @@ void Library::add(const QStringList& paths) {
   history_.push(new EditStep(
       tr("Add Clips"), [this, clips] { putBack(*clips); },
       [this, clips, fresh] {
-        *clips = takeOut(fresh);
+        *clips = takeOut([&fresh](const auto& one) { return fresh.contains(one.path); });
         emit noted(tr("%Ln clip(s) were taken out of the library; Redo brings them back.", nullptr,
                       static_cast<int>(clips->size())));
       }));
@@ -109,11 +110,14 @@ void Library::addFolder(const QString& path) {
 
 void Library::remove(const QList<int>& rows) {
   if (rows.isEmpty()) return;
-  QSet<QString> paths;
-  for (const int row : rows) paths.insert(project_.clips[static_cast<std::size_t>(row)].path);
+  QSet<QString> keys;
+  for (const int row : rows) keys.insert(project_.clips[static_cast<std::size_t>(row)].key());
   auto clips = std::make_shared<ClipsByRow>();
   history_.push(new EditStep(
-      tr("Remove Clip"), [this, clips, paths] { *clips = takeOut(paths); },
+      tr("Remove Clip"),
+      [this, clips, keys] {
+        *clips = takeOut([&keys](const auto& one) { return keys.contains(one.key()); });
+      },
       [this, clips] { putBack(*clips); }));
 }
 
@@ -123,12 +127,12 @@ std::vector<LibraryEntry> Library::entries() const {
   return entries;
 }
 
-Library::ClipsByRow Library::takeOut(const QSet<QString>& paths) {
+template <typename IsOut>
+Library::ClipsByRow Library::takeOut(const IsOut& is_out) {
   ClipsByRow clips;
   for (std::size_t row = 0; row < project_.clips.size(); ++row)
-    if (const ProjectClip& clip = project_.clips[row]; paths.contains(clip.path))
+    if (const ProjectClip& clip = project_.clips[row]; is_out(clip))
       clips.emplace(static_cast<int>(row), clip);
-  const auto is_out = [&](const auto& one) { return paths.contains(one.path); };
   std::erase_if(project_.clips, is_out);
   std::vector<LibraryEntry> left = entries();
   std::erase_if(left, is_out);
@@ -143,11 +147,11 @@ void Library::putBack(const ClipsByRow& clips) {
   std::vector<LibraryEntry> all = entries();
   const QHash<QString, int> known = project_.rows();
   for (const auto& [row, clip] : clips) {
-    if (known.contains(clip.path)) continue;
+    if (known.contains(clip.key())) continue;
     const auto place = std::min<std::ptrdiff_t>(row, std::ssize(all));
     project_.clips.insert(project_.clips.begin() + place, clip);
     all.insert(all.begin() + place, entryOf(clip, {}));
-    outlines_.add(clip.path);
+    outlines_.add(clip.key());
   }
   model_->setEntries(std::move(all));
   checkFiles();
@@ -157,23 +161,23 @@ void Library::putBack(const ClipsByRow& clips) {
 
 void Library::openClip(int row) {
   const ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
-  session_->open(clip.path, clip.skeleton);
+  session_->open(clip.path, clip.skeleton, clip.reading);
 }
 
 int Library::currentRow() const {
   const auto found =
       std::find_if(project_.clips.begin(), project_.clips.end(),
-                   [this](const ProjectClip& clip) { return clip.path == project_.current; });
+                   [this](const ProjectClip& clip) { return clip.key() == project_.current; });
   return found == project_.clips.end() ? -1 : static_cast<int>(found - project_.clips.begin());
 }
 
-std::vector<Pin> Library::pinsOf(const QString& path) {
-  const ProjectClip* clip = project_.find(path);
+std::vector<Pin> Library::pinsOf(const QString& key) {
+  const ProjectClip* clip = project_.find(key);
   return clip ? clip->pins : std::vector<Pin>();
 }
 
-void Library::setPins(const QString& path, const std::vector<Pin>& pins) {
-  ProjectClip* clip = project_.find(path);
+void Library::setPins(const QString& key, const std::vector<Pin>& pins) {
+  ProjectClip* clip = project_.find(key);
   if (!clip) return;
   clip->pins = pins;
   touch();
@@ -204,7 +208,7 @@ TunedClip Library::tunedClip(const Project& project, const ProjectClip& clip) {
 }
 
 void Library::show(const ProjectClip& clip) {
-  const int row = model_->rowOf(clip.path);
+  const int row = model_->rowOf(clip.key());
   model_->setEntry(entryOf(clip, row >= 0 ? model_->entry(row) : LibraryEntry()));
   touch();
 }
@@ -221,28 +225,59 @@ void Library::showRows(const std::vector<int>& rows) {
 /// A motion that is opened belongs to the project from then on.
 void Library::noteOpened(const QString& path, const QString& skeleton) {
   const OriginalPtr& original = session_->document().original();
-  project_.current = original ? original->path : QString();
-  if (original && !project_.find(original->path)) {
-    ProjectClip clip{.path = original->path};
-    if (path == original->path) clip.skeleton = skeleton;
-    clip.settings = settingsNow();
-    clip.stamp = original->stamp;
-    project_.clips.push_back(clip);
-    showAsRead(clip, *original);
-  }
   if (original) {
-    ProjectClip* clip = project_.find(original->path);
-    const bool is_other = clip->missing || clip->reading != original->reading ||
+    noteTakes(original->path, original->takes);
+    ProjectClip* clip = project_.find(session_->openKey());
+    const bool is_fresh = !clip;
+    const bool is_first = !project_.findFile(original->path);
+    if (is_fresh) {
+      clip = &project_.clips.emplace_back(ProjectClip{.path = original->path});
+      if (path == original->path) clip->skeleton = skeleton;
+    }
+    const bool is_other = is_fresh || clip->missing || clip->reading != original->reading ||
                           clip->stamp.hash != original->stamp.hash;
     clip->missing = false;
     clip->reading = original->reading;
     clip->stamp = original->stamp;
     clip->rig = original->outline.rig;
+    if (is_fresh) clip->settings = settingsNow();
     bindVerdict(*clip);
     if (is_other) showAsRead(*clip, *original);
+    if (is_first) addTakes(static_cast<int>(project_.clips.size()) - 1, original->takes);
   }
+  project_.current = session_->openKey();
   touch();
   emit currentChanged();
+}
+
+/// Tells the clip of a file that was not read before which take it is.
+void Library::noteTakes(const QString& path, const Takes& takes) {
+  ProjectClip* clip = project_.find(path);
+  if (!clip || takes.keys.size() < 2) return;
+  const int row = model_->rowOf(path);
+  clip->reading.take = takeAmong(takes);
+  if (project_.current == path) project_.current = clip->key();
+  if (row >= 0) model_->replace({{row, entryOf(*clip, model_->entry(row))}});
+  if (row >= 0) addTakes(row, takes);
+}
+
+/// Adds rows for the other takes of the file in that row, below it.
+void Library::addTakes(int row, const Takes& takes) {
+  const QHash<QString, int> known = project_.rows();
+  const ProjectClip first = project_.clips[static_cast<std::size_t>(row)];
+  std::vector<ProjectClip> others;
+  std::vector<LibraryEntry> shown;
+  for (const std::string& take : takes.keys) {
+    ProjectClip clip{.path = first.path, .skeleton = first.skeleton, .reading = first.reading};
+    clip.reading.take = take;
+    clip.stamp = first.stamp;
+    if (takes.keys.size() < 2 || known.contains(clip.key())) continue;
+    shown.push_back(entryOf(clip, {}));
+    others.push_back(std::move(clip));
+  }
+  project_.clips.insert(project_.clips.begin() + row + 1, others.begin(), others.end());
+  model_->insert(row + 1, shown);
+  for (const ProjectClip& clip : others) outlines_.add(clip.key());
 }
 
 void Library::showAsRead(const ProjectClip& clip, const OriginalClip& original) {
@@ -260,7 +295,8 @@ void Library::showAsRead(const ProjectClip& clip, const OriginalClip& original) 
 
 ProjectClip* Library::openNow() {
   const OriginalPtr& original = session_->document().original();
-  return original && original->path == project_.current ? project_.find(original->path) : nullptr;
+  return original && session_->openKey() == project_.current ? project_.find(project_.current)
+                                                             : nullptr;
 }
 
 void Library::setShowsSkin(bool shows) {
@@ -269,20 +305,25 @@ void Library::setShowsSkin(bool shows) {
   touch();
 }
 
-void Library::noteOutline(const QString& path, const ClipOutline& outline, const QString& trouble) {
-  if (const int row = model_->rowOf(path); row >= 0) {
-    LibraryEntry entry = model_->entry(row);
-    entry.frames = outline.frames;
-    entry.sample_rate_hz = outline.sample_rate_hz;
-    entry.outline = outline.bones;
-    entry.skin = outline.skin;
-    entry.loop = outline.loop;
-    entry.notes = outline.notes;
-    entry.trouble = trouble;
-    model_->setEntry(entry);
+void Library::noteOutline(const QString& key, const ClipOutline& outline, const QString& trouble) {
+  const int row = model_->rowOf(key);
+  if (row < 0) return;
+  LibraryEntry entry = model_->entry(row);
+  entry.frames = outline.frames;
+  entry.sample_rate_hz = outline.sample_rate_hz;
+  entry.outline = outline.bones;
+  entry.skin = outline.skin;
+  entry.loop = outline.loop;
+  entry.notes = outline.notes;
+  entry.trouble = trouble;
+  model_->setEntry(entry);
+  ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
+  if (!outline.rig.empty() && std::exchange(clip.rig, outline.rig) != outline.rig) touch();
+  if (!clip.reading.take && outline.takes.keys.size() > 1) {
+    noteTakes(key, outline.takes);
+    touch();
+    emit currentChanged();
   }
-  if (ProjectClip* now = project_.find(path); now && !outline.rig.empty())
-    if (std::exchange(now->rig, outline.rig) != outline.rig) touch();
 }
 
 }  // namespace mocapress

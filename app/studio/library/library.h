@@ -82,8 +82,8 @@ class Library : public KeptProject {
   /// Searches a folder for missing clips and continues with the files found, in one step.
   void findMissing(const QString& folder);
 
-  /// A batch has done a clip by these settings: the clip has that outcome now, unless it has other
-  /// settings of its own.
+  /// A batch has done a clip of that file by these settings: the clip has that outcome now, unless
+  /// it has other settings of its own.
   void noteExported(const QString& path, const Settings& settings, const ReadOptions& reading,
                     const BatchStep& step);
 
@@ -96,8 +96,8 @@ class Library : public KeptProject {
   void noteEncoded(const TunedClip& clip, const BatchStep& step);
 
   /// The pinned results of a clip.
-  std::vector<Pin> pinsOf(const QString& path);
-  void setPins(const QString& path, const std::vector<Pin>& pins);
+  std::vector<Pin> pinsOf(const QString& key);
+  void setPins(const QString& key, const std::vector<Pin>& pins);
 
   /// True if figures show their skin.
   bool showsSkin() const { return project_.shows_skin; }
@@ -115,7 +115,7 @@ class Library : public KeptProject {
   ClipReviews reviews() const;
 
   /// Verdict and note on a clip, as texts for a report.
-  std::vector<std::string> remarksOn(const QString& path) const;
+  std::vector<std::string> remarksOn(const QString& key) const;
 
  signals:
   void currentChanged();
@@ -127,17 +127,18 @@ class Library : public KeptProject {
   void looked();
 
  private:
-  using Reviews = std::map<QString, ClipReview>;
-  using SettingsByPath = std::map<QString, std::optional<NamedSettings>>;
+  using Reviews = std::map<QString, ClipReview>;  // by ProjectClip::key()
+  using SettingsByKey = std::map<QString, std::optional<NamedSettings>>;
 
   void change(const std::vector<int>& rows, const QString& name,
               const std::function<void(NamedSettings&)>& change);
   void apply(const Reviews& reviews);
-  void apply(const SettingsByPath& settings);
+  void apply(const SettingsByKey& settings);
   void move(const std::map<QString, ClipSource>& to);
   ClipReview reviewNow(const ProjectClip& clip, Verdict verdict) const;
   void openIfChanged();
-  void noteFiles(const std::vector<ClipSource>& sources, const std::vector<SourceNow>& now);
+  void noteFiles(const std::vector<QString>& keys, const std::vector<ClipSource>& sources,
+                 const std::vector<SourceNow>& now);
   void noteOpenFailed(const OpenRequest& request, const QString& message);
 
   /// Makes a clip's row; facts from its file are kept from the previous row.
@@ -145,7 +146,8 @@ class Library : public KeptProject {
   std::vector<LibraryEntry> entries() const;
   using ClipsByRow = std::map<int, ProjectClip>;
 
-  ClipsByRow takeOut(const QSet<QString>& paths);
+  template <typename IsOut>
+  ClipsByRow takeOut(const IsOut& is_out);
   void putBack(const ClipsByRow& clips);
   void noteOpened(const QString& path, const QString& skeleton);
   void noteSettings();
@@ -157,7 +159,9 @@ class Library : public KeptProject {
   void show(const ProjectClip& clip);
   void showRows(const std::vector<int>& rows);
   void showAsRead(const ProjectClip& clip, const OriginalClip& original);
-  void noteOutline(const QString& path, const ClipOutline& outline, const QString& trouble);
+  void noteOutline(const QString& key, const ClipOutline& outline, const QString& trouble);
+  void noteTakes(const QString& path, const Takes& takes);
+  void addTakes(int row, const Takes& takes);
   void leave();
   void enter();
   ProjectClip* openNow();

@@ -15,11 +15,14 @@ void Library::checkFiles() {
   check_again_ = checking_.busy();
   if (check_again_ || project_.clips.empty()) return;
   std::vector<ClipSource> sources;
-  for (const ProjectClip& clip : project_.clips)
+  std::vector<QString> keys;
+  for (const ProjectClip& clip : project_.clips) {
     sources.push_back({clip.path, clip.skeleton, clip.stamp});
+    keys.push_back(clip.key());
+  }
   checking_.start([sources](const Job& job) { return lookAt(sources, job); },
-                  [this, sources](const std::vector<SourceNow>& now) {
-                    noteFiles(sources, now);
+                  [this, keys, sources](const std::vector<SourceNow>& now) {
+                    noteFiles(keys, sources, now);
                     emit looked();
                     // The runner is busy until its delivery has returned.
                     if (check_again_)
@@ -28,19 +31,20 @@ void Library::checkFiles() {
                   [this](const QString& message) { emit failed(message); });
 }
 
-void Library::noteFiles(const std::vector<ClipSource>& sources, const std::vector<SourceNow>& now) {
+void Library::noteFiles(const std::vector<QString>& keys, const std::vector<ClipSource>& sources,
+                        const std::vector<SourceNow>& now) {
   const QHash<QString, int> rows = project_.rows();
   std::vector<int> others;
   int changed = 0, missing = 0;
   for (std::size_t i = 0; i < now.size(); ++i) {
-    const int row = rows.value(sources[i].path, -1);
+    const int row = rows.value(keys[i], -1);
     if (row < 0) continue;
     ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
     if (clip.stamp.hash != sources[i].stamp.hash) continue;  // opened since: that is newer
     const bool was_missing = std::exchange(clip.missing, now[i].state == SourceNow::State::Missing);
     const bool is_new = now[i].state == SourceNow::State::Found &&
                         (was_missing || now[i].stamp.hash != clip.stamp.hash);
-    if (is_new && (was_missing || !clip.stamp.hash.empty())) outlines_.add(clip.path);
+    if (is_new && (was_missing || !clip.stamp.hash.empty())) outlines_.add(clip.key());
     if (is_new && !was_missing && !clip.stamp.hash.empty()) ++changed;
     if (clip.missing && !was_missing) ++missing;
     if (now[i].state == SourceNow::State::Found) clip.stamp = now[i].stamp;
@@ -67,7 +71,7 @@ void Library::openIfChanged() {
   const std::string& hash = open->stamp.hash;
   if (hash == session_->document().original()->stamp.hash || hash == tried_) return;
   tried_ = hash;
-  session_->open(open->path, open->skeleton);
+  session_->open(open->path, open->skeleton, open->reading);
 }
 
 void Library::lookAgain() {
@@ -81,19 +85,21 @@ void Library::findMissing(const QString& folder) {
   finding_.start(
       [folder, missing](const Job& job) { return findMoved(folder, missing, job); },
       [this, missing](std::map<QString, ClipSource> moved) {
-        const QHash<QString, int> rows = project_.rows();
-        std::erase_if(moved, [&](const auto& one) {
-          return !rows.contains(one.first) || rows.contains(one.second.path);
+        std::erase_if(moved, [this](const auto& one) {
+          return !project_.findFile(one.first) || project_.findFile(one.second.path);
         });
+        int found_again = 0;  // several takes may be of a file
         std::map<QString, ClipSource> back;
         for (const ClipSource& clip : missing)
-          if (const auto found = moved.find(clip.path); found != moved.end())
+          if (const auto found = moved.find(clip.path); found != moved.end()) {
             back.emplace(found->second.path, clip);
-        const auto left = static_cast<int>(missing.size() - moved.size());
+            ++found_again;
+          }
+        const int left = static_cast<int>(missing.size()) - found_again;
         if (!moved.empty())
           history_.push(new EditStep(
               tr("Find Clips"), [this, moved] { move(moved); }, [this, back] { move(back); }));
-        emit noted(tr("Found %Ln clip(s)", nullptr, static_cast<int>(moved.size())) +
+        emit noted(tr("Found %Ln clip(s)", nullptr, found_again) +
                    (left > 0 ? tr(", %Ln still missing", nullptr, left) : QString()));
       },
       [this](const QString& message) { emit failed(message); });
@@ -107,17 +113,16 @@ void Library::move(const std::map<QString, ClipSource>& to) {
     ProjectClip& clip = project_.clips[row];
     const auto found = to.find(clip.path);
     if (found == to.end()) continue;
-    if (clip.path == project_.current) {
-      project_.current = found->second.path;
-      current_moves = true;
-    }
+    const bool is_current = clip.key() == project_.current;
     clip.path = found->second.path;
+    if (is_current) project_.current = clip.key();
+    current_moves = current_moves || is_current;
     clip.skeleton = found->second.skeleton;
     clip.stamp = found->second.stamp;
     clip.missing = false;
     all[row] = entryOf(clip, all[row]);
     all[row].trouble.clear();
-    outlines_.add(clip.path);
+    outlines_.add(clip.key());
   }
   model_->setEntries(std::move(all));
   checkFiles();
@@ -129,13 +134,14 @@ void Library::move(const std::map<QString, ClipSource>& to) {
 /// The view does not stay on the clip before: what is said of the chosen clip would seem to be said
 /// of that one.
 void Library::noteOpenFailed(const OpenRequest& request, const QString& message) {
-  const int row = model_->rowOf(request.path);
+  const QString key = clipKey(request.path, request.reading.value_or(ReadOptions()).take);
+  const int row = model_->rowOf(key);
   if (row < 0 || request.compare) return;
   ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
   clip.missing = !QFileInfo::exists(clip.path);
-  if (!session_->isOpen(request.path)) {
+  if (session_->openKey() != key) {
     session_->closeClip();
-    project_.current = clip.path;
+    project_.current = key;
   }
   LibraryEntry entry = entryOf(clip, model_->entry(row));
   entry.trouble = message;

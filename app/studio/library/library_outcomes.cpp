@@ -63,7 +63,7 @@ Outcome outcomeOf(const BatchStep& step, const Settings& settings) {
 
 void Library::noteExported(const QString& path, const Settings& settings,
                            const ReadOptions& reading, const BatchStep& step) {
-  ProjectClip* clip = project_.find(path);
+  ProjectClip* clip = project_.find(clipKey(path, reading.take));
   if (!clip || !step.measured) return;
   if (!clip->settings) clip->settings = NamedSettings{settings, {}};
   Outcome outcome = outcomeOf(step, settings);
@@ -77,7 +77,7 @@ void Library::setOutcome(ProjectClip& clip, const Outcome& outcome) {
   clip.outcome = outcome;
   clip.failure.clear();
   show(clip);
-  if (clip.path == project_.current) emit currentChanged();
+  if (clip.key() == project_.current) emit currentChanged();
 }
 
 /// Settings that the clip had before came to the same.
@@ -93,7 +93,7 @@ std::vector<TunedClip> Library::unencoded(std::size_t most) const {
   for (int i = 0; i < count && clips.size() < most; ++i) {
     const int row = (first + i) % count;
     const ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
-    if (!model_->entry(row).wantsEncoding() || session_->isOpen(clip.path)) continue;
+    if (!model_->entry(row).wantsEncoding() || session_->openKey() == clip.key()) continue;
     clips.push_back(tunedClip(project_, clip));
     if (!clips.back().settings) clips.back().settings = NamedSettings{usualPreset(), {}};
   }
@@ -101,8 +101,9 @@ std::vector<TunedClip> Library::unencoded(std::size_t most) const {
 }
 
 void Library::noteEncoded(const TunedClip& tuned, const BatchStep& step) {
-  ProjectClip* clip = project_.find(tuned.path);
-  if (!clip || session_->isOpen(tuned.path)) return;
+  const QString key = clipKey(tuned.path, tuned.reading.take);
+  ProjectClip* clip = project_.find(key);
+  if (!clip || session_->openKey() == key) return;
   if (step.measured) {
     noteExported(tuned.path, tuned.settings->preset, tuned.reading, step);
   } else {

@@ -31,7 +31,7 @@ ClipReview Library::reviewNow(const ProjectClip& clip, Verdict verdict) const {
   if (verdict == Verdict::None) return review;
   review.reviewer = userName();
   review.time = timeNow();
-  const bool is_open = session_->isOpen(clip.path);
+  const bool is_open = session_->openKey() == clip.key();
   review.source_hash = is_open        ? session_->document().original()->stamp.source
                        : clip.outcome ? clip.outcome->source
                                       : clip.stamp.source;
@@ -50,8 +50,8 @@ void Library::setVerdict(const std::vector<int>& rows, Verdict verdict) {
       ++missing;
       continue;
     }
-    before.emplace(clip.path, clip.review);
-    after.emplace(clip.path, reviewNow(clip, verdict));
+    before.emplace(clip.key(), clip.review);
+    after.emplace(clip.key(), reviewNow(clip, verdict));
   }
   if (!after.empty())
     history_.push(new EditStep(
@@ -67,10 +67,10 @@ void Library::setNote(int row, const QString& note) {
   ClipReview review = clip.review;
   review.note = note.toStdString();
   if (review == clip.review) return;
-  const Reviews before{{clip.path, clip.review}}, after{{clip.path, review}};
+  const Reviews before{{clip.key(), clip.review}}, after{{clip.key(), review}};
   history_.push(new EditStep(
       tr("Note"), [this, after] { apply(after); }, [this, before] { apply(before); },
-      QStringLiteral("note ") + clip.path, kOneNoteMs));
+      QStringLiteral("note ") + clip.key(), kOneNoteMs));
 }
 
 std::vector<FrameNote> Library::frameNotes(int row) const {
@@ -94,7 +94,7 @@ void Library::setFrameNote(int row, int index, const FrameNote& note) {
     review.notes.insert(place, written);
   }
   if (review == clip.review) return;
-  const Reviews before{{clip.path, clip.review}}, after{{clip.path, review}};
+  const Reviews before{{clip.key(), clip.review}}, after{{clip.key(), review}};
   history_.push(new EditStep(
       tr("Note"), [this, after] { apply(after); }, [this, before] { apply(before); }));
 }
@@ -103,7 +103,7 @@ void Library::apply(const Reviews& reviews) {
   std::vector<int> rows;
   for (std::size_t row = 0; row < project_.clips.size(); ++row) {
     ProjectClip& clip = project_.clips[row];
-    const auto found = reviews.find(clip.path);
+    const auto found = reviews.find(clip.key());
     if (found == reviews.end()) continue;
     clip.review = found->second;
     bindVerdict(clip);
@@ -116,14 +116,14 @@ void Library::apply(const Reviews& reviews) {
 ClipReviews Library::reviews() const {
   ClipReviews all;
   for (const ProjectClip& clip : project_.clips)
-    all.insert(clip.path, {clip.review, clip.stamp.source, clip.missing});
+    all.insert(clip.key(), {clip.review, clip.stamp.source, clip.missing});
   return all;
 }
 
-std::vector<std::string> Library::remarksOn(const QString& path) const {
+std::vector<std::string> Library::remarksOn(const QString& key) const {
   std::vector<std::string> remarks;
   for (const ProjectClip& clip : project_.clips) {
-    if (clip.path != path) continue;
+    if (clip.key() != key) continue;
     remarks = {
         verdict_text(clip.review, stale_reason(clip.review, clip.stamp.source, settingsHash(clip))),
         clip.review.note};

@@ -47,7 +47,7 @@ void Library::pasteImportance(const std::vector<int>& rows) {
 /// In one step. Clips that were never tuned begin with the usual settings.
 void Library::change(const std::vector<int>& rows, const QString& name,
                      const std::function<void(NamedSettings&)>& change) {
-  SettingsByPath before, after;
+  SettingsByKey before, after;
   for (const int row : rows) {
     const ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
     NamedSettings settings = clip.settings.value_or(NamedSettings{usualPreset(), {}});
@@ -55,8 +55,8 @@ void Library::change(const std::vector<int>& rows, const QString& name,
     if (clip.settings && settings.preset == clip.settings->preset &&
         settings.contacts == clip.settings->contacts)
       continue;
-    before.emplace(clip.path, clip.settings);
-    after.emplace(clip.path, settings);
+    before.emplace(clip.key(), clip.settings);
+    after.emplace(clip.key(), settings);
   }
   if (after.empty()) return;
   const QString text =
@@ -92,11 +92,11 @@ void Library::putCharacter(const std::vector<int>& rows, const QString& file) {
       put_on, [this](const QString& message) { emit failed(message); });
 }
 
-void Library::apply(const SettingsByPath& settings) {
+void Library::apply(const SettingsByKey& settings) {
   std::vector<int> rows;
   for (std::size_t row = 0; row < project_.clips.size(); ++row) {
     ProjectClip& clip = project_.clips[row];
-    const auto found = settings.find(clip.path);
+    const auto found = settings.find(clip.key());
     if (found == settings.end()) continue;
     clip.bytes_before.reset();
     if (clip.outcome && outdated(clip) == Staleness::None)
@@ -107,7 +107,8 @@ void Library::apply(const SettingsByPath& settings) {
     rows.push_back(static_cast<int>(row));
   }
   showRows(rows);
-  if (const ProjectClip* open = openNow(); open && open->settings && settings.count(open->path) > 0)
+  if (const ProjectClip* open = openNow();
+      open && open->settings && settings.count(open->key()) > 0)
     session_->takeSettings(settingsFor(*open->settings, session_->document().original()->motion()));
   emit currentChanged();
 }

@@ -151,7 +151,10 @@ Project projectFrom(const Json& json, const QDir& folder) {
   if (valueAt<int>(json, "version") > kVersion)
     throw Error("the project was saved by a newer version of Mocapress");
   Project project;
-  project.current = absoluteAt(json, "current", folder);
+  project.current = clipKey(absoluteAt(json, "current", folder),
+                            json.contains("current_take")
+                                ? std::optional(valueAt<std::string>(json, "current_take"))
+                                : std::nullopt);
   project.characters = charactersFrom(json, folder);
   project.shows_skin = json.value("show_skin", true);
   for (const Json& clip : valueAt<Json>(json, "clips"))
@@ -191,11 +194,17 @@ void bindVerdict(ProjectClip& clip) {
 QHash<QString, int> Project::rows() const {
   QHash<QString, int> rows;
   for (std::size_t row = 0; row < clips.size(); ++row)
-    rows.insert(clips[row].path, static_cast<int>(row));
+    rows.insert(clips[row].key(), static_cast<int>(row));
   return rows;
 }
 
-ProjectClip* Project::find(const QString& path) {
+ProjectClip* Project::find(const QString& key) {
+  const auto found = std::find_if(clips.begin(), clips.end(),
+                                  [&](const ProjectClip& clip) { return clip.key() == key; });
+  return found == clips.end() ? nullptr : &*found;
+}
+
+ProjectClip* Project::findFile(const QString& path) {
   const auto found = std::find_if(clips.begin(), clips.end(),
                                   [&](const ProjectClip& clip) { return clip.path == path; });
   return found == clips.end() ? nullptr : &*found;
@@ -207,8 +216,11 @@ bool isProjectFile(const QString& path) {
 
 QByteArray projectText(const Project& project, const QDir& folder) {
   Json json{{"format", kFormat}, {"version", kVersion}, {"clips", Json::array()}};
-  if (!project.current.isEmpty())
-    json["current"] = folder.relativeFilePath(project.current).toStdString();
+  if (!project.current.isEmpty()) {
+    const QStringList path_and_take = project.current.split(QLatin1Char('\n'));
+    json["current"] = folder.relativeFilePath(path_and_take[0]).toStdString();
+    if (path_and_take.size() > 1) json["current_take"] = path_and_take[1].toStdString();
+  }
   for (const auto& [rig, path] : project.characters)
     json["characters"][rig] = path.isEmpty() ? "" : folder.relativeFilePath(path).toStdString();
   if (!project.shows_skin) json["show_skin"] = false;

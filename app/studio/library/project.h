@@ -30,6 +30,9 @@ struct ProjectClip {
   std::optional<std::size_t> bytes_before;  // as LibraryEntry has it; not kept
   bool missing = false;                     // they are gone, by what is known now; not kept
   QString failure;  // why its settings cannot compress it, likewise; empty: nobody knows
+
+  /// clipKey() of path and take. A file with several takes has a clip for each once it was read.
+  QString key() const { return clipKey(path, reading.take); }
 };
 
 /// Hash of the clip's current settings and reading options; empty: no settings of its own.
@@ -45,15 +48,18 @@ void bindVerdict(ProjectClip& clip);
 
 /// A list of clips with their common data.
 struct Project {
-  QString current;            // path of the open clip; empty: none
+  QString current;            // key of the open clip; empty: none
   CharacterFiles characters;  // characters put on the clips, by rig
   bool shows_skin = true;
   std::vector<ProjectClip> clips;
   std::optional<RememberedBatch> batch;  // unset: no batch yet
 
-  ProjectClip* find(const QString& path);
+  ProjectClip* find(const QString& key);
 
-  /// The row of each clip by its path.
+  /// The first clip of that file, or null.
+  ProjectClip* findFile(const QString& path);
+
+  /// The row of each clip by its key.
   QHash<QString, int> rows() const;
 
   /// True if nothing would be lost without it.
