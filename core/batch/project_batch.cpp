@@ -77,12 +77,15 @@ void add_clip(Batch& batch, const Json& json, const fs::path& folder,
   std::size_t preset = 0;
   if (const auto settings = json.find("settings"); settings != json.end())
     preset = index_of(settings_of_clip(*settings), batch.presets);
-  add_items(batch, {{path, folder_of(utf8_path(path), folder), {}}}, preset, pattern);
+  const auto reading = json.find("reading");
+  const ReadOptions options = reading != json.end() ? format_options(*reading) : ReadOptions();
+  const SourceClip source{path, folder_of(utf8_path(path), folder), {}, options.take.value_or("")};
+  add_items(batch, {source}, preset, pattern);
   const std::size_t last = batch.items.size() - 1;
   BatchItem item = batch.items[last];
   item.skeleton = path_at(json, "skeleton", folder);
-  if (const auto reading = json.find("reading"); reading != json.end()) {
-    item.reading = format_options(*reading);
+  if (reading != json.end()) {
+    item.reading = options;
     item.reading->character = batch.reading.character;
   }
   if (const std::string character = character_on(json, characters);

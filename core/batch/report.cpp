@@ -8,8 +8,10 @@
 #include <utility>
 
 #include "core/base/file.h"
+#include "core/base/utf8_path.h"
 #include "core/batch/report_script.h"
 #include "core/codec/methods/compression_method.h"
+#include "core/report/clip_link.h"
 #include "core/report/markup.h"
 #include "core/report/report_style.h"
 #include "core/report/review_page.h"
@@ -152,6 +154,14 @@ std::string tiles(const Totals& totals, std::size_t waiting) {
   return element("div", attribute("class", "tiles"), all);
 }
 
+/// A moment of a clip, as a link where the clip's path leads there from anywhere on this computer.
+std::string moment(const BatchRow& row, int frame, const std::string& joint,
+                   const std::string& text) {
+  if (!utf8_path(row.input).is_absolute()) return escaped(text);
+  const ClipLink link{.clip = row.input, .take = row.reading.take, .frame = frame, .joint = joint};
+  return element("a", attribute("href", link_text(link)), escaped(text));
+}
+
 std::string pictures(const Totals& totals) {
   std::string figures;
   for (const BatchRow& row : totals.worst) {
@@ -161,10 +171,11 @@ std::string pictures(const Totals& totals) {
     figures += element(
         "figure", "",
         scene + element("figcaption", "",
-                        element("b", "", escaped(row.output)) + ", frame " +
-                            std::to_string(pose.frame) + ", " +
-                            fixed(pose.frame / row.measured->sample_rate_hz, 2) + " s: error of " +
-                            format_significant(pose.off_cm) + " cm at the " +
+                        element("b", "", escaped(row.output)) + ", " +
+                            moment(row, pose.frame, pose.landmark,
+                                   "frame " + std::to_string(pose.frame)) +
+                            ", " + fixed(pose.frame / row.measured->sample_rate_hz, 2) +
+                            " s: error of " + format_significant(pose.off_cm) + " cm at the " +
                             escaped(pose.landmark) + ". " + escaped(row.preset.name) + ", " +
                             ratio_text(row.measured->ratio) + "."));
   }
@@ -271,13 +282,15 @@ void write_notes(std::ostream& out, const BatchRows& rows) {
   out << "<section><h2>Notes</h2>" << muted("Frames count from 0.")
       << "<div class=\"scroll\"><table><thead>"
       << line(head("Clip", left) + head("frame") + head("joint", left) + head("note", left) +
-              head("by", left) + head("when", left))
+              head("by", left) + head("when", left) + head("stale", left))
       << "</thead><tbody>\n";
   rows([&](const BatchRow& row) {
     for (const FrameNote& note : row.review.notes)
-      out << line(row_head(row.output) + cell(std::to_string(note.frame)) +
+      out << line(row_head(row.output) +
+                  cell(moment(row, note.frame, note.joint, std::to_string(note.frame))) +
                   text_cell(note.joint, "name") + text_cell(note.text, "wrap") +
-                  text_cell(note.reviewer, "name") + text_cell(note.time, "name"))
+                  text_cell(note.reviewer, "name") + text_cell(note.time, "name") +
+                  text_cell(stale_reason(row, note).value_or(""), "wrap"))
           << '\n';
   });
   out << "</tbody></table></div></section>\n";

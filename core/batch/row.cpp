@@ -108,6 +108,11 @@ std::optional<std::string> stale_reason(const BatchRow& row) {
   return stale_reason(row.review, row.stamp.source, settings_hash(row.preset, row.reading));
 }
 
+std::optional<std::string> stale_reason(const BatchRow& row, const FrameNote& note) {
+  if (row.stamp.source.empty()) return std::nullopt;
+  return stale_reason(note, row.stamp.source, settings_hash(row.preset, row.reading));
+}
+
 std::string settings_hash(const Settings& settings, const ReadOptions& reading) {
   Json json = to_json(settings);
   json.erase("name");
@@ -148,6 +153,8 @@ Json report_json(const BatchRow& row, const ReportStamp& stamp = {}) {
   for (const WrittenFile& file : row.files) json["files"].push_back(file.name);
   json["warnings"] = row.warnings;
   put(json, row.review);
+  for (std::size_t i = 0; i < row.review.notes.size(); ++i)
+    json["notes"][i]["stale"] = or_null(stale_reason(row, row.review.notes[i]));
   json["stale"] = or_null(stale_reason(row));
   json["error"] = text_or_null(row.error);
   json["program"] = text_or_null(stamp.program);
@@ -254,8 +261,10 @@ std::string csv_text(const Json& value) {
   if (!value.is_array()) return dumped(value);
   std::string all;
   if (!value.empty() && value.front().is_object()) {
-    for (const FrameNote& note : frame_notes_from(value))
-      all += (all.empty() ? "" : "; ") + note_text(note);
+    const std::vector<FrameNote> notes = frame_notes_from(value);
+    for (std::size_t i = 0; i < notes.size(); ++i)
+      all += (all.empty() ? "" : "; ") +
+             note_text(notes[i], optional_at<std::string>(value[i], "stale"));
     return all;
   }
   for (const Json& one : value) all += (all.empty() ? "" : "; ") + one.get<std::string>();

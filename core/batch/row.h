@@ -81,6 +81,9 @@ struct BatchRow {
 /// there is no verdict, or the clip was not read.
 std::optional<std::string> stale_reason(const BatchRow& row);
 
+/// The same for one of its notes.
+std::optional<std::string> stale_reason(const BatchRow& row, const FrameNote& note);
+
 /// True if a measurement keeps the preset's promise: a ratio within 2 %, a bound not exceeded.
 bool keeps_promise(const Settings& preset, const Measurement& measured);
 

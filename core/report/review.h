@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,13 +33,17 @@ constexpr Verdict verdict_named(std::string_view word) {
   return Verdict::None;
 }
 
-/// A reviewer's note on a moment of a clip.
+/// A reviewer's note on a moment of a clip, and the hashes of what was looked at, as ClipReview has
+/// them.
 struct FrameNote {
   int frame = 0;           // the first is 0
   std::string joint = {};  // by name; empty: the whole figure
   std::string text = {};
   std::string reviewer = {};
-  std::string time = {};  // ISO 8601, UTC
+  std::string time = {};                               // ISO 8601, UTC
+  std::optional<std::array<double, 3>> place_cm = {};  // in the clip's world; unset: at the joint
+  std::string source_hash = {};
+  std::string settings_hash = {};
 
   bool operator==(const FrameNote&) const = default;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/report/verdict.h"
 
+#include <array>
+
 #include "core/report/json_value.h"
 
 namespace mocapress {
@@ -9,6 +11,13 @@ namespace {
 std::string text_at(const Json& json, const char* key) {
   const auto found = json.find(key);
   return found == json.end() || found->is_null() ? "" : found->get<std::string>();
+}
+
+std::optional<std::string> change(bool is_other_file, bool has_other_settings) {
+  if (is_other_file && has_other_settings) return "the clip's file and the settings changed";
+  if (is_other_file) return "the clip's file changed";
+  if (has_other_settings) return "the settings changed";
+  return std::nullopt;
 }
 
 }  // namespace
@@ -20,28 +29,37 @@ Json to_json(const std::vector<FrameNote>& notes) {
                     {"joint", text_or_null(note.joint)},
                     {"text", note.text},
                     {"reviewer", text_or_null(note.reviewer)},
-                    {"time", text_or_null(note.time)}});
+                    {"time", text_or_null(note.time)},
+                    {"place_cm", or_null(note.place_cm)},
+                    {"source_hash", text_or_null(note.source_hash)},
+                    {"settings_hash", text_or_null(note.settings_hash)}});
   return json;
 }
 
 std::vector<FrameNote> frame_notes_from(const Json& json) {
   std::vector<FrameNote> notes;
-  for (const Json& one : json)
+  for (const Json& one : json) {
     notes.push_back({.frame = one.at("frame").get<int>(),
                      .joint = text_at(one, "joint"),
                      .text = text_at(one, "text"),
                      .reviewer = text_at(one, "reviewer"),
-                     .time = text_at(one, "time")});
+                     .time = text_at(one, "time"),
+                     .source_hash = text_at(one, "source_hash"),
+                     .settings_hash = text_at(one, "settings_hash")});
+    if (one.contains("place_cm"))
+      notes.back().place_cm = optional_at<std::array<double, 3>>(one, "place_cm");
+  }
   return notes;
 }
 
-std::string note_text(const FrameNote& note) {
+std::string note_text(const FrameNote& note, const std::optional<std::string>& stale_reason) {
   std::string text = "frame " + std::to_string(note.frame);
   if (!note.joint.empty()) text += ", " + note.joint;
   text += ": " + note.text;
-  if (note.reviewer.empty()) return text;
-  return text + " (" + note.reviewer + (note.time.empty() ? "" : ", " + note.time.substr(0, 10)) +
-         ")";
+  std::string said = note.reviewer;
+  if (!said.empty() && !note.time.empty()) said += ", " + note.time.substr(0, 10);
+  if (stale_reason) said += (said.empty() ? "stale: " : "; stale: ") + *stale_reason;
+  return said.empty() ? text : text + " (" + said + ")";
 }
 
 void put(Json& json, const ClipReview& review) {
@@ -69,12 +87,13 @@ std::optional<std::string> stale_reason(const ClipReview& review, std::string_vi
   if (review.verdict == Verdict::None) return std::nullopt;
   if (review.source_hash.empty() || review.settings_hash.empty())
     return "it does not say which file and settings were reviewed";
-  const bool is_other_file = review.source_hash != source_hash;
-  const bool has_other_settings = review.settings_hash != settings_hash;
-  if (is_other_file && has_other_settings) return "the clip's file and the settings changed";
-  if (is_other_file) return "the clip's file changed";
-  if (has_other_settings) return "the settings changed";
-  return std::nullopt;
+  return change(review.source_hash != source_hash, review.settings_hash != settings_hash);
+}
+
+std::optional<std::string> stale_reason(const FrameNote& note, std::string_view source_hash,
+                                        std::string_view settings_hash) {
+  return change(!note.source_hash.empty() && note.source_hash != source_hash,
+                !note.settings_hash.empty() && note.settings_hash != settings_hash);
 }
 
 std::string verdict_text(const ClipReview& review, const std::optional<std::string>& stale_reason) {

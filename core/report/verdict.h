@@ -13,26 +13,31 @@
 namespace mocapress {
 
 /// Writes a review as JSON, the same in projects, queues, journals and reports: sets "verdict",
-/// "note", "reviewer", "reviewed" (the time), "source_hash", "settings_hash" and "notes" (objects
-/// of "frame", "joint", "text", "reviewer" and "time") in `json`. Empty fields become null.
+/// "note", "reviewer", "reviewed" (the time), "source_hash", "settings_hash" and "notes" (to_json()
+/// of each) in `json`. Empty fields become null.
 void put(Json& json, const ClipReview& review);
 
 /// The inverse of put(); missing keys give empty fields. Throws the JSON library's exceptions for a
 /// value of another type.
 ClipReview review_from(const Json& json);
 
-/// The notes on frames as JSON, and back.
+/// The notes on frames as JSON, and back: objects of "frame", "joint", "text", "reviewer", "time",
+/// "place_cm" (three numbers), "source_hash" and "settings_hash".
 Json to_json(const std::vector<FrameNote>& notes);
 std::vector<FrameNote> frame_notes_from(const Json& json);
 
-/// "frame 12, lfoot: slides (ana, 2026-11-27)".
-std::string note_text(const FrameNote& note);
+/// "frame 12, lfoot: slides (ana, 2026-11-27; stale: the settings changed)".
+std::string note_text(const FrameNote& note, const std::optional<std::string>& stale_reason = {});
 
 /// The reason why a verdict does not apply to a source file and settings with these hashes: "the
 /// clip's file changed", "the settings changed", or that it has no hashes. Unset: it applies, or
 /// there is none. `source_hash` is InputStamp::source, `settings_hash` is from settings_hash()
 /// (both in core/batch/row.h).
 std::optional<std::string> stale_reason(const ClipReview& review, std::string_view source_hash,
+                                        std::string_view settings_hash);
+
+/// The same for a note. One without hashes says of no file that it changed.
+std::optional<std::string> stale_reason(const FrameNote& note, std::string_view source_hash,
                                         std::string_view settings_hash);
 
 /// Text of a verdict: "approved by ana, 2026-11-26; stale: the settings changed". Empty without a
