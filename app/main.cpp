@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "app/studio/library/foreign_lock.h"
 #include "app/studio/library/project.h"
 #include "app/studio/window/language.h"
 #include "app/studio/window/launch_options.h"
@@ -17,8 +18,8 @@
 #include "app/studio/window/theme.h"
 #include "app/studio/window/trace.h"
 #include "core/base/kept_memory.h"
-#include "core/baselines/rivals.h"
 #include "core/base/memory_limit.h"
+#include "core/baselines/rivals.h"
 #include "translations/install.h"
 #include "widgets/viewport/viewport.h"
 
@@ -53,9 +54,8 @@ void screenshotAndQuit(MainWindow& window, const QString& path) {
                    [=](const OpenRequest&, const QString& message) { give_up(message); });
   QObject::connect(session, &Session::compressFailed, &window, give_up);
   QObject::connect(&window.library(), &Library::failed, &window, give_up);
-  QObject::connect(&window.library(), &Library::inUse, &window, [=](const QString& project) {
-    give_up(project + QStringLiteral(": is open in another window"));
-  });
+  QObject::connect(&window.library(), &Library::inUse, &window,
+                   [=](const QString& project) { give_up(whereOpen(project)); });
   QObject::connect(&window.library(), &Library::projectChanged, &window, [=, &window] {
     if (window.library().currentRow() < 0)
       give_up(window.library().path() + QStringLiteral(": no clip of it is open"));

@@ -151,6 +151,20 @@
             <numerusform>%1, %Ln Clips</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Wrote the notes of %Ln file(s) beside them.</source>
+        <translation>
+            <numerusform>Wrote the notes of %Ln file beside it.</numerusform>
+            <numerusform>Wrote the notes of %Ln files beside them.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Read %Ln note(s).</source>
+        <translation>
+            <numerusform>Read %Ln note.</numerusform>
+            <numerusform>Read %Ln notes.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryModel</name>
@@ -301,6 +315,13 @@
         <translation>
             <numerusform>%n End Site</numerusform>
             <numerusform>%n End Sites</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n connection(s)</source>
+        <translation>
+            <numerusform>%n connection</numerusform>
+            <numerusform>%n connections</numerusform>
         </translation>
     </message>
 </context>

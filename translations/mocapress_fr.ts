@@ -280,16 +280,48 @@
         <translation>&amp;Note sur cette image…</translation>
     </message>
     <message>
-        <source>Write a note on the frame that is shown and the joint that is chosen</source>
-        <translation>Écrire une note sur l&apos;image montrée et l&apos;articulation choisie</translation>
-    </message>
-    <message>
         <source>Next No&amp;te</source>
         <translation>No&amp;te suivante</translation>
     </message>
     <message>
         <source>&amp;Review</source>
         <translation>&amp;Revue</translation>
+    </message>
+    <message>
+        <source>Export Si&amp;gn-off…</source>
+        <translation>Exporter la valida&amp;tion…</translation>
+    </message>
+    <message>
+        <source>Write verdicts, worst frames and notes of the library as HTML, PDF or CSV</source>
+        <translation>Écrire verdicts, pires images et notes de la bibliothèque en HTML, PDF ou CSV</translation>
+    </message>
+    <message>
+        <source>Write a note on the frame that is shown and the joint that is chosen. A click with Ctrl in the picture writes one on a place there.</source>
+        <translation>Écrire une note sur l&apos;image montrée et l&apos;articulation choisie. Un clic avec Ctrl dans l&apos;image en écrit une à cet endroit.</translation>
+    </message>
+    <message>
+        <source>&amp;Write Notes beside the Clips</source>
+        <translation>É&amp;crire les notes à côté des clips</translation>
+    </message>
+    <message>
+        <source>Write the notes of each clip to NAME.notes.json in its folder</source>
+        <translation>Écrire les notes de chaque clip dans NOM.notes.json, dans son dossier</translation>
+    </message>
+    <message>
+        <source>Rea&amp;d Notes beside the Clips</source>
+        <translation>&amp;Lire les notes à côté des clips</translation>
+    </message>
+    <message>
+        <source>Add notes from the files NAME.notes.json beside the clips</source>
+        <translation>Ajouter les notes des fichiers NOM.notes.json à côté des clips</translation>
+    </message>
+    <message>
+        <source>Copy &amp;Link to This Frame</source>
+        <translation>Copier le l&amp;ien vers cette image</translation>
+    </message>
+    <message>
+        <source>Copy a link that opens this clip, frame, joint and view</source>
+        <translation>Copier un lien qui ouvre ce clip, cette image, cette articulation et cette vue</translation>
     </message>
 </context>
 <context>
@@ -1094,6 +1126,17 @@
     </message>
 </context>
 <context>
+    <name>mocapress::ClipLinks</name>
+    <message>
+        <source>%1 is not on this computer, and the library has no clip of that name.</source>
+        <translation>%1 n&apos;est pas sur cet ordinateur, et la bibliothèque n&apos;a aucun clip de ce nom.</translation>
+    </message>
+    <message>
+        <source>Copied the link to this frame and view.</source>
+        <translation>Lien vers cette image et cette vue copié.</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::CompressionPanel</name>
     <message>
         <source>Method</source>
@@ -1650,6 +1693,18 @@
         <source>The project cannot be taken over: its lock %1 is still held, or you may not change it.</source>
         <translation>Le projet ne peut pas être repris : son verrou %1 est encore tenu, ou vous ne pouvez pas le modifier.</translation>
     </message>
+    <message>
+        <source>%1 is open in another window of Mocapress</source>
+        <translation>%1 est ouvert dans une autre fenêtre de Mocapress</translation>
+    </message>
+    <message>
+        <source>%1 is open on the computer %2, since %3</source>
+        <translation>%1 est ouvert sur l&apos;ordinateur %2, depuis %3</translation>
+    </message>
+    <message>
+        <source>%1 is open on the computer %2, by %3, since %4</source>
+        <translation>%1 est ouvert sur l&apos;ordinateur %2, par %3, depuis %4</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::FrameNotes</name>
@@ -1664,6 +1719,14 @@
     <message>
         <source>Note</source>
         <translation>Note</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Stale: the clip&apos;s file or settings have changed since.</source>
+        <translation>Périmée : le fichier du clip ou ses réglages ont changé depuis.</translation>
     </message>
 </context>
 <context>
@@ -2016,20 +2079,12 @@
 <context>
     <name>mocapress::KeptProject</name>
     <message>
-        <source>%1 is open in another window of Mocapress. This is a new project.</source>
-        <translation>%1 est ouvert dans une autre fenêtre de Mocapress. Voici un nouveau projet.</translation>
-    </message>
-    <message>
         <source>The last project</source>
         <translation>Le dernier projet</translation>
     </message>
     <message>
         <source>%1 is read-only. This is a copy without a name.</source>
         <translation>%1 ne peut pas être modifié à son emplacement. Voici une copie sans nom.</translation>
-    </message>
-    <message>
-        <source>%1 is open in another window of Mocapress.</source>
-        <translation>%1 est ouvert dans une autre fenêtre de Mocapress.</translation>
     </message>
     <message>
         <source>The project was not saved: %1</source>
@@ -2042,6 +2097,14 @@
     <message>
         <source>it was taken over on the computer %1; use Save Project As to keep the changes in another file</source>
         <translation>il a été repris sur l&apos;ordinateur %1 ; choisissez « Enregistrer le projet sous » pour garder les changements dans un autre fichier</translation>
+    </message>
+    <message>
+        <source>%1. This is a new project.</source>
+        <translation>%1. Ceci est un nouveau projet.</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
     </message>
 </context>
 <context>
@@ -2071,8 +2134,8 @@
         <translation>Écrire une image de la fenêtre une fois le clip compressé, et quitter.</translation>
     </message>
     <message>
-        <source>A project (.mocapress), a motion or a .mcpr file. Several files, and folders, are added to the library.</source>
-        <translation>Un projet (.mocapress), un mouvement ou un fichier .mcpr. Plusieurs, et des dossiers, vont dans la bibliothèque.</translation>
+        <source>A project (.mocapress), a motion or a .mcpr file. Several files, and folders, are added to the library. Or a link (mocapress://...).</source>
+        <translation>Un projet (.mocapress), un mouvement ou un fichier .mcpr. Plusieurs fichiers, et des dossiers, vont dans la bibliothèque. Ou un lien (mocapress://...).</translation>
     </message>
 </context>
 <context>
@@ -2180,6 +2243,32 @@
     <message>
         <source>The clip&apos;s files changed while it was compressed.</source>
         <translation>Ses fichiers ont changé pendant la compression.</translation>
+    </message>
+    <message>
+        <source>No clip has notes on its frames.</source>
+        <translation>Aucun clip n&apos;a de note sur ses images.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Wrote the notes of %Ln file(s) beside them.</source>
+        <translation>
+            <numerusform>Les notes de %Ln fichier ont été écrites à côté de lui.</numerusform>
+            <numerusform>Les notes de %Ln fichiers ont été écrites à côté d’eux.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Read Notes</source>
+        <translation>Lecture des notes</translation>
+    </message>
+    <message numerus="yes">
+        <source>Read %Ln note(s).</source>
+        <translation>
+            <numerusform>%Ln note lue.</numerusform>
+            <numerusform>%Ln notes lues.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The files beside the clips have no other notes.</source>
+        <translation>Les fichiers à côté des clips n&apos;ont pas d&apos;autres notes.</translation>
     </message>
 </context>
 <context>
@@ -2454,6 +2543,11 @@
     </message>
     <message>
         <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>take of a file</comment>
         <translation>%1 : %2</translation>
     </message>
 </context>
@@ -3405,14 +3499,6 @@
         <translation>Projet en cours d&apos;utilisation</translation>
     </message>
     <message>
-        <source>%1 is open in another window of Mocapress. Open a copy of it?</source>
-        <translation>%1 est ouvert dans une autre fenêtre de Mocapress. En ouvrir une copie ?</translation>
-    </message>
-    <message>
-        <source>%1 is open on the computer %2, by %3, since %4. Open a copy of it?</source>
-        <translation>%1 est ouvert sur l&apos;ordinateur %2, par %3, depuis %4. En ouvrir une copie ?</translation>
-    </message>
-    <message>
         <source>If Mocapress has ended there, the project can be taken over. If not, each would overwrite the other&apos;s work.</source>
         <translation>Si Mocapress y est terminé, le projet peut être repris. Sinon, chacun écraserait le travail de l&apos;autre.</translation>
     </message>
@@ -3436,8 +3522,8 @@
         <translation>Aucun</translation>
     </message>
     <message>
-        <source>%1 is open on the computer %2, since %3. Open a copy of it?</source>
-        <translation>%1 est ouvert sur l&apos;ordinateur %2, depuis %3. En ouvrir une copie ?</translation>
+        <source>%1. Open a copy of it?</source>
+        <translation>%1. En ouvrir une copie ?</translation>
     </message>
 </context>
 <context>
@@ -4551,10 +4637,6 @@
         <translation>Options d’importation</translation>
     </message>
     <message>
-        <source>Take</source>
-        <translation>Prise</translation>
-    </message>
-    <message>
         <source>Character</source>
         <translation>Personnage</translation>
     </message>
@@ -4698,6 +4780,29 @@
     <message>
         <source>%1, frame %L2</source>
         <translation>%1, image %L2</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::SignOffExport</name>
+    <message>
+        <source>Export Sign-off</source>
+        <translation>Exporter la validation</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>Pages web (*.html)</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tableaux (*.csv)</translation>
+    </message>
+    <message>
+        <source>Exported %1.</source>
+        <translation>%1 exporté.</translation>
     </message>
 </context>
 <context>

@@ -280,16 +280,48 @@
         <translation>このフレームにメモ(&amp;N)…</translation>
     </message>
     <message>
-        <source>Write a note on the frame that is shown and the joint that is chosen</source>
-        <translation>表示中のフレームと選択中の関節にメモを書きます</translation>
-    </message>
-    <message>
         <source>Next No&amp;te</source>
         <translation>次のメモ(&amp;T)</translation>
     </message>
     <message>
         <source>&amp;Review</source>
         <translation>レビュー(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Export Si&amp;gn-off…</source>
+        <translation>承認レポートを書き出す(&amp;G)…</translation>
+    </message>
+    <message>
+        <source>Write verdicts, worst frames and notes of the library as HTML, PDF or CSV</source>
+        <translation>ライブラリの判定、最悪のフレーム、メモを HTML、PDF、CSV に書き出す</translation>
+    </message>
+    <message>
+        <source>Write a note on the frame that is shown and the joint that is chosen. A click with Ctrl in the picture writes one on a place there.</source>
+        <translation>表示中のフレームと選択中の関節にメモを書く。画面を Ctrl を押しながらクリックすると、その場所に書きます。</translation>
+    </message>
+    <message>
+        <source>&amp;Write Notes beside the Clips</source>
+        <translation>メモをクリップの横に書き出す(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Write the notes of each clip to NAME.notes.json in its folder</source>
+        <translation>各クリップのメモを同じフォルダーの NAME.notes.json に書き出す</translation>
+    </message>
+    <message>
+        <source>Rea&amp;d Notes beside the Clips</source>
+        <translation>クリップの横のメモを読み込む(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Add notes from the files NAME.notes.json beside the clips</source>
+        <translation>クリップの横の NAME.notes.json からメモを追加する</translation>
+    </message>
+    <message>
+        <source>Copy &amp;Link to This Frame</source>
+        <translation>このフレームへのリンクをコピー(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Copy a link that opens this clip, frame, joint and view</source>
+        <translation>このクリップ、フレーム、関節、視点を開くリンクをコピーする</translation>
     </message>
 </context>
 <context>
@@ -1085,6 +1117,17 @@
     </message>
 </context>
 <context>
+    <name>mocapress::ClipLinks</name>
+    <message>
+        <source>%1 is not on this computer, and the library has no clip of that name.</source>
+        <translation>%1 はこのコンピューターになく、ライブラリにもその名前のクリップがありません。</translation>
+    </message>
+    <message>
+        <source>Copied the link to this frame and view.</source>
+        <translation>このフレームと視点へのリンクをコピーしました。</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::CompressionPanel</name>
     <message>
         <source>Method</source>
@@ -1638,6 +1681,18 @@
         <source>The project cannot be taken over: its lock %1 is still held, or you may not change it.</source>
         <translation>プロジェクトを引き継げません: ロック%1がまだ使用中か、変更する権限がありません。</translation>
     </message>
+    <message>
+        <source>%1 is open in another window of Mocapress</source>
+        <translation>%1 は Mocapress の別のウィンドウで開かれています</translation>
+    </message>
+    <message>
+        <source>%1 is open on the computer %2, since %3</source>
+        <translation>%1 はコンピューター %2 で %3 から開かれています</translation>
+    </message>
+    <message>
+        <source>%1 is open on the computer %2, by %3, since %4</source>
+        <translation>%1 はコンピューター %2 で %3 が %4 から開いています</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::FrameNotes</name>
@@ -1652,6 +1707,14 @@
     <message>
         <source>Note</source>
         <translation>メモ</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>Stale: the clip&apos;s file or settings have changed since.</source>
+        <translation>古いメモ：その後クリップのファイルか設定が変わりました。</translation>
     </message>
 </context>
 <context>
@@ -2004,20 +2067,12 @@
 <context>
     <name>mocapress::KeptProject</name>
     <message>
-        <source>%1 is open in another window of Mocapress. This is a new project.</source>
-        <translation>%1は別のMocapressのウィンドウで開かれています。これは新しいプロジェクトです。</translation>
-    </message>
-    <message>
         <source>The last project</source>
         <translation>前回のプロジェクト</translation>
     </message>
     <message>
         <source>%1 is read-only. This is a copy without a name.</source>
         <translation>%1はその場所では変更できません。これは名前のないコピーです。</translation>
-    </message>
-    <message>
-        <source>%1 is open in another window of Mocapress.</source>
-        <translation>%1は別のMocapressのウィンドウで開かれています。</translation>
     </message>
     <message>
         <source>The project was not saved: %1</source>
@@ -2030,6 +2085,14 @@
     <message>
         <source>it was taken over on the computer %1; use Save Project As to keep the changes in another file</source>
         <translation>コンピューター%1で引き継がれました。変更を別のファイルに残すには、「プロジェクトを保存」を使ってください</translation>
+    </message>
+    <message>
+        <source>%1. This is a new project.</source>
+        <translation>%1。これは新しいプロジェクトです。</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1。</translation>
     </message>
 </context>
 <context>
@@ -2059,8 +2122,8 @@
         <translation>圧縮が済んだらウィンドウの画像を書いて終了します。</translation>
     </message>
     <message>
-        <source>A project (.mocapress), a motion or a .mcpr file. Several files, and folders, are added to the library.</source>
-        <translation>プロジェクト（.mocapress）、モーション、または .mcpr のファイル。複数のファイルやフォルダーはライブラリに入ります。</translation>
+        <source>A project (.mocapress), a motion or a .mcpr file. Several files, and folders, are added to the library. Or a link (mocapress://...).</source>
+        <translation>プロジェクト (.mocapress)、モーション、または .mcpr ファイル。複数のファイルやフォルダーはライブラリに追加されます。リンク (mocapress://...) も開けます。</translation>
     </message>
 </context>
 <context>
@@ -2161,6 +2224,30 @@
     <message>
         <source>The clip&apos;s files changed while it was compressed.</source>
         <translation>圧縮中にファイルが変わりました。</translation>
+    </message>
+    <message>
+        <source>No clip has notes on its frames.</source>
+        <translation>フレームにメモのあるクリップはありません。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Wrote the notes of %Ln file(s) beside them.</source>
+        <translation>
+            <numerusform>%Ln 個のファイルのメモを横に書き出しました。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Read Notes</source>
+        <translation>メモの読み込み</translation>
+    </message>
+    <message numerus="yes">
+        <source>Read %Ln note(s).</source>
+        <translation>
+            <numerusform>メモを %Ln 個読み込みました。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The files beside the clips have no other notes.</source>
+        <translation>クリップの横のファイルに、ほかのメモはありません。</translation>
     </message>
 </context>
 <context>
@@ -2432,6 +2519,11 @@
     </message>
     <message>
         <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>take of a file</comment>
         <translation>%1：%2</translation>
     </message>
 </context>
@@ -3378,14 +3470,6 @@
         <translation>使用中のプロジェクト</translation>
     </message>
     <message>
-        <source>%1 is open in another window of Mocapress. Open a copy of it?</source>
-        <translation>%1は別のMocapressのウィンドウで開かれています。コピーを開きますか?</translation>
-    </message>
-    <message>
-        <source>%1 is open on the computer %2, by %3, since %4. Open a copy of it?</source>
-        <translation>%1はコンピューター%2で%3が%4から開いています。コピーを開きますか?</translation>
-    </message>
-    <message>
         <source>If Mocapress has ended there, the project can be taken over. If not, each would overwrite the other&apos;s work.</source>
         <translation>そこでMocapressが終了していれば、プロジェクトを引き継げます。終了していなければ、互いの作業を上書きしてしまいます。</translation>
     </message>
@@ -3408,8 +3492,8 @@
         <translation>なし</translation>
     </message>
     <message>
-        <source>%1 is open on the computer %2, since %3. Open a copy of it?</source>
-        <translation>%1はコンピューター%2で%3から開かれています。コピーを開きますか?</translation>
+        <source>%1. Open a copy of it?</source>
+        <translation>%1。コピーを開きますか？</translation>
     </message>
 </context>
 <context>
@@ -4512,10 +4596,6 @@
         <translation>読み込みオプション</translation>
     </message>
     <message>
-        <source>Take</source>
-        <translation>テイク</translation>
-    </message>
-    <message>
         <source>Character</source>
         <translation>キャラクター</translation>
     </message>
@@ -4659,6 +4739,29 @@
     <message>
         <source>%1, frame %L2</source>
         <translation>%1、フレーム %L2</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::SignOffExport</name>
+    <message>
+        <source>Export Sign-off</source>
+        <translation>承認レポートを書き出す</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>ウェブページ (*.html)</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Exported %1.</source>
+        <translation>%1 を書き出しました。</translation>
     </message>
 </context>
 <context>

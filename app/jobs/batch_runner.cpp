@@ -27,6 +27,7 @@ class BatchReporter {
       step.measured = progress.row->measured;
       step.error = progress.row->error;
       step.warnings = progress.row->warnings;
+      step.worst_point = progress.row->worst ? progress.row->worst->landmark : std::string();
     }
     counts_ = progress.counts;
     if (std::chrono::steady_clock::now() - sent_ >= kReportInterval) flush();

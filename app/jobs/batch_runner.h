@@ -27,6 +27,7 @@ struct BatchStep {
   std::optional<Measurement> measured;
   std::string error;
   std::vector<std::string> warnings;
+  std::string worst_point;  // the landmark with the largest error; empty: not measured
 };
 
 /// Runs a batch in the background and reports on its clips.

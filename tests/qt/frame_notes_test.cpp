@@ -14,8 +14,10 @@
 #include "app/studio/document/session.h"
 #include "app/studio/library/library.h"
 #include "core/formats/motion_file.h"
+#include "core/report/notes_file.h"
 #include "tests/qt/patience.h"
 #include "tests/support/test_motion.h"
+#include "widgets/models/colours.h"
 #include "widgets/panels/library_panel.h"
 #include "widgets/panels/review_bar.h"
 #include "widgets/timeline/note_strip.h"
@@ -94,6 +96,55 @@ TEST_F(NotesOnAClip, TheNextOneFollowsTheFrameThatIsShown) {
     notes_.showNext();
     EXPECT_EQ(playback_.frame(), frame);
   }
+}
+
+TEST_F(NotesOnAClip, AMarkOnTheFirstAndLastFrameIsWhole) {
+  strip_.setFrames(60);
+  strip_.setNotes({{0, {}, {}}, {59, {}, {}}});
+  const QImage picture = strip_.grab().toImage();
+  const TimeAxis axis{2.0 * kStripMargin, 400.0 - kStripMargin, 60};
+  for (const int frame : {0, 59}) {
+    const int middle = static_cast<int>(axis.xOf(frame + 0.5));
+    for (const int x : {middle - 3, middle + 3})
+      EXPECT_EQ(picture.pixel(x, picture.height() / 2), kNoteColour) << frame << ' ' << x;
+  }
+}
+
+TEST_F(NotesOnAClip, IsStaleOnceItsSettingsHaveChanged) {
+  add(10, "lhand", "slides");
+  const ProjectClip& clip = library_.project().clips.front();
+  EXPECT_FALSE(staleNote(clip, clip.review.notes.front()));
+  EncodeSettings finer = session_.document().options();
+  finer.target.value /= 2;
+  QSignalSpy settled(&session_, &Session::settled);
+  session_.setOptions(finer);
+  EXPECT_TRUE(settled.count() > 0 || settled.wait(kPatience));
+  EXPECT_EQ(staleNote(clip, clip.review.notes.front()), "the settings changed");
+  EXPECT_NE(library_.remarksOn(clip.key()).front().find("stale: the settings changed"),
+            std::string::npos);
+}
+
+TEST_F(NotesOnAClip, TravelBesideTheClipAndKeepOtherPeoples) {
+  const QString path = session_.document().original()->path;
+  const FrameNote of_ann{.frame = 3, .text = "pops", .reviewer = "ann of another room"};
+  write_notes(path.toStdU16String(), {{"", {of_ann}}});
+  add(10, "lhand", "slides");
+  QSignalSpy noted(&library_, &Library::noted);
+  library_.writeNotes();
+  ASSERT_TRUE(noted.wait(kPatience));
+  EXPECT_EQ(read_notes(path.toStdU16String()).at("").size(), 2u);
+  EXPECT_EQ(library_.frameNotes(0).size(), 1u);
+  library_.readNotes();
+  ASSERT_TRUE(noted.wait(kPatience));
+  EXPECT_EQ(library_.frameNotes(0).front(), of_ann);
+  library_.history()->undo();
+  EXPECT_EQ(library_.frameNotes(0).size(), 1u);
+
+  LibraryModel rows;
+  Session session;
+  Library other(&session, &rows);
+  other.add({path});
+  EXPECT_TRUE(QTest::qWaitFor([&] { return other.frameNotes(0).size() == 2; }, kPatience));
 }
 
 std::vector<LibraryEntry> fourClips() {

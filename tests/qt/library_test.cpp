@@ -362,6 +362,24 @@ TEST_F(InALibrary, AnUnnamedProjectTakenOverElsewhereStaysInItsFile) {
   EXPECT_TRUE(holds(unnamed, "walk")) << "the other studio works on it";
 }
 
+TEST_F(InALibrary, AStartSaysOnWhichComputerTheLastProjectIsOpen) {
+  const QString knights = path("knights.mocapress");
+  {
+    Run run;
+    run.library.begin(data());
+    run.library.add({clip("walk.bvh", 1)});
+    ASSERT_TRUE(run.library.saveAs(knights));
+    EXPECT_TRUE(run.library.end());
+  }
+  takeOverElsewhere(knights);
+  Run run;
+  QSignalSpy noted(&run.library, &Library::noted);
+  EXPECT_TRUE(run.library.begin(data()));
+  ASSERT_EQ(noted.count(), 1);
+  EXPECT_TRUE(noted[0][0].toString().contains(QStringLiteral("on the computer elsewhere")));
+  EXPECT_FALSE(noted[0][0].toString().contains(QStringLiteral("window")));
+}
+
 TEST_F(InALibrary, AProjectThatIsGoneOrUnreadableIsSaidAndANewOneBegins) {
   const QString knights = path("knights.mocapress");
   {

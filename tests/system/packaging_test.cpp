@@ -111,7 +111,8 @@ TEST(Packaging, TheManPageHasEveryOption) {
 TEST(Packaging, NamesAreTheSameEverywhere) {
   const std::string entry = text("org.mocapress.Studio.desktop");
   EXPECT_NE(entry.find("\nIcon=org.mocapress.Studio\n"), std::string::npos);
-  EXPECT_NE(entry.find("\nExec=mocapress-studio "), std::string::npos);
+  EXPECT_NE(entry.find("\nExec=mocapress-studio %U\n"), std::string::npos) << "links are no files";
+  EXPECT_NE(entry.find("x-scheme-handler/mocapress;"), std::string::npos);
   const std::string metadata = text("org.mocapress.Studio.metainfo.xml");
   EXPECT_NE(metadata.find("<binary>mocapress-studio</binary>"), std::string::npos);
   EXPECT_NE(metadata.find(">org.mocapress.Studio.desktop<"), std::string::npos);

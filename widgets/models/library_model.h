@@ -42,6 +42,8 @@ struct Outcome {
   QStringList warnings;            // of the reader, and on its character
   std::string source;              // hash of the bytes it was made from
   std::string settings;            // settings_hash() of what it was made by
+  std::optional<int> worst_frame;  // where max_cm is; unset: an older project does not say
+  std::string worst_point;         // likewise
 
   bool operator==(const Outcome&) const = default;
 };

@@ -10,13 +10,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/models/colours.h"
+
 namespace mocapress {
 namespace {
 
-constexpr double kNoteMark = 9;           // pixels
-constexpr double kGap = 3;                // pixels between a mark and its text
-constexpr double kReach = 7;              // pixels from a mark's middle
-constexpr QRgb kMarkColour = 0xffe69f00;  // Okabe and Ito's orange
+constexpr double kNoteMark = 9;   // pixels
+constexpr double kOutline = 1.5;  // pixels
+constexpr double kGap = 3;        // pixels between a mark and its text
+constexpr double kReach = 7;      // pixels from a mark's middle
 
 }  // namespace
 
@@ -70,15 +72,18 @@ void NoteStrip::paintEvent(QPaintEvent*) {
                    Qt::AlignLeft | Qt::AlignVCenter, tr("Notes"));
   const QRectF area(time.left, 1, time.right - time.left, height() - 2);
   painter.fillRect(area, palette().color(QPalette::AlternateBase));
-  painter.setClipRect(area.adjusted(0, -1, 0, 1));
+  // Marks on the first and last frame are whole.
+  painter.setClipRect(area.adjusted(-kNoteMark / 2, -1, kNoteMark / 2, 1));
   painter.setRenderHint(QPainter::Antialiasing);
   for (std::size_t i = 0; i < notes_.size(); ++i) {
     const double x = time.xOf(notes_[i].frame + 0.5);
+    if (x < area.left() || x > area.right()) continue;
     const double end =
         i + 1 < notes_.size() ? time.xOf(notes_[i + 1].frame + 0.5) - kNoteMark / 2 : area.right();
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(kMarkColour));
-    painter.drawEllipse(QPointF(x, area.center().y()), kNoteMark / 2, kNoteMark / 2);
+    painter.setPen(QPen(QColor(kNoteColour), kOutline));
+    painter.setBrush(notes_[i].stale ? QBrush(Qt::NoBrush) : QBrush(QColor(kNoteColour)));
+    constexpr double kRadius = (kNoteMark - kOutline) / 2;
+    painter.drawEllipse(QPointF(x, area.center().y()), kRadius, kRadius);
     painter.setPen(palette().color(QPalette::WindowText));
     const QRectF text(x + kNoteMark / 2 + kGap, area.top(), end - x - kNoteMark / 2 - 2 * kGap,
                       area.height());

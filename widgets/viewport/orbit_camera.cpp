@@ -116,6 +116,29 @@ void OrbitCamera::zoom(float notches) {
   distance_ = std::clamp(distance_, kNearest * radius_, kFurthest * radius_);
 }
 
+OrbitCamera::View OrbitCamera::view() const {
+  constexpr float kDegrees = 180 / std::numbers::pi_v<float>;
+  return {target_, kDegrees * azimuth_, kDegrees * elevation_, distance_};
+}
+
+void OrbitCamera::setView(const View& view) {
+  target_ = view.target;
+  azimuth_ = radians(std::remainder(view.azimuth, 360.0f));
+  elevation_ = radians(std::clamp(view.elevation, -kSteepest, kSteepest));
+  distance_ = std::clamp(view.distance, kNearest * radius_, kFurthest * radius_);
+}
+
+QVector3D OrbitCamera::beside(const QVector3D& in_world, const QPointF& pixel) const {
+  const QVector3D away = in_world - eye();
+  const float depth = -QVector3D::dotProduct(away, targetToEye());
+  const float cm_per_pixel = 2 * depth * kHalfHeight / static_cast<float>(size_.height());
+  const QVector3D up = QVector3D::crossProduct(targetToEye(), right());
+  const QPointF from_middle = pixel - QPointF(size_.width(), size_.height()) / 2;
+  return eye() - depth * targetToEye() +
+         cm_per_pixel * static_cast<float>(from_middle.x()) * right() -
+         cm_per_pixel * static_cast<float>(from_middle.y()) * up;
+}
+
 QMatrix4x4 OrbitCamera::clipFromWorld() const {
   QMatrix4x4 matrix;
   matrix.perspective(kFieldOfView, aspectRatio(), nearPlane(), farPlane());

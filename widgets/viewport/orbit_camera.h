@@ -42,6 +42,19 @@ class OrbitCamera {
 
   void moveBy(const QVector3D& offset) { target_ += offset; }
 
+  /// Where the camera looks from.
+  struct View {
+    QVector3D target;
+    float azimuth = 0;    // degrees from +z towards +x
+    float elevation = 0;  // degrees above the ground plane
+    float distance = 1;   // from eye to target
+  };
+  View view() const;
+  void setView(const View& view);
+
+  /// The point under a pixel that is as deep in the picture as a point of the world.
+  QVector3D beside(const QVector3D& in_world, const QPointF& pixel) const;
+
   QVector3D eye() const { return target_ + distance_ * targetToEye(); }
   QVector3D target() const { return target_; }
   float distance() const { return distance_; }

@@ -86,6 +86,8 @@ constexpr QSizeF kLegendSize(252, 46);
 constexpr double kRampHeight = 10;
 constexpr double kLineWidth = 2;
 constexpr double kGripSize = 30;
+constexpr double kNoteRing = 18;
+constexpr double kNoteText = 260;  // longest
 
 QImage painted(const QSizeF& size, double pixel_ratio,
                const std::function<void(QPainter&)>& paint) {
@@ -122,12 +124,13 @@ Overlay::Overlay(QNode* parent)
     : QEntity(parent), legend_(new SceneLabel(this)), grip_(new SceneLabel(this)) {
   for (SceneLabel*& title : titles_) title = new SceneLabel(this);
   for (SceneLabel*& line : lines_) line = new SceneLabel(this);
+  for (SceneLabel*& note : notes_) note = new SceneLabel(this);
 }
 
 std::vector<std::vector<Qt3DCore::QEntity*>> Overlay::labels() const {
   std::vector<Qt3DCore::QEntity*> words(titles_.begin(), titles_.end());
   words.push_back(legend_);
-  return {{lines_.begin(), lines_.end()}, {grip_}, words};
+  return {{lines_.begin(), lines_.end()}, {grip_}, {notes_.begin(), notes_.end()}, words};
 }
 
 void Overlay::show(const OverlayContent& content) {
@@ -218,6 +221,38 @@ void Overlay::showLegend(const OverlayContent& content) {
   const QPointF corner(content.view.width() - kMargin - kLegendSize.width(),
                        content.view.height() - kMargin - kLegendSize.height());
   legend_->show(picture, {corner, kLegendSize}, content.view);
+}
+
+void Overlay::showNotes(const std::vector<OverlayNote>& notes, const QSize& view,
+                        double pixel_ratio) {
+  const QFont font = QGuiApplication::font();
+  const QFontMetricsF metrics(font);
+  for (std::size_t i = 0; i < notes_.size(); ++i) {
+    if (i >= notes.size() || view.isEmpty()) {
+      notes_[i]->hide();
+      continue;
+    }
+    const QString text = metrics.elidedText(notes[i].text.simplified(), Qt::ElideRight, kNoteText);
+    const QSizeF plate(metrics.horizontalAdvance(text) + 2 * kPadding, kTitleHeight);
+    const QSizeF size(kNoteRing + kTitleGap + plate.width(), kTitleHeight);
+    const QImage picture = painted(size, pixel_ratio, [&](QPainter& painter) {
+      painter.setBrush(Qt::NoBrush);
+      const double ring = kNoteRing - 2 * kLineWidth;
+      const QRectF place(kLineWidth, (kTitleHeight - ring) / 2, ring, ring);
+      // Seen on dark and on bright grounds.
+      painter.setPen(QPen(colours_.plate, 2 * kLineWidth));
+      painter.drawEllipse(place);
+      painter.setPen(QPen(QColor(kNoteColour), kLineWidth));
+      painter.drawEllipse(place);
+      painter.translate(kNoteRing + kTitleGap, 0);
+      paintPlate(painter, plate, colours_);
+      painter.setPen(colours_.text);
+      painter.setFont(font);
+      painter.drawText(QRectF({kPadding, 0}, plate), Qt::AlignVCenter | Qt::AlignLeft, text);
+    });
+    const QPointF corner = notes[i].at - QPointF(kNoteRing / 2, kTitleHeight / 2);
+    notes_[i]->show(picture, {corner, size}, view);
+  }
 }
 
 void Overlay::showDivider(const OverlayContent& content) {

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <QImage>
+#include <QPointF>
 #include <QRectF>
 #include <QSize>
 #include <QSizeF>
+#include <QString>
 #include <Qt3DCore/QEntity>
 #include <array>
 #include <optional>
@@ -44,14 +46,21 @@ struct OverlayContent {
   double pixel_ratio = 1;           // device pixels per logical pixel
 };
 
-/// Draws over the scene: the titles of the figures, the divider between them and the scale of error
-/// colours.
+/// A note in the picture: its text beside a mark.
+struct OverlayNote {
+  QPointF at;  // logical pixels
+  QString text;
+};
+
+/// Draws over the scene: the titles of the figures, the divider between them, the scale of error
+/// colours and notes.
 class Overlay : public Qt3DCore::QEntity {
  public:
   explicit Overlay(QNode* parent);
 
   void setColours(const SceneColours& colours) { colours_ = colours; }
   void show(const OverlayContent& content);
+  void showNotes(const std::vector<OverlayNote>& notes, const QSize& view, double pixel_ratio);
 
   /// Labels for the frame graph, in drawing order.
   std::vector<std::vector<Qt3DCore::QEntity*>> labels() const;
@@ -66,6 +75,8 @@ class Overlay : public Qt3DCore::QEntity {
   SceneLabel* legend_;
   std::array<SceneLabel*, kMostPanes - 1> lines_;  // between panes
   SceneLabel* grip_;
+  static constexpr std::size_t kMostNotes = 4;
+  std::array<SceneLabel*, kMostNotes> notes_;
 };
 
 }  // namespace mocapress

@@ -32,6 +32,8 @@ constexpr double kTrailSeconds = 0.1;     // time between poses of the ghost tra
 constexpr double kPathSeconds = 0.5;      // time on each side of now
 constexpr auto kBlinkTime = std::chrono::milliseconds(400);
 constexpr double kWheelStep = 120;    // Qt's angle delta of one notch
+constexpr double kJointReach = 12;    // logical pixels from a joint to a click on it
+constexpr double kNoteSeconds = 0.5;  // a note is seen around its frame
 constexpr double kDividerReach = 10;  // pixels on each side of the divider
 
 bool isEmpty(const Viewport::Tracks& tracks) {
@@ -211,9 +213,21 @@ void Viewport::arrangeFigures() {
   showOverlay();
 }
 
+void Viewport::setNotes(std::vector<PlacedNote> notes) {
+  notes_ = std::move(notes);
+  showNotes();
+}
+
+void Viewport::setView(const OrbitCamera::View& view) {
+  camera_is_as_framed_ = false;
+  camera_.setView(view);
+  showCamera();
+}
+
 void Viewport::setFrame(int frame) {
   frame_ = frame;
   showFigures();
+  showNotes();
 }
 
 void Viewport::setSelectedJoint(int joint) {
@@ -430,6 +444,7 @@ void Viewport::showTrails() {
 void Viewport::showCamera() {
   if (!scene_) return;
   scene_->setCamera(camera_, arrangement_.panes);
+  showNotes();
   scene_->announce();
 }
 
@@ -448,6 +463,26 @@ void Viewport::showOverlay() {
   scene_->overlay().show({arrangement_, original_ != nullptr, compressed_ != nullptr, pinned_,
                           coloured ? std::optional(error_scale_) : std::nullopt, scene_->size(),
                           devicePixelRatioF()});
+  scene_->announce();
+}
+
+/// Shows a note in the picture for as long as a viewer needs to see it in passing.
+void Viewport::showNotes() {
+  if (!scene_) return;
+  std::vector<OverlayNote> shown;
+  const bool on_compressed = compressed_ && arrangement_.compressed.shown;
+  const Tracks& tracks = on_compressed ? compressed_ : original_;
+  const double half = kNoteSeconds / 2 * sample_rate_hz_;
+  for (const PlacedNote& note : notes_) {
+    if (!tracks || !shape_ || std::abs(note.frame - frame_) > half) continue;
+    if (!note.place_cm && (note.joint < 0 || note.joint >= shape_->jointCount())) continue;
+    const QVector3D place = note.place_cm.value_or(
+        note.joint < 0 ? QVector3D() : landmarkAt(*tracks, frameOf(*tracks), note.joint));
+    const Placement& placement = on_compressed ? arrangement_.compressed : arrangement_.original;
+    if (const auto pixel = camera_.project(place + offset()))
+      shown.push_back({*pixel + QPointF(leftOfPane(placement.pane), 0), note.text});
+  }
+  scene_->overlay().showNotes(shown, scene_->size(), devicePixelRatioF());
   scene_->announce();
 }
 
@@ -567,21 +602,41 @@ void Viewport::drag(const QMouseEvent& event) {
 void Viewport::release(const QMouseEvent& event) {
   drags_divider_ = false;
   if (!std::exchange(is_click_, false)) return;
+  const std::optional<Pointed> on = pointedAt(event.position(), kJointReach);
+  if (!(event.modifiers() & Qt::ControlModifier)) {
+    if (on) emit jointClicked(on->joint);
+    return;
+  }
+  if (on) return emit placePointed(on->joint, on->place);
+  // As deep in the picture as the body is there.
+  if (const auto body = pointedAt(event.position(), std::numeric_limits<double>::max()))
+    emit placePointed(-1, body->camera.beside(body->place, body->in_pane));
+}
+
+std::optional<Viewport::Pointed> Viewport::pointedAt(const QPointF& position, double reach) const {
   OrbitCamera camera = camera_;
   camera.moveBy(-offset());  // to where the figures are as recorded
-  const double width = scene_->width();
-  std::optional<PickedJoint> nearest;
+  std::optional<Pointed> nearest;
+  double least = reach;
   for (const auto& [tracks, placement] : {std::pair(compressed_, arrangement_.compressed),
                                           std::pair(original_, arrangement_.original)}) {
-    const auto device_x = static_cast<float>(2 * event.position().x() / width - 1);
+    const auto device_x = static_cast<float>(2 * position.x() / scene_->width() - 1);
     if (!tracks || !placement.shown || !placement.pane.contains(device_x)) continue;
-    const double pane_left = (width - width / arrangement_.panes) / 2 +
-                             static_cast<double>(placement.pane.shift) * width / 2;
-    const auto picked = pickJoint(camera, *tracks, frameOf(*tracks), shape_->jointCount(),
-                                  event.position() - QPointF(pane_left, 0));
-    if (picked && (!nearest || picked->distance < nearest->distance)) nearest = picked;
+    const QPointF in_pane = position - QPointF(leftOfPane(placement.pane), 0);
+    const auto picked =
+        pickJoint(camera, *tracks, frameOf(*tracks), shape_->jointCount(), in_pane, least);
+    if (!picked || (nearest && picked->distance >= least)) continue;
+    least = picked->distance;
+    nearest = {picked->joint, landmarkAt(*tracks, frameOf(*tracks), picked->joint), in_pane,
+               camera};
   }
-  if (nearest) emit jointClicked(nearest->joint);
+  return nearest;
+}
+
+/// Logical pixels from the view's left to where the camera's picture of a pane begins.
+double Viewport::leftOfPane(const Pane& pane) const {
+  const double width = scene_->width();
+  return (width - width / arrangement_.panes) / 2 + static_cast<double>(pane.shift) * width / 2;
 }
 
 }  // namespace mocapress

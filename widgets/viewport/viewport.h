@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <QImage>
 #include <QPointF>
+#include <QString>
 #include <QTimer>
 #include <QWidget>
 #include <functional>
@@ -29,6 +30,14 @@ class Ring;
 class Scene;
 class Shadow;
 class SkinFigure;
+
+/// A note on a frame, in the picture.
+struct PlacedNote {
+  int frame = 0;
+  int joint = -1;                     // it is drawn there, unless it has a place
+  std::optional<QVector3D> place_cm;  // in the clip's world
+  QString text;
+};
 
 /// Chooses Qt3D's OpenGL renderer and the surface format. Call before QApplication is made.
 void prepareViewport();
@@ -82,6 +91,9 @@ class Viewport : public QWidget {
   void setOptions(const ViewOptions& options);
   const ViewOptions& options() const { return options_; }
 
+  /// Notes on frames, drawn over the picture near their frames.
+  void setNotes(std::vector<PlacedNote> notes);
+
   void setFrame(int frame);
 
   /// The joint with a ring around it; -1: none.
@@ -96,6 +108,9 @@ class Viewport : public QWidget {
   /// Looks at the floor from above, as on a plan.
   void lookDown();
 
+  /// Looks from there, whatever the figure.
+  void setView(const OrbitCamera::View& view);
+
   /// The camera of a pane, in the pane's logical pixels: a half of the view side by side, else all.
   const OrbitCamera& camera() const { return camera_; }
 
@@ -104,6 +119,10 @@ class Viewport : public QWidget {
 
  signals:
   void jointClicked(int joint);
+
+  /// A click with Ctrl: the joint there, or -1 and the place at the depth of the nearest joint, in
+  /// the clip's world.
+  void placePointed(int joint, const QVector3D& place_cm);
 
   /// The wipe's divider was dragged; options() have its new place.
   void dividerMoved(double share);
@@ -145,6 +164,17 @@ class Viewport : public QWidget {
   void showTrails();
   void showCamera();
   void showOverlay();
+  void showNotes();
+
+  /// A joint under the mouse, and the place of it in the clip's world.
+  struct Pointed {
+    int joint;
+    QVector3D place;
+    QPointF in_pane;     // logical pixels
+    OrbitCamera camera;  // in the clip's world
+  };
+  std::optional<Pointed> pointedAt(const QPointF& position, double reach) const;
+  double leftOfPane(const Pane& pane) const;
   void measureFigure();
   void placeOriginal();
   void placeCompressed();
@@ -180,6 +210,7 @@ class Viewport : public QWidget {
   std::vector<PinnedFigure> pinned_;
   std::vector<SlideFinding> slides_;
   std::vector<ContactSpan> contacts_;
+  std::vector<PlacedNote> notes_;
   std::shared_ptr<const Eigen::MatrixXf> errors_;
   ErrorScale error_scale_;
   double sample_rate_hz_ = 120;

@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QLocale>
 #include <QLockFile>
 #include <QSysInfo>
 
@@ -20,6 +21,26 @@ std::optional<ForeignLock> foreignLock(const QString& project) {
   if (host.isEmpty() || host == QSysInfo::machineHostName()) return std::nullopt;
   const QFileInfo status(file);
   return ForeignLock{host, status.owner(), status.lastModified()};
+}
+
+QString whereOpen(const QString& project, const QString& name) {
+  const QString file = name.isEmpty() ? QDir::toNativeSeparators(project) : name;
+  const auto words = [](const char* text) {
+    return QCoreApplication::translate("mocapress::ForeignLock", text);
+  };
+  const std::optional<ForeignLock> lock = foreignLock(project);
+  if (!lock)
+    return words(QT_TRANSLATE_NOOP("mocapress::ForeignLock",
+                                   "%1 is open in another window of Mocapress"))
+        .arg(file);
+  const QString since = QLocale().toString(lock->since, QLocale::ShortFormat);
+  if (lock->user.isEmpty())
+    return words(QT_TRANSLATE_NOOP("mocapress::ForeignLock",
+                                   "%1 is open on the computer %2, since %3"))
+        .arg(file, lock->host, since);
+  return words(QT_TRANSLATE_NOOP("mocapress::ForeignLock",
+                                 "%1 is open on the computer %2, by %3, since %4"))
+      .arg(file, lock->host, lock->user, since);
 }
 
 QString removeForeignLock(const QString& project, const ForeignLock& lock) {

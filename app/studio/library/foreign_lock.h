@@ -20,6 +20,11 @@ struct ForeignLock {
 /// Unset if no studio on another computer has locked the project.
 std::optional<ForeignLock> foreignLock(const QString& project);
 
+/// Says where a project that is in use is open: "walks.mocapress is open in another window of
+/// Mocapress", or on which computer, by whom and since when; without a full stop. `name` is what to
+/// call it; empty: its path.
+QString whereOpen(const QString& project, const QString& name = {});
+
 /// Removes this lock, and no other. Returns the reason why it is still there; empty: it is gone.
 QString removeForeignLock(const QString& project, const ForeignLock& lock);
 

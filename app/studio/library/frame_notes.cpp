@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/studio/library/frame_notes.h"
 
+#include <QDateTime>
 #include <QInputDialog>
+#include <QLocale>
 #include <algorithm>
+#include <array>
+#include <optional>
 
 #include "app/studio/document/session.h"
 #include "app/studio/library/library.h"
 #include "widgets/timeline/note_strip.h"
 #include "widgets/timeline/playback.h"
+#include "widgets/viewport/viewport.h"
 
 namespace mocapress {
 namespace {
@@ -17,6 +22,15 @@ QString placeOf(const FrameNote& note) {
   return note.joint.empty()
              ? frame
              : FrameNotes::tr("%1, %2").arg(frame, QString::fromStdString(note.joint));
+}
+
+/// "ana, 28.11.26 10:00"; empty: unknown.
+QString writerOf(const FrameNote& note) {
+  const QDateTime time = QDateTime::fromString(QString::fromStdString(note.time), Qt::ISODate);
+  QStringList parts{QString::fromStdString(note.reviewer)};
+  if (time.isValid()) parts << QLocale().toString(time.toLocalTime(), QLocale::ShortFormat);
+  parts.removeAll(QString());
+  return parts.join(FrameNotes::tr(", "));
 }
 
 }  // namespace
@@ -38,16 +52,35 @@ FrameNotes::FrameNotes(Session* session, Library* library, Playback* playback, N
           [library](int index) { library->setFrameNote(library->currentRow(), index, {}); });
 }
 
+void FrameNotes::showIn(Viewport* viewport) {
+  viewport_ = viewport;
+  connect(viewport, &Viewport::placePointed, this, &FrameNotes::addAt);
+  show();
+}
+
 void FrameNotes::show() {
+  const int row = library_->currentRow();
   std::vector<TimeNote> notes;
-  for (const FrameNote& note : library_->frameNotes(library_->currentRow())) {
+  std::vector<PlacedNote> placed;
+  const Skeleton* const skeleton = session_->document().skeleton();
+  for (const FrameNote& note : library_->frameNotes(row)) {
+    const ProjectClip& clip = library_->project().clips[static_cast<std::size_t>(row)];
     const QString text = QString::fromStdString(note.text);
-    const ClipReview by{.reviewer = note.reviewer, .time = note.time};
-    notes.push_back(
-        {note.frame, text,
-         placeOf(note) + QLatin1Char('\n') + text + QLatin1Char('\n') + reviewerText(by)});
+    QStringList lines{placeOf(note), text, writerOf(note)};
+    const std::optional<std::string> stale = staleNote(clip, note);
+    if (stale) lines << tr("Stale: the clip's file or settings have changed since.");
+    lines.removeAll(QString());
+    notes.push_back({note.frame, text, lines.join(QLatin1Char('\n')), stale.has_value()});
+    const int joint = skeleton ? skeleton->find(note.joint) : -1;
+    PlacedNote in_picture{.frame = note.frame, .joint = joint, .text = text};
+    if (const auto& place = note.place_cm)
+      in_picture.place_cm =
+          QVector3D(static_cast<float>((*place)[0]), static_cast<float>((*place)[1]),
+                    static_cast<float>((*place)[2]));
+    if (joint >= 0 || in_picture.place_cm) placed.push_back(in_picture);
   }
   strip_->setNotes(std::move(notes));
+  if (viewport_) viewport_->setNotes(std::move(placed));
 }
 
 void FrameNotes::choose(int index) {
@@ -80,6 +113,18 @@ void FrameNotes::addHere() {
   ask(note, -1);
 }
 
+void FrameNotes::addAt(int joint, const QVector3D& place_cm) {
+  const Document& document = session_->document();
+  if (library_->currentRow() < 0 || !document.skeleton()) return;
+  playback_->pause();
+  FrameNote note{.frame = playback_->frame()};
+  if (joint >= 0)
+    note.joint = document.skeleton()->joint(joint).name;
+  else
+    note.place_cm = std::array<double, 3>{place_cm.x(), place_cm.y(), place_cm.z()};
+  ask(note, -1);
+}
+
 void FrameNotes::edit(int index) {
   ask(library_->frameNotes(library_->currentRow()).at(static_cast<std::size_t>(index)), index);
 }
@@ -90,12 +135,14 @@ void FrameNotes::ask(const FrameNote& note, int index) {
   dialog->setWindowTitle(tr("Note"));
   dialog->setLabelText(placeOf(note));
   dialog->setTextValue(QString::fromStdString(note.text));
-  connect(dialog, &QInputDialog::textValueSelected, library_,
-          [library = library_, row = library_->currentRow(), note, index](const QString& text) {
-            FrameNote written = note;
-            written.text = text.trimmed().toStdString();
-            library->setFrameNote(row, index, written);
-          });
+  connect(
+      dialog, &QInputDialog::textValueSelected, library_,
+      [library = library_, key = library_->project().current, note, index](const QString& text) {
+        FrameNote written = note;
+        written.text = text.trimmed().toStdString();
+        // The clip may have another row by now.
+        library->setFrameNote(library->project().rows().value(key, -1), index, written);
+      });
   dialog->open();
 }
 

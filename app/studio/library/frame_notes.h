@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <QVector3D>
 
 class QWidget;
 
@@ -11,6 +12,7 @@ class Library;
 class NoteStrip;
 class Playback;
 class Session;
+class Viewport;
 struct FrameNote;
 
 /// The notes on frames of the open clip: shown on the timeline, added, edited and removed. Each
@@ -21,6 +23,9 @@ class FrameNotes : public QObject {
  public:
   FrameNotes(Session* session, Library* library, Playback* playback, NoteStrip* strip,
              QWidget* window);
+
+  /// Shows notes in the picture too, where a click with Ctrl adds one.
+  void showIn(Viewport* viewport);
 
   /// Asks for a note on the frame that is shown, and the joint that is chosen.
   void addHere();
@@ -33,12 +38,14 @@ class FrameNotes : public QObject {
   void choose(int index);
   void edit(int index);
   void ask(const FrameNote& note, int index);
+  void addAt(int joint, const QVector3D& place_cm);
 
   Session* session_;
   Library* library_;
   Playback* playback_;
   NoteStrip* strip_;
   QWidget* window_;
+  Viewport* viewport_ = nullptr;
 };
 
 }  // namespace mocapress

@@ -151,9 +151,9 @@ bool KeptProject::begin(const QString& folder) {
   if (last.isEmpty()) return false;
   auto lock = std::make_unique<ProjectLock>(last);
   if (lock->inUse()) {
-    emit noted(tr("%1 is open in another window of Mocapress. This is a new project.")
-                   .arg(shelf_->isUnnamed(last) ? tr("The last project")
-                                                : QDir::toNativeSeparators(last)));
+    emit noted(
+        tr("%1. This is a new project.")
+            .arg(whereOpen(last, shelf_->isUnnamed(last) ? tr("The last project") : QString())));
     return true;
   }
   // An unnamed project that was left empty has no file.
@@ -261,8 +261,7 @@ bool KeptProject::saveAs(const QString& path) {
   }
   auto lock = std::make_unique<ProjectLock>(file);
   if (lock->inUse()) {
-    emit failed(
-        tr("%1 is open in another window of Mocapress.").arg(QDir::toNativeSeparators(file)));
+    emit failed(tr("%1.").arg(whereOpen(file)));
     return false;
   }
   // If the previous file cannot be written, an error says so, and the new file still has

@@ -10,6 +10,7 @@
 #include "app/jobs/open_clip.h"
 #include "app/studio/document/edit_step.h"
 #include "app/studio/document/session.h"
+#include "widgets/models/display_names.h"
 #include "widgets/models/library_model.h"
 
 namespace mocapress {
@@ -62,6 +63,9 @@ void Library::leave() {
   check_again_ = false;
   finding_.abandon();
   reading_character_.abandon();
+  carrying_notes_.abandon();
+  reading_new_notes_.abandon();
+  new_.clear();
   known_.clear();
 }
 
@@ -243,6 +247,7 @@ void Library::noteOpened(const QString& path, const QString& skeleton) {
     if (is_fresh) clip->settings = settingsNow();
     bindVerdict(*clip);
     if (is_other) showAsRead(*clip, *original);
+    if (is_first) readNotesOfNew(original->path);
     if (is_first) addTakes(static_cast<int>(project_.clips.size()) - 1, original->takes);
   }
   project_.current = session_->openKey();
@@ -318,6 +323,7 @@ void Library::noteOutline(const QString& key, const ClipOutline& outline, const 
   entry.trouble = trouble;
   model_->setEntry(entry);
   ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
+  if (clip.rig.empty() && !outline.rig.empty()) readNotesOfNew(clip.path);
   if (!outline.rig.empty() && std::exchange(clip.rig, outline.rig) != outline.rig) touch();
   if (!clip.reading.take && outline.takes.keys.size() > 1) {
     noteTakes(key, outline.takes);

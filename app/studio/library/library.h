@@ -15,6 +15,7 @@
 #include "app/studio/library/folder_search.h"
 #include "app/studio/library/kept_project.h"
 #include "app/studio/library/outline_reader.h"
+#include "core/report/notes_file.h"
 #include "widgets/models/library_model.h"
 
 namespace mocapress {
@@ -26,7 +27,8 @@ struct OpenRequest;
 
 /// The open project: its clips with settings, results and verdicts. Entering a project opens its
 /// current clip. library.cpp has the list and the open clip; library_files.cpp,
-/// library_settings.cpp, library_outcomes.cpp and library_reviews.cpp have what their names say.
+/// library_settings.cpp, library_outcomes.cpp, library_reviews.cpp and library_notes.cpp have what
+/// their names say.
 class Library : public KeptProject {
   Q_OBJECT
 
@@ -52,6 +54,12 @@ class Library : public KeptProject {
   /// Replaces the note of that index; -1 adds one, and a note without a text is removed. The
   /// reviewer and the time are those of now.
   void setFrameNote(int row, int index, const FrameNote& note);
+
+  /// Writes the notes on frames to files beside the clips: notes_file.h.
+  void writeNotes();
+
+  /// Adds the notes in such files that the library lacks, in one step.
+  void readNotes();
 
   /// Sets a verdict for all these rows in one step. It applies to the files and settings of the
   /// outcome in the row, else to the clip's current ones. A clip without its file gets no verdict,
@@ -136,6 +144,23 @@ class Library : public KeptProject {
   void apply(const SettingsByKey& settings);
   void move(const std::map<QString, ClipSource>& to);
   ClipReview reviewNow(const ProjectClip& clip, Verdict verdict) const;
+
+  /// Hashes of what the reviewer sees of a clip.
+  struct Reviewed {
+    std::string source, settings;
+  };
+  Reviewed reviewedOf(const ProjectClip& clip) const;
+  using NotesByFile = std::map<QString, NotesByTake>;
+
+  /// Reviews of clips before and after they get notes that they lack.
+  struct MoreNotes {
+    Reviews before, after;
+    int added = 0;
+  };
+  MoreNotes withNotes(const NotesByFile& found) const;
+  void readNotesOfNew(const QString& path);
+  static std::string userName();
+  static std::string timeNow();
   void openIfChanged();
   void noteFiles(const std::vector<QString>& keys, const std::vector<ClipSource>& sources,
                  const std::vector<SourceNow>& now);
@@ -180,6 +205,9 @@ class Library : public KeptProject {
   std::string tried_;         // hash of the changed file that was opened last, or could not be
   JobRunner finding_{Workers::LongRunning};
   JobRunner reading_character_;
+  JobRunner carrying_notes_{Workers::LongRunning};
+  JobRunner reading_new_notes_{Workers::LongRunning};
+  std::vector<QString> new_;  // files whose notes are being read
   std::optional<NamedSettings> copied_;
 };
 

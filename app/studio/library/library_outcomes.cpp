@@ -7,6 +7,7 @@
 #include "app/studio/document/session.h"
 #include "app/studio/library/library.h"
 #include "core/batch/batch.h"
+#include "core/motion/landmarks.h"
 
 namespace mocapress {
 
@@ -42,6 +43,9 @@ Outcome outcomeOf(const DecodedClip& decoded, const OriginalClip& original,
   for (const Warnings* warnings : {&original.warnings, &original.of_character})
     for (const Warning& warning : *warnings)
       outcome.warnings << QString::fromStdString(warning.text());
+  outcome.worst_frame = decoded.distortion->max.frame;
+  const auto point = static_cast<std::size_t>(decoded.distortion->max.landmark);
+  outcome.worst_point = landmarks(original.motion().skeleton).at(point).name;
   outcome.source = original.stamp.source;
   return outcome;
 }
@@ -55,6 +59,8 @@ Outcome outcomeOf(const BatchStep& step, const Settings& settings) {
   if (measured.seen) outcome.sight = measured.seen->sight();
   for (const std::string& warning : step.warnings)
     outcome.warnings << QString::fromStdString(warning);
+  outcome.worst_frame = measured.worst_frame;
+  outcome.worst_point = step.worst_point;
   outcome.source = step.source;
   return outcome;
 }

@@ -11,19 +11,15 @@
 
 namespace mocapress {
 
-namespace {
-
 /// The reviewer's name: the user who is logged in.
-std::string userName() {
+std::string Library::userName() {
   const QString home = QDir::home().dirName();
   return qEnvironmentVariable("USER", qEnvironmentVariable("USERNAME", home)).toStdString();
 }
 
-std::string timeNow() {
+std::string Library::timeNow() {
   return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
 }
-
-}  // namespace
 
 /// The reviewer has seen what the row shows.
 ClipReview Library::reviewNow(const ProjectClip& clip, Verdict verdict) const {
@@ -31,12 +27,17 @@ ClipReview Library::reviewNow(const ProjectClip& clip, Verdict verdict) const {
   if (verdict == Verdict::None) return review;
   review.reviewer = userName();
   review.time = timeNow();
-  const bool is_open = session_->openKey() == clip.key();
-  review.source_hash = is_open        ? session_->document().original()->stamp.source
-                       : clip.outcome ? clip.outcome->source
-                                      : clip.stamp.source;
-  review.settings_hash = !is_open && clip.outcome ? clip.outcome->settings : settingsHash(clip);
+  const Reviewed reviewed = reviewedOf(clip);
+  review.source_hash = reviewed.source;
+  review.settings_hash = reviewed.settings;
   return review;
+}
+
+Library::Reviewed Library::reviewedOf(const ProjectClip& clip) const {
+  if (session_->openKey() == clip.key())
+    return {session_->document().original()->stamp.source, settingsHash(clip)};
+  return clip.outcome ? Reviewed{clip.outcome->source, clip.outcome->settings}
+                      : Reviewed{clip.stamp.source, settingsHash(clip)};
 }
 
 void Library::setVerdict(const std::vector<int>& rows, Verdict verdict) {
@@ -73,32 +74,6 @@ void Library::setNote(int row, const QString& note) {
       QStringLiteral("note ") + clip.key(), kOneNoteMs));
 }
 
-std::vector<FrameNote> Library::frameNotes(int row) const {
-  if (row < 0) return {};
-  return project_.clips[static_cast<std::size_t>(row)].review.notes;
-}
-
-void Library::setFrameNote(int row, int index, const FrameNote& note) {
-  if (row < 0 || row >= std::ssize(project_.clips)) return;
-  const ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
-  ClipReview review = clip.review;
-  if (index >= std::ssize(review.notes)) return;
-  if (index >= 0) review.notes.erase(review.notes.begin() + index);
-  if (!note.text.empty()) {
-    FrameNote written = note;
-    written.reviewer = userName();
-    written.time = timeNow();
-    const auto place =
-        std::upper_bound(review.notes.begin(), review.notes.end(), written,
-                         [](const FrameNote& a, const FrameNote& b) { return a.frame < b.frame; });
-    review.notes.insert(place, written);
-  }
-  if (review == clip.review) return;
-  const Reviews before{{clip.key(), clip.review}}, after{{clip.key(), review}};
-  history_.push(new EditStep(
-      tr("Note"), [this, after] { apply(after); }, [this, before] { apply(before); }));
-}
-
 void Library::apply(const Reviews& reviews) {
   std::vector<int> rows;
   for (std::size_t row = 0; row < project_.clips.size(); ++row) {
@@ -127,7 +102,8 @@ std::vector<std::string> Library::remarksOn(const QString& key) const {
     remarks = {
         verdict_text(clip.review, stale_reason(clip.review, clip.stamp.source, settingsHash(clip))),
         clip.review.note};
-    for (const FrameNote& note : clip.review.notes) remarks.push_back(note_text(note));
+    for (const FrameNote& note : clip.review.notes)
+      remarks.push_back(note_text(note, staleNote(clip, note)));
   }
   std::erase(remarks, "");
   return remarks;

@@ -43,6 +43,8 @@ Json toJson(const Outcome& outcome) {
           {"visibility", outcome.sight ? Json(name(*outcome.sight)) : Json()},
           {"slide_cm", outcome.slide_cm ? Json(*outcome.slide_cm) : Json()},
           {"warnings", texts(outcome.warnings)},
+          {"worst_frame", outcome.worst_frame ? Json(*outcome.worst_frame) : Json()},
+          {"worst_point", outcome.worst_point},
           {"source", outcome.source},
           {"made_by", outcome.settings}};
 }
@@ -62,6 +64,9 @@ Outcome outcomeFrom(const Json& json) {
     outcome.slide_cm = json["slide_cm"].get<double>();
   for (const std::string& warning : valueAt<std::vector<std::string>>(json, "warnings"))
     outcome.warnings << QString::fromStdString(warning);
+  if (json.contains("worst_frame") && !json["worst_frame"].is_null())
+    outcome.worst_frame = json["worst_frame"].get<int>();
+  outcome.worst_point = valueAt<std::string>(json, "worst_point");
   outcome.source = valueAt<std::string>(json, "source");
   outcome.settings = valueAt<std::string>(json, "made_by");
   return outcome;
@@ -174,6 +179,10 @@ Staleness staleVerdict(const ProjectClip& clip) {
   if (clip.missing) return Staleness::Missing;
   return staleness(clip.review.source_hash, clip.review.settings_hash, clip.stamp.source,
                    settingsHash(clip));
+}
+
+std::optional<std::string> staleNote(const ProjectClip& clip, const FrameNote& note) {
+  return stale_reason(note, clip.stamp.source, settingsHash(clip));
 }
 
 Staleness outdated(const ProjectClip& clip) {

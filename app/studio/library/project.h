@@ -42,6 +42,9 @@ std::string settingsHash(const ProjectClip& clip);
 Staleness staleVerdict(const ProjectClip& clip);
 Staleness outdated(const ProjectClip& clip);
 
+/// Why a note on the clip does not apply to it today, in English. Unset: it does.
+std::optional<std::string> staleNote(const ProjectClip& clip, const FrameNote& note);
+
 /// A verdict on a clip that was never compressed, and whose files had not been looked at yet, is
 /// about what they were then, if they have not been written since.
 void bindVerdict(ProjectClip& clip);

@@ -22,20 +22,6 @@ QString kinds() {
   return ProjectFiles::tr("Mocapress projects (*.mocapress)");
 }
 
-/// The question about a project that another studio has open.
-QString whereOpen(const QString& path, const std::optional<ForeignLock>& lock) {
-  const QString file = QDir::toNativeSeparators(path);
-  if (!lock)
-    return ProjectFiles::tr("%1 is open in another window of Mocapress. Open a copy of it?")
-        .arg(file);
-  const QString since = QLocale().toString(lock->since, QLocale::ShortFormat);
-  if (lock->user.isEmpty())
-    return ProjectFiles::tr("%1 is open on the computer %2, since %3. Open a copy of it?")
-        .arg(file, lock->host, since);
-  return ProjectFiles::tr("%1 is open on the computer %2, by %3, since %4. Open a copy of it?")
-      .arg(file, lock->host, lock->user, since);
-}
-
 }  // namespace
 
 ProjectFiles::ProjectFiles(Library* library, QWidget* window)
@@ -108,9 +94,9 @@ void ProjectFiles::askToQuit(std::function<void()> then) {
 
 void ProjectFiles::offerCopy(const QString& path) {
   const std::optional<ForeignLock> lock = foreignLock(path);
-  auto* question =
-      new QMessageBox(QMessageBox::Question, tr("Project in Use"), whereOpen(path, lock),
-                      QMessageBox::Open | QMessageBox::Cancel, window_);
+  auto* question = new QMessageBox(QMessageBox::Question, tr("Project in Use"),
+                                   tr("%1. Open a copy of it?").arg(whereOpen(path)),
+                                   QMessageBox::Open | QMessageBox::Cancel, window_);
   QPushButton* take_over = nullptr;
   if (lock) {
     question->setInformativeText(

@@ -103,6 +103,9 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
   actions.export_library = make(window, Texts::tr("Batch Export of the &Library…"));
   actions.export_library->setToolTip(
       Texts::tr("Export all clips of the library, each with its own settings"));
+  actions.export_sign_off = make(window, Texts::tr("Export Si&gn-off…"));
+  actions.export_sign_off->setToolTip(
+      Texts::tr("Write verdicts, worst frames and notes of the library as HTML, PDF or CSV"));
   actions.add_clips = make(window, Texts::tr("A&dd Clips to Library…"));
   actions.add_folder = make(window, Texts::tr("Add &Folder to Library…"));
   actions.new_project = make(window, Texts::tr("&New Project"), QKeySequence::New);
@@ -130,9 +133,20 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
   actions.approve = make(window, Texts::tr("&Approve, and Next"), Qt::CTRL | Qt::Key_Return);
   actions.reject = make(window, Texts::tr("Re&ject, and Next"), Qt::CTRL | Qt::Key_Backspace);
   actions.note_here = make(window, Texts::tr("&Note on This Frame…"), Qt::CTRL | Qt::Key_M);
-  actions.note_here->setToolTip(
-      Texts::tr("Write a note on the frame that is shown and the joint that is chosen"));
+  actions.note_here->setToolTip(Texts::tr(
+      "Write a note on the frame that is shown and the joint that is chosen. A click with "
+      "Ctrl in the picture writes one on a place there."));
   actions.next_note = make(window, Texts::tr("Next No&te"), Qt::SHIFT | Qt::Key_M);
+  actions.write_notes = make(window, Texts::tr("&Write Notes beside the Clips"));
+  actions.write_notes->setToolTip(
+      Texts::tr("Write the notes of each clip to NAME.notes.json in its folder"));
+  actions.read_notes = make(window, Texts::tr("Rea&d Notes beside the Clips"));
+  actions.read_notes->setToolTip(
+      Texts::tr("Add notes from the files NAME.notes.json beside the clips"));
+  actions.copy_link =
+      make(window, Texts::tr("Copy &Link to This Frame"), Qt::CTRL | Qt::SHIFT | Qt::Key_L);
+  actions.copy_link->setToolTip(
+      Texts::tr("Copy a link that opens this clip, frame, joint and view"));
   actions.hold_feet = make(window, Texts::tr("&Hold Feet"), Qt::Key_I);
   actions.hold_feet->setToolTip(Texts::tr("Compress with or without inverse kinematics (I)"));
   actions.without_ik =
@@ -175,7 +189,7 @@ RecentMenus addMenus(QMainWindow* window, const Actions& actions,
   file->addSeparator();
   file->addActions({actions.save, actions.save_as, actions.export_motion, actions.export_review});
   file->addSeparator();
-  file->addActions({actions.batch, actions.export_library});
+  file->addActions({actions.batch, actions.export_library, actions.export_sign_off});
   file->addSeparator();
   file->addAction(actions.quit);
 
@@ -200,7 +214,7 @@ RecentMenus addMenus(QMainWindow* window, const Actions& actions,
   window->menuBar()
       ->addMenu(Texts::tr("&Review"))
       ->addActions({actions.next_review, actions.approve, actions.reject, actions.note_here,
-                    actions.next_note});
+                    actions.next_note, actions.write_notes, actions.read_notes, actions.copy_link});
 
   QMenu* view = window->menuBar()->addMenu(Texts::tr("&View"));
   addInGroups(view, actions.view);

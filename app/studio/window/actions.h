@@ -31,6 +31,7 @@ struct Actions {
   QAction* take_character_off = nullptr;
   QAction* batch = nullptr;
   QAction* export_library = nullptr;
+  QAction* export_sign_off = nullptr;
   QAction* add_clips = nullptr;
   QAction* add_folder = nullptr;
   QAction* new_project = nullptr;
@@ -47,6 +48,9 @@ struct Actions {
   QAction* reject = nullptr;
   QAction* note_here = nullptr;
   QAction* next_note = nullptr;
+  QAction* write_notes = nullptr;  // to files beside the clips
+  QAction* read_notes = nullptr;
+  QAction* copy_link = nullptr;
   QAction* next_worst = nullptr;
   QAction* previous_worst = nullptr;
   QAction* hold_feet = nullptr;

@@ -3,6 +3,7 @@
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
+#include <QUrl>
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -37,7 +38,8 @@ LaunchOptions parseLaunchOptions(const QCoreApplication& application) {
   parser.addVersionOption();
   parser.addPositionalArgument(QStringLiteral("file"),
                                Launch::tr("A project (.mocapress), a motion or a .mcpr file. "
-                                          "Several files, and folders, are added to the library."),
+                                          "Several files, and folders, are added to the library. "
+                                          "Or a link (mocapress://...)."),
                                QStringLiteral("[FILE|FOLDER...]"));
   const QCommandLineOption skeleton(
       QStringLiteral("skeleton"), Launch::tr("Skeleton (.asf) of an .amc."), QStringLiteral("ASF"));
@@ -55,7 +57,8 @@ LaunchOptions parseLaunchOptions(const QCoreApplication& application) {
   parser.addOptions({skeleton, ratio, ik, trace, screenshot});
   parser.process(application);
   LaunchOptions options;
-  options.files = parser.positionalArguments();
+  for (const QString& file : parser.positionalArguments())  // a desktop may give addresses
+    options.files << (file.startsWith(QLatin1String("file:")) ? QUrl(file).toLocalFile() : file);
   options.skeleton = parser.value(skeleton);
   options.ratio = positive(parser.value(ratio));
   options.ik = positive(parser.value(ik));

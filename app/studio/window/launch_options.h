@@ -11,7 +11,7 @@ namespace mocapress {
 
 /// Options of the studio's command line.
 struct LaunchOptions {
-  QStringList files;            // clips, folders, a project; none: the last clip or the sample
+  QStringList files;            // clips, folders, a project, or a link; none: the last clip
   QString skeleton;             // for an .amc
   std::optional<double> ratio;  // initial compression ratio
   std::optional<double> ik;     // initial IK ratio; unset: no IK

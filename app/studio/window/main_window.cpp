@@ -13,9 +13,11 @@
 #include "app/studio/compare/range_actions.h"
 #include "app/studio/document/clip_files.h"
 #include "app/studio/document/session.h"
+#include "app/studio/library/clip_links.h"
 #include "app/studio/library/frame_notes.h"
 #include "app/studio/library/library.h"
 #include "app/studio/library/project_files.h"
+#include "app/studio/library/sign_off_export.h"
 #include "app/studio/window/actions.h"
 #include "app/studio/window/help.h"
 #include "app/studio/window/incoming_files.h"
@@ -100,11 +102,18 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   recent_.play->addActions(inspector_->rangeActions()->actions());
   notes_ =
       new FrameNotes(session_, library_, playback_, panels_.inspection.timeline->notes(), this);
+  notes_->showIn(panels_.views.viewport);
+  links_ = new ClipLinks(session_, library_, playback_, panels_.views.viewport, this);
+  sign_off_ = new SignOffExport(library_, clips_, this);
   // Comes after the presenter, since a picture counts once the view has the answer.
   trace_ = new Trace(session_, panels_.views.viewport, this);
   notices_ = new Notices(session_, library_, panels_.messages, this);
   notices_->tellOf(files_, actions_.choose_skeleton);
   notices_->tellOf(presets_);
+  connect(links_, &ClipLinks::copied, notices_, &Notices::say);
+  connect(links_, &ClipLinks::failed, library_, &Library::failed);
+  connect(sign_off_, &SignOffExport::written, notices_, &Notices::say);
+  connect(sign_off_, &SignOffExport::failed, library_, &Library::failed);
   incoming_ = new IncomingFiles(session_, library_, files_, projects_, notices_, this);
   leaving_ = new Leaving(session_, files_, library_, projects_, this);
   tools_ = new ToolWindows(session_, library_, files_, presets_, this);
@@ -122,6 +131,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
 }
 
 void MainWindow::open(const QStringList& paths, const QString& skeleton) {
+  if (paths.size() == 1 && ClipLinks::isLink(paths.front())) return links_->open(paths.front());
   incoming_->open(paths, skeleton);
 }
 
@@ -139,7 +149,7 @@ void MainWindow::connectFileActions() {
   connect(actions_.save_as, &QAction::triggered, files_, &ClipFiles::saveAs);
   connect(actions_.export_motion, &QAction::triggered, files_, &ClipFiles::exportMotion);
   connect(actions_.export_review, &QAction::triggered, files_, &ClipFiles::exportReview);
-  files_->setRemarks([this](const QString& path) { return library_->remarksOn(path); });
+  files_->setRemarks([this](const QString& key) { return library_->remarksOn(key); });
   connect(actions_.import_options, &QAction::triggered, files_, &ClipFiles::chooseImportOptions);
   connect(actions_.put_character, &QAction::triggered, files_, &ClipFiles::chooseCharacter);
   connect(actions_.take_character_off, &QAction::triggered, session_, &Session::takeCharacterOff);
@@ -174,6 +184,10 @@ void MainWindow::connectEditActions() {
           [this] { library_views_->judge(Verdict::Rejected); });
   connect(actions_.note_here, &QAction::triggered, notes_, &FrameNotes::addHere);
   connect(actions_.next_note, &QAction::triggered, notes_, &FrameNotes::showNext);
+  connect(actions_.write_notes, &QAction::triggered, library_, &Library::writeNotes);
+  connect(actions_.read_notes, &QAction::triggered, library_, &Library::readNotes);
+  connect(actions_.copy_link, &QAction::triggered, links_, &ClipLinks::copy);
+  connect(actions_.export_sign_off, &QAction::triggered, sign_off_, &SignOffExport::choose);
   connect(actions_.next_worst, &QAction::triggered, inspector_,
           [this] { inspector_->showNextWorst(1); });
   connect(actions_.previous_worst, &QAction::triggered, inspector_,

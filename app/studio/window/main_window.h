@@ -23,6 +23,7 @@ class QWidget;
 namespace mocapress {
 
 class ClipFiles;
+class ClipLinks;
 class FrameNotes;
 class IncomingFiles;
 class Library;
@@ -30,6 +31,7 @@ class Notices;
 class PinnedResults;
 class ProjectFiles;
 class Session;
+class SignOffExport;
 class StudyWindow;
 class ToolWindows;
 class Trace;
@@ -112,6 +114,8 @@ class MainWindow : public QMainWindow {
   Inspector* inspector_;
   LibraryViews* library_views_;
   FrameNotes* notes_;
+  ClipLinks* links_;
+  SignOffExport* sign_off_;
   PresetViews* preset_views_;
   PinnedResults* pinned_;
   Trace* trace_;

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Notes on frames of the clips of a library, and the files beside the clips that carry them.
+#include <algorithm>
+#include <utility>
+
+#include "app/studio/document/edit_step.h"
+#include "app/studio/document/session.h"
+#include "app/studio/library/library.h"
+#include "core/report/notes_file.h"
+
+namespace mocapress {
+
+std::vector<FrameNote> Library::frameNotes(int row) const {
+  if (row < 0) return {};
+  return project_.clips[static_cast<std::size_t>(row)].review.notes;
+}
+
+void Library::setFrameNote(int row, int index, const FrameNote& note) {
+  if (row < 0 || row >= std::ssize(project_.clips)) return;
+  const ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
+  ClipReview review = clip.review;
+  if (index >= std::ssize(review.notes)) return;
+  if (index >= 0) review.notes.erase(review.notes.begin() + index);
+  if (!note.text.empty()) {
+    FrameNote written = note;
+    written.reviewer = userName();
+    written.time = timeNow();
+    const Reviewed reviewed = reviewedOf(clip);
+    written.source_hash = reviewed.source;
+    written.settings_hash = reviewed.settings;
+    const auto place =
+        std::upper_bound(review.notes.begin(), review.notes.end(), written,
+                         [](const FrameNote& a, const FrameNote& b) { return a.frame < b.frame; });
+    review.notes.insert(place, written);
+  }
+  if (review == clip.review) return;
+  const Reviews before{{clip.key(), clip.review}}, after{{clip.key(), review}};
+  history_.push(new EditStep(
+      tr("Note"), [this, after] { apply(after); }, [this, before] { apply(before); }));
+}
+
+namespace {
+
+std::string takeKey(const ProjectClip& clip) {
+  return clip.reading.take.value_or(std::string());
+}
+
+std::map<QString, NotesByTake> notesBeside(const std::vector<QString>& paths, const Job& job) {
+  std::map<QString, NotesByTake> found;
+  for (const QString& path : paths) {
+    if (job.stopRequested()) break;
+    NotesByTake notes = read_notes(path.toStdU16String());
+    if (!notes.empty()) found.emplace(path, std::move(notes));
+  }
+  return found;
+}
+
+}  // namespace
+
+/// Other people's notes that the library lacks stay in the files.
+void Library::writeNotes() {
+  std::map<QString, NotesByTake> by_file;
+  for (const ProjectClip& clip : project_.clips)
+    if (!clip.missing && !clip.review.notes.empty())
+      by_file[clip.path][takeKey(clip)] = clip.review.notes;
+  if (by_file.empty()) return emit noted(tr("No clip has notes on its frames."));
+  carrying_notes_.start(
+      [by_file = std::move(by_file), me = userName()](const Job& job) {
+        int written = 0;
+        for (auto [path, notes] : by_file) {
+          if (job.stopRequested()) break;
+          for (auto& [take, there] : read_notes(path.toStdU16String())) {
+            std::erase_if(there, [&me](const FrameNote& note) { return note.reviewer == me; });
+            add_notes(notes[take], there);
+          }
+          write_notes(path.toStdU16String(), notes);
+          ++written;
+        }
+        return written;
+      },
+      [this](int written) {
+        emit noted(tr("Wrote the notes of %Ln file(s) beside them.", nullptr, written));
+      },
+      [this](const QString& message) { emit failed(message); });
+}
+
+void Library::readNotes() {
+  std::vector<QString> paths;
+  for (const ProjectClip& clip : project_.clips)
+    if (!clip.missing && (paths.empty() || paths.back() != clip.path)) paths.push_back(clip.path);
+  carrying_notes_.start(
+      [paths = std::move(paths)](const Job& job) { return notesBeside(paths, job); },
+      [this](const NotesByFile& found) {
+        const auto [before, after, added] = withNotes(found);
+        if (!after.empty())
+          history_.push(new EditStep(
+              tr("Read Notes"), [this, after = after] { apply(after); },
+              [this, before = before] { apply(before); }));
+        emit noted(added > 0 ? tr("Read %Ln note(s).", nullptr, added)
+                             : tr("The files beside the clips have no other notes."));
+      },
+      [this](const QString& message) { emit failed(message); });
+}
+
+/// New clips have their notes from the start, and no step for that.
+void Library::readNotesOfNew(const QString& path) {
+  new_.push_back(path);
+  reading_new_notes_.start([paths = new_](const Job& job) { return notesBeside(paths, job); },
+                           [this](const NotesByFile& found) {
+                             new_.clear();
+                             if (const auto more = withNotes(found); !more.after.empty())
+                               apply(more.after);
+                           },
+                           [this](const QString& message) {
+                             new_.clear();
+                             emit failed(message);
+                           });
+}
+
+Library::MoreNotes Library::withNotes(const NotesByFile& found) const {
+  MoreNotes more;
+  if (found.empty()) return more;
+  for (const ProjectClip& clip : project_.clips) {
+    const auto file = found.find(clip.path);
+    if (file == found.end()) continue;
+    const auto take = file->second.find(takeKey(clip));
+    if (take == file->second.end()) continue;
+    ClipReview review = clip.review;
+    add_notes(review.notes, take->second);
+    if (review == clip.review) continue;
+    more.added += static_cast<int>(review.notes.size() - clip.review.notes.size());
+    more.before.emplace(clip.key(), clip.review);
+    more.after.emplace(clip.key(), std::move(review));
+  }
+  return more;
+}
+
+}  // namespace mocapress
