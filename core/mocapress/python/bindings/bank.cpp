@@ -98,9 +98,10 @@ void bind_bank(py::module_& module) {
                   "Writes a bank, whole or not at all. clips: {name: path of a .mcpr}. cooked: for "
                   "engines that sample in place. learn: smaller from some hundred clips on. tags: "
                   "of every clip. texts: of the bank. Raises InputError and WriteError.")
-      .def_property_readonly("is_cooked", &BankFile::is_cooked)
+      .def_property_readonly("is_cooked", &BankFile::is_cooked,
+                             "True if engines can sample its clips where they lie.")
       .def_property_readonly("names", &names, "The names of all clips, in order.")
-      .def_property_readonly("texts", &texts)
+      .def_property_readonly("texts", &texts, "What the bank says about itself, by name.")
       .def("tags", &tags, "name"_a, "Raises KeyError.")
       .def("sample", &sample, "name"_a, "seconds"_a, py::kw_only(), "loop"_a = false,
            "Poses of a clip in a cooked bank, sampled where it lies: float32, as Clip.sample() "

@@ -113,15 +113,18 @@ void bind_clip(py::module_& module) {
              return py::bytes(reinterpret_cast<const char*>(clip.file().data()),
                               clip.file().size());
            })
-      .def_property_readonly("nbytes", [](const CodedClip& clip) { return clip.file().size(); })
-      .def_property_readonly("method", &CodedClip::method)
-      .def_property_readonly("frames", &CodedClip::frames)
+      .def_property_readonly(
+          "nbytes", [](const CodedClip& clip) { return clip.file().size(); }, "Bytes of the file.")
+      .def_property_readonly("method", &CodedClip::method,
+                             "The name of the method, such as closed-loop.")
+      .def_property_readonly("frames", &CodedClip::frames, "The number of frames.")
       .def_property_readonly("rate", &CodedClip::sample_rate_hz, "Frames a second.")
       .def_property_readonly(
           "seconds", [](const CodedClip& clip) { return player_without_gil(clip).seconds(); },
           "The time of one turn of a loop; else from the first frame to the last.")
       .def_property_readonly(
-          "is_loop", [](const CodedClip& clip) { return player_without_gil(clip).is_loop(); })
+          "is_loop", [](const CodedClip& clip) { return player_without_gil(clip).is_loop(); },
+          "True if its last frame goes over into its first.")
       .def_property_readonly(
           "names",
           [](const CodedClip& clip) {
@@ -133,12 +136,12 @@ void bind_clip(py::module_& module) {
       .def_property_readonly(
           "measurement",
           [](const CodedClip& clip) -> py::object {
-            if (!clip.measurement()) return py::none();
+            if (!clip.measurement())
+              throw Error("the clip was not encoded here: measure(original) measures it");
             return to_dict(*clip.measurement(), clip.weighting());
           },
-          "The measurement that encode() made, with the keys of `mocapress measure --json`; None "
-          "for a clip "
-          "that was opened.")
+          "The measurement that encode() made, with the keys of `mocapress measure --json`. Raises "
+          "Error for a clip that was opened: measure(original) measures that.")
       .def(
           "decode",
           [](const CodedClip& clip) {

@@ -210,8 +210,11 @@ void bind_track(py::module_& module) {
       .def_property_readonly(
           "label", [](const ScalarTrack& t) { return to_str(label(t)); },
           "Node and name: Face.smile.")
-      .def_property_readonly("node", [](const ScalarTrack& t) { return to_str(t.node); })
-      .def_property_readonly("name", [](const ScalarTrack& t) { return to_str(t.name); })
+      .def_property_readonly(
+          "node", [](const ScalarTrack& t) { return to_str(t.node); },
+          "The node or joint that has it.")
+      .def_property_readonly(
+          "name", [](const ScalarTrack& t) { return to_str(t.name); }, "Its name in the node.")
       .def_readonly("steps", &ScalarTrack::steps,
                     "True: values hold until the next frame; else they are linear in between.")
       .def_property_readonly(
@@ -277,8 +280,12 @@ void bind_motion(py::module_& module) {
       .def_property_readonly(
           "rate", [](const MotionFile& m) { return m.motion.clip.sample_rate_hz; },
           "Frames a second.")
-      .def_property_readonly("frames", [](const MotionFile& m) { return m.motion.clip.frames(); })
-      .def_property_readonly("seconds", [](const MotionFile& m) { return m.motion.clip.seconds(); })
+      .def_property_readonly(
+          "frames", [](const MotionFile& m) { return m.motion.clip.frames(); },
+          "The number of frames.")
+      .def_property_readonly(
+          "seconds", [](const MotionFile& m) { return m.motion.clip.seconds(); },
+          "Frames by rate: the last frame lasts as long as the others.")
       .def_property_readonly(
           "warnings", [](const MotionFile& m) { return warning_texts(m.warnings); },
           "Sentences: what was repaired or guessed when it was read.")

@@ -8,6 +8,7 @@ Editors that know cells ("# %%") run it cell by cell, as a notebook.
 import sys
 
 import matplotlib.pyplot as plt
+from matplotlib.ticker import LogLocator
 
 import mocapress
 
@@ -19,7 +20,7 @@ encoder = mocapress.Encoder(motion)
 
 # %% Encode it at several errors (cm) by two methods, and measure what comes out
 errors = (0.05, 0.1, 0.2, 0.4, 0.8)
-curves = {}
+curves: dict[str, list[tuple[float, float]]] = {}
 for method in ("closed-loop", "standard"):
     curves[method] = []
     for error in errors:
@@ -35,6 +36,7 @@ axes.set(xscale="log", yscale="log", xlabel="mean error on the surface, cm", yla
          title=f"{len(motion.names)} joints, {motion.seconds:.1f} s")
 axes.minorticks_off()
 axes.set_xticks(errors, errors)
+axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
 axes.yaxis.set_major_formatter("{x:g}")
 axes.legend()
 figure.tight_layout()
