@@ -30,7 +30,7 @@ void append_vector(std::string& text, const Eigen::Vector3d& vector, int decimal
   }
 }
 
-std::string counted(long count, const std::string& noun) {
+std::string counted(std::int64_t count, const std::string& noun) {
   return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
 }
 

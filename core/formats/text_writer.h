@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <string>
 #include <unordered_set>
 
@@ -17,7 +18,7 @@ int length_decimals(double cm_per_unit);
 void append_vector(std::string& text, const Eigen::Vector3d& vector, int decimals = 6);
 
 /// "1 bone", "2 bones".
-std::string counted(long count, const std::string& noun);
+std::string counted(std::int64_t count, const std::string& noun);
 
 /// The name with white space, control characters and any of `forbidden` replaced by '_'; never
 /// empty.
