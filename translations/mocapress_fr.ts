@@ -589,8 +589,8 @@
         <translation>Max cm</translation>
     </message>
     <message>
-        <source>Largest error of any joint at any frame.</source>
-        <translation>La plus grande erreur d&apos;une articulation à une image quelconque.</translation>
+        <source>Largest error of any point at any frame.</source>
+        <translation>Plus grande erreur d&apos;un point quelconque, toutes images confondues.</translation>
     </message>
     <message>
         <source>Left out</source>
@@ -1223,8 +1223,8 @@
         <translation>De combien les valeurs des poids de morphing et des échelles peuvent s&apos;écarter, quelle que soit la cible du mouvement. Un poids va de 0 à 1 ; les interrupteurs et les constantes sont gardés exactement.</translation>
     </message>
     <message>
-        <source>Points on which the error eps_x is measured. Surface: the body&apos;s skin, so that turned heads and hands count. Skin: the mesh of the clip or of the character put on it. Shell: three points 3 cm from every joint, as in ACL. Bone ends and joint origins: points on the bones, weighted by bone length; joint origins are the paper&apos;s.</source>
-        <translation>Les points que compte l&apos;erreur eps_x. Surface : la peau du corps, si bien que la tête et les mains tournées comptent. Peau : des points du maillage du clip ou du personnage qui l&apos;habille. Coque : trois points à 3 cm de chaque articulation, comme ACL. Extrémités des os et origines des articulations : des points sur les os, selon leur longueur ; les dernières sont celles de l&apos;article.</translation>
+        <source>Points on which the error eps_x is measured. Surface: a body modelled around the bones, so that turned heads and hands count. Skin: the mesh of the clip or of the character put on it. Shell: three points 3 cm from every joint, as in ACL. Bone ends and joint origins: points on the bones, weighted by bone length; joint origins are the paper&apos;s.</source>
+        <translation>Les points que compte l&apos;erreur eps_x. Surface : un corps modelé autour des os, si bien que la tête et les mains tournées comptent. Peau : des points du maillage du clip ou du personnage qui l&apos;habille. Coque : trois points à 3 cm de chaque articulation, comme ACL. Extrémités des os et origines des articulations : des points sur les os, selon leur longueur ; les dernières sont celles de l&apos;article.</translation>
     </message>
 </context>
 <context>
@@ -1374,7 +1374,7 @@
     </message>
     <message>
         <source>Visible Errors</source>
-        <translation>Ce que l&apos;œil voit</translation>
+        <translation>Erreurs visibles</translation>
     </message>
     <message>
         <source>Seen</source>
@@ -1573,8 +1573,8 @@
         <translation>max</translation>
     </message>
     <message>
-        <source>Largest error of any joint at any frame.</source>
-        <translation>Plus grande distance d&apos;une articulation à une image.</translation>
+        <source>Largest error of any point at any frame.</source>
+        <translation>Plus grande erreur d&apos;un point quelconque, toutes images confondues.</translation>
     </message>
     <message>
         <source>ratio</source>
@@ -2355,7 +2355,7 @@
     </message>
     <message>
         <source>Visibility of errors</source>
-        <translation>Si l’œil remarque la différence</translation>
+        <translation>Visibilité des erreurs</translation>
     </message>
     <message>
         <source>Verdict of the review</source>
@@ -2414,7 +2414,7 @@
     </message>
     <message>
         <source>With visible errors</source>
-        <translation>Visibles à l’œil</translation>
+        <translation>Avec erreurs visibles</translation>
     </message>
     <message>
         <source>Not compressed yet</source>
@@ -3243,11 +3243,11 @@
     </message>
     <message>
         <source>Visibility</source>
-        <translation>Ce que l&apos;œil remarque</translation>
+        <translation>Visibilité</translation>
     </message>
     <message>
         <source>Error, eps_x: the weighted root mean square error; single frames may exceed it. Hard maximum: largest error of any point of the body at any frame. Visibility: largest error as a multiple of what people notice; at 1, no error is visible. Quality targets suit all kinds of clips; ratio and bytes ignore how hard a clip is to compress.</source>
-        <translation>eps_x : l&apos;erreur quadratique moyenne pondérée, que certaines images peuvent dépasser. Maximum absolu : aucun point du corps n&apos;est plus loin à aucune image. Ce que l&apos;œil remarque : aucun écart ne dépasse tant de fois ce que l&apos;on remarque ; à 1, rien n&apos;est visible. Les cibles de qualité conviennent à tous les clips ; le rapport et les octets ignorent la difficulté d&apos;un clip.</translation>
+        <translation>eps_x : l&apos;erreur quadratique moyenne pondérée, que certaines images peuvent dépasser. Maximum absolu : aucun point du corps n&apos;est plus loin à aucune image. Visibilité : aucun écart ne dépasse tant de fois ce que l&apos;on remarque ; à 1, rien n&apos;est visible. Les cibles de qualité conviennent à tous les clips ; le rapport et les octets ignorent la difficulté d&apos;un clip.</translation>
     </message>
     <message>
         <source> times</source>
@@ -3258,8 +3258,8 @@
         <translation>Pondération</translation>
     </message>
     <message>
-        <source>Points on which the error eps_x is measured. Surface: the body&apos;s skin, so that turned heads and hands count. Skin: the mesh of the clip or of the batch&apos;s character; clips without a mesh are refused. Shell: three points 3 cm from every joint, as in ACL. Bone ends and joint origins: points on the bones, weighted by bone length; joint origins are the paper&apos;s.</source>
-        <translation>Les points que compte l&apos;erreur eps_x. Surface : la peau du corps, si bien que la tête et les mains tournées comptent. Peau : des points du maillage du clip ou du personnage du lot ; les clips sans maillage sont refusés. Coque : trois points à 3 cm de chaque articulation, comme ACL. Extrémités des os et origines des articulations : des points sur les os, selon leur longueur ; les dernières sont celles de l&apos;article.</translation>
+        <source>Points on which the error eps_x is measured. Surface: a body modelled around the bones, so that turned heads and hands count. Skin: the mesh of the clip or of the batch&apos;s character; clips without a mesh are refused. Shell: three points 3 cm from every joint, as in ACL. Bone ends and joint origins: points on the bones, weighted by bone length; joint origins are the paper&apos;s.</source>
+        <translation>Les points que compte l&apos;erreur eps_x. Surface : un corps modelé autour des os, si bien que la tête et les mains tournées comptent. Peau : des points du maillage du clip ou du personnage du lot ; les clips sans maillage sont refusés. Coque : trois points à 3 cm de chaque articulation, comme ACL. Extrémités des os et origines des articulations : des points sur les os, selon leur longueur ; les dernières sont celles de l&apos;article.</translation>
     </message>
 </context>
 <context>
@@ -3351,8 +3351,8 @@
         <translation>Archive</translation>
     </message>
     <message>
-        <source>For archives that replace the source: no point of the body has an error above 1 mm at any frame.</source>
-        <translation>À garder à la place de la source : aucun point du corps à plus de 1 mm, à aucune image.</translation>
+        <source>For archives that replace the source: no point of the body&apos;s surface has an error above 1 mm at any frame.</source>
+        <translation>À garder à la place de la source : aucun point de la surface du corps n&apos;a une erreur de plus de 1 mm, à aucune image.</translation>
     </message>
     <message>
         <source>Planted feet</source>
@@ -3410,16 +3410,16 @@
         </translation>
     </message>
     <message>
-        <source>Characters in play: an error of 2.5 mm on the skin, at most 2.5 degrees of heads and 4 of hands.</source>
-        <translation>Personnages en jeu : une erreur de 2,5 mm sur la peau, la tête tournée de 2,5 degrés au plus et les mains de 4.</translation>
+        <source>Characters in play: an error of 2.5 mm on the body&apos;s surface, at most 2.5 degrees of heads and 4 of hands.</source>
+        <translation>Personnages en jeu : une erreur de 2,5 mm sur la surface du corps, la tête tournée de 2,5 degrés au plus et les mains de 4.</translation>
     </message>
     <message>
-        <source>Characters near the camera: an error of 0.65 mm on the skin, about a degree of heads and hands.</source>
-        <translation>Personnages que la caméra approche : une erreur de 0,65 mm sur la peau, la tête et les mains tournées d&apos;environ un degré au plus.</translation>
+        <source>Characters near the camera: an error of 0.65 mm on the body&apos;s surface, about a degree of heads and hands.</source>
+        <translation>Personnages que la caméra approche : une erreur de 0,65 mm sur la surface du corps, la tête et les mains tournées d&apos;environ un degré au plus.</translation>
     </message>
     <message>
-        <source>Figures in the background: an error of 6 mm on the skin, at most 7.5 degrees of heads and 12 of hands.</source>
-        <translation>Figurants : une erreur de 6 mm sur la peau, la tête tournée de 7,5 degrés au plus et les mains de 12.</translation>
+        <source>Figures in the background: an error of 6 mm on the body&apos;s surface, at most 7.5 degrees of heads and 12 of hands.</source>
+        <translation>Figurants : une erreur de 6 mm sur la surface du corps, la tête tournée de 7,5 degrés au plus et les mains de 12.</translation>
     </message>
     <message>
         <source>Free</source>
@@ -3651,8 +3651,8 @@
         <translation>Pire point</translation>
     </message>
     <message>
-        <source>Largest error of any joint at any frame.</source>
-        <translation>Plus grande distance d&apos;une articulation à une image.</translation>
+        <source>Largest error of any point at any frame.</source>
+        <translation>Plus grande erreur d&apos;un point quelconque, toutes images confondues.</translation>
     </message>
     <message>
         <source>Motion / file</source>
@@ -3718,7 +3718,7 @@
     </message>
     <message>
         <source>Visibility</source>
-        <translation>À l&apos;œil</translation>
+        <translation>Visibilité</translation>
     </message>
     <message>
         <source>The most visible error, beside the size that people notice.</source>
@@ -4763,7 +4763,7 @@
     <name>mocapress::SightStrip</name>
     <message>
         <source>Visible errors</source>
-        <translation>Ce que l&apos;œil voit</translation>
+        <translation>Erreurs visibles</translation>
     </message>
     <message>
         <source>Times at which errors are visible. The heat map shows them by joint.</source>
@@ -5015,8 +5015,8 @@
         <translation>Une courbe de plus : les ondelettes par recuit dont la cinématique inverse tient les pieds en place, aux taux demandés.</translation>
     </message>
     <message>
-        <source>Points on which the error eps_x is measured. Surface: the body&apos;s skin, so that turned heads and hands count. Shell: three points 3 cm from every joint, as in ACL. Bone ends and joint origins: points on the bones, weighted by bone length; joint origins are the paper&apos;s.</source>
-        <translation>Les points que compte l&apos;erreur eps_x. Surface : la peau du corps, si bien que la tête et les mains tournées comptent. Coque : trois points à 3 cm de chaque articulation, comme ACL. Extrémités des os et origines des articulations : des points sur les os, selon leur longueur ; les dernières sont celles de l&apos;article.</translation>
+        <source>Points on which the error eps_x is measured. Surface: a body modelled around the bones, so that turned heads and hands count. Shell: three points 3 cm from every joint, as in ACL. Bone ends and joint origins: points on the bones, weighted by bone length; joint origins are the paper&apos;s.</source>
+        <translation>Les points que compte l&apos;erreur eps_x. Surface : un corps modelé autour des os, si bien que la tête et les mains tournées comptent. Coque : trois points à 3 cm de chaque articulation, comme ACL. Extrémités des os et origines des articulations : des points sur les os, selon leur longueur ; les dernières sont celles de l&apos;article.</translation>
     </message>
 </context>
 <context>
@@ -5133,8 +5133,8 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Max cm</translation>
     </message>
     <message>
-        <source>Largest error of any joint at any frame.</source>
-        <translation>Plus grande erreur d&apos;une articulation à une image.</translation>
+        <source>Largest error of any point at any frame.</source>
+        <translation>Plus grande erreur d&apos;un point quelconque, toutes images confondues.</translation>
     </message>
     <message>
         <source>Slide cm</source>
@@ -5366,7 +5366,7 @@ Cliquer pour le charger dans le studio.</translation>
     </message>
     <message>
         <source>Visibility</source>
-        <translation>Ce que l&apos;œil remarque</translation>
+        <translation>Visibilité</translation>
     </message>
     <message>
         <source>Sizes: the compression ratio (bytes of the channels as 32-bit floats, divided by compressed motion bytes) or the motion bytes themselves. Qualities: the weighted RMS error eps_x, the largest error of any point at any frame, or visibility, the largest error as a multiple of what people notice: at 1, no error is visible.</source>

@@ -589,8 +589,8 @@
         <translation>最大 cm</translation>
     </message>
     <message>
-        <source>Largest error of any joint at any frame.</source>
-        <translation>全フレーム、全関節での最大誤差。</translation>
+        <source>Largest error of any point at any frame.</source>
+        <translation>全フレーム・全点での最大誤差。</translation>
     </message>
     <message>
         <source>Left out</source>
@@ -1214,8 +1214,8 @@
         <translation>モーフウェイトとスケールの値がずれてよい大きさです。モーションの目標とは別に働きます。重みは0から1までで、スイッチと定数はそのまま保たれます。</translation>
     </message>
     <message>
-        <source>Points on which the error eps_x is measured. Surface: the body&apos;s skin, so that turned heads and hands count. Skin: the mesh of the clip or of the character put on it. Shell: three points 3 cm from every joint, as in ACL. Bone ends and joint origins: points on the bones, weighted by bone length; joint origins are the paper&apos;s.</source>
-        <translation>誤差 eps_x が数える点です。体表：体の皮膚上の点。頭や手の回転も数えます。スキン：クリップ、または着せたキャラクターのメッシュ上の点。シェル：ACL と同じく、各関節から 3 cm の三点。骨の先端と関節原点：骨の長さで重み付けした骨上の点で、後者は論文のものです。</translation>
+        <source>Points on which the error eps_x is measured. Surface: a body modelled around the bones, so that turned heads and hands count. Skin: the mesh of the clip or of the character put on it. Shell: three points 3 cm from every joint, as in ACL. Bone ends and joint origins: points on the bones, weighted by bone length; joint origins are the paper&apos;s.</source>
+        <translation>誤差 eps_x が数える点です。体表：骨の周りに作った体の表面の点。頭や手の回転も数えます。スキン：クリップ、または着せたキャラクターのメッシュ上の点。シェル：ACL と同じく、各関節から 3 cm の三点。骨の先端と関節原点：骨の長さで重み付けした骨上の点で、後者は論文のものです。</translation>
     </message>
 </context>
 <context>
@@ -1364,7 +1364,7 @@
     </message>
     <message>
         <source>Visible Errors</source>
-        <translation>目に見えるもの</translation>
+        <translation>目に見える誤差</translation>
     </message>
     <message>
         <source>Seen</source>
@@ -1561,8 +1561,8 @@
         <translation>最大</translation>
     </message>
     <message>
-        <source>Largest error of any joint at any frame.</source>
-        <translation>全関節・全フレームでの最大距離。</translation>
+        <source>Largest error of any point at any frame.</source>
+        <translation>全フレーム・全点での最大誤差。</translation>
     </message>
     <message>
         <source>ratio</source>
@@ -2393,7 +2393,7 @@
     </message>
     <message>
         <source>With visible errors</source>
-        <translation>目に見える</translation>
+        <translation>目に見える誤差あり</translation>
     </message>
     <message>
         <source>Not compressed yet</source>
@@ -3217,11 +3217,11 @@
     </message>
     <message>
         <source>Visibility</source>
-        <translation>目で気づく差</translation>
+        <translation>視認性</translation>
     </message>
     <message>
         <source>Error, eps_x: the weighted root mean square error; single frames may exceed it. Hard maximum: largest error of any point of the body at any frame. Visibility: largest error as a multiple of what people notice; at 1, no error is visible. Quality targets suit all kinds of clips; ratio and bytes ignore how hard a clip is to compress.</source>
-        <translation>eps_x: 重み付き二乗平均平方根誤差。個々のフレームでは超えることがあります。絶対的な上限: どのフレームでも体のどの点もこれ以上離れません。目で気づく差: どのずれも、人が気づく差のこの倍数を超えません。1 なら何も見えません。品質の目標はどんなクリップにも向きます。圧縮率とバイト数はクリップの難しさを知りません。</translation>
+        <translation>eps_x: 重み付き二乗平均平方根誤差。個々のフレームでは超えることがあります。絶対的な上限: どのフレームでも体のどの点もこれ以上離れません。視認性: どのずれも、人が気づく差のこの倍数を超えません。1 なら何も見えません。品質の目標はどんなクリップにも向きます。圧縮率とバイト数はクリップの難しさを知りません。</translation>
     </message>
     <message>
         <source> times</source>
@@ -3232,8 +3232,8 @@
         <translation>重み付け</translation>
     </message>
     <message>
-        <source>Points on which the error eps_x is measured. Surface: the body&apos;s skin, so that turned heads and hands count. Skin: the mesh of the clip or of the batch&apos;s character; clips without a mesh are refused. Shell: three points 3 cm from every joint, as in ACL. Bone ends and joint origins: points on the bones, weighted by bone length; joint origins are the paper&apos;s.</source>
-        <translation>誤差 eps_x が数える点です。体表：体の皮膚上の点。頭や手の回転も数えます。スキン：クリップ、または一括処理のキャラクターのメッシュ上の点。メッシュのないクリップは拒否されます。シェル：ACL と同じく、各関節から 3 cm の三点。骨の先端と関節原点：骨の長さで重み付けした骨上の点で、後者は論文のものです。</translation>
+        <source>Points on which the error eps_x is measured. Surface: a body modelled around the bones, so that turned heads and hands count. Skin: the mesh of the clip or of the batch&apos;s character; clips without a mesh are refused. Shell: three points 3 cm from every joint, as in ACL. Bone ends and joint origins: points on the bones, weighted by bone length; joint origins are the paper&apos;s.</source>
+        <translation>誤差 eps_x が数える点です。体表：骨の周りに作った体の表面の点。頭や手の回転も数えます。スキン：クリップ、または一括処理のキャラクターのメッシュ上の点。メッシュのないクリップは拒否されます。シェル：ACL と同じく、各関節から 3 cm の三点。骨の先端と関節原点：骨の長さで重み付けした骨上の点で、後者は論文のものです。</translation>
     </message>
 </context>
 <context>
@@ -3325,8 +3325,8 @@
         <translation>保管</translation>
     </message>
     <message>
-        <source>For archives that replace the source: no point of the body has an error above 1 mm at any frame.</source>
-        <translation>元データの代わりに保管: どのフレームでも体のどの点も 1 mm 以上ずれません。</translation>
+        <source>For archives that replace the source: no point of the body&apos;s surface has an error above 1 mm at any frame.</source>
+        <translation>元データの代わりに保管：どのフレームでも、体表のどの点も誤差が 1 mm を超えません。</translation>
     </message>
     <message>
         <source>Planted feet</source>
@@ -3383,16 +3383,16 @@
         </translation>
     </message>
     <message>
-        <source>Characters in play: an error of 2.5 mm on the skin, at most 2.5 degrees of heads and 4 of hands.</source>
-        <translation>操作中の人物：皮膚上の誤差 2.5 mm、頭の回転は最大 2.5 度、手は 4 度。</translation>
+        <source>Characters in play: an error of 2.5 mm on the body&apos;s surface, at most 2.5 degrees of heads and 4 of hands.</source>
+        <translation>操作中の人物：体表の誤差 2.5 mm、頭の回転は最大 2.5 度、手は 4 度。</translation>
     </message>
     <message>
-        <source>Characters near the camera: an error of 0.65 mm on the skin, about a degree of heads and hands.</source>
-        <translation>カメラが近づく人物：皮膚上の誤差 0.65 mm、頭と手の回転は最大でも約 1 度。</translation>
+        <source>Characters near the camera: an error of 0.65 mm on the body&apos;s surface, about a degree of heads and hands.</source>
+        <translation>カメラが近づく人物：体表の誤差 0.65 mm、頭と手の回転は最大でも約 1 度。</translation>
     </message>
     <message>
-        <source>Figures in the background: an error of 6 mm on the skin, at most 7.5 degrees of heads and 12 of hands.</source>
-        <translation>背景の人物：皮膚上の誤差 6 mm、頭の回転は最大 7.5 度、手は 12 度。</translation>
+        <source>Figures in the background: an error of 6 mm on the body&apos;s surface, at most 7.5 degrees of heads and 12 of hands.</source>
+        <translation>背景の人物：体表の誤差 6 mm、頭の回転は最大 7.5 度、手は 12 度。</translation>
     </message>
     <message>
         <source>Free</source>
@@ -3621,8 +3621,8 @@
         <translation>最悪の点</translation>
     </message>
     <message>
-        <source>Largest error of any joint at any frame.</source>
-        <translation>全関節・全フレームでの最大距離。</translation>
+        <source>Largest error of any point at any frame.</source>
+        <translation>全フレーム・全点での最大誤差。</translation>
     </message>
     <message>
         <source>Motion / file</source>
@@ -3688,7 +3688,7 @@
     </message>
     <message>
         <source>Visibility</source>
-        <translation>目に見えるか</translation>
+        <translation>視認性</translation>
     </message>
     <message>
         <source>The most visible error, beside the size that people notice.</source>
@@ -4722,7 +4722,7 @@
     <name>mocapress::SightStrip</name>
     <message>
         <source>Visible errors</source>
-        <translation>目に見えるもの</translation>
+        <translation>目に見える誤差</translation>
     </message>
     <message>
         <source>Times at which errors are visible. The heat map shows them by joint.</source>
@@ -4974,8 +4974,8 @@
         <translation>曲線を一つ追加します：焼きなましのウェーブレットで足を逆運動学により固定したものを、指定した比で。</translation>
     </message>
     <message>
-        <source>Points on which the error eps_x is measured. Surface: the body&apos;s skin, so that turned heads and hands count. Shell: three points 3 cm from every joint, as in ACL. Bone ends and joint origins: points on the bones, weighted by bone length; joint origins are the paper&apos;s.</source>
-        <translation>誤差 eps_x が数える点です。体表：体の皮膚上の点。頭や手の回転も数えます。シェル：ACL と同じく、各関節から 3 cm の三点。骨の先端と関節原点：骨の長さで重み付けした骨上の点で、後者は論文のものです。</translation>
+        <source>Points on which the error eps_x is measured. Surface: a body modelled around the bones, so that turned heads and hands count. Shell: three points 3 cm from every joint, as in ACL. Bone ends and joint origins: points on the bones, weighted by bone length; joint origins are the paper&apos;s.</source>
+        <translation>誤差 eps_x が数える点です。体表：骨の周りに作った体の表面の点。頭や手の回転も数えます。シェル：ACL と同じく、各関節から 3 cm の三点。骨の先端と関節原点：骨の長さで重み付けした骨上の点で、後者は論文のものです。</translation>
     </message>
 </context>
 <context>
@@ -5090,8 +5090,8 @@ Click to load it into the studio.</source>
         <translation>最大 cm</translation>
     </message>
     <message>
-        <source>Largest error of any joint at any frame.</source>
-        <translation>全関節・全フレームの最大誤差。</translation>
+        <source>Largest error of any point at any frame.</source>
+        <translation>全フレーム・全点での最大誤差。</translation>
     </message>
     <message>
         <source>Slide cm</source>
@@ -5319,7 +5319,7 @@ Click to load it into the studio.</source>
     </message>
     <message>
         <source>Visibility</source>
-        <translation>目で気づく差</translation>
+        <translation>視認性</translation>
     </message>
     <message>
         <source>Sizes: the compression ratio (bytes of the channels as 32-bit floats, divided by compressed motion bytes) or the motion bytes themselves. Qualities: the weighted RMS error eps_x, the largest error of any point at any frame, or visibility, the largest error as a multiple of what people notice: at 1, no error is visible.</source>

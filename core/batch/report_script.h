@@ -3,14 +3,14 @@
 
 namespace mocapress {
 
-/// Hides the section it stands in until kReportScript shows what is wanted of it: thousands of rows
+/// Hides the section that contains it until kReportScript shows its first rows: thousands of rows
 /// take a second to lay out.
 inline constexpr const char* kHidingScript = "document.currentScript.parentNode.hidden = true;";
 
-/// Sorts the table of clips by a click on a heading, largest first, and at the start by what the
-/// eye sees; filters it by that, by verdict, error, ratio, warnings and words; shows the first
-/// rows, or all when asked. The page reads well without it. Neither < nor & may stand here: the
-/// page is XML, too.
+/// Sorts the table of clips: by visibility at first, then by the heading that is clicked, largest
+/// first. Filters clips by visibility, verdict, error, ratio, warnings and words. Shows the first
+/// rows, or all when asked. The page is complete without this script. The script has neither < nor
+/// &, for the page is XML, too.
 inline constexpr const char* kReportScript = R"(
 const table = document.getElementById("clips");
 const body = table.tBodies[0];

@@ -6,8 +6,8 @@
 
 namespace mocapress {
 
-/// A frame at which a point of the decoded clip jumps off its path and back. The eye catches such
-/// frames first, and means hide them.
+/// A frame at which a point of the decoded clip jumps off its path and back. People notice such
+/// frames first, and mean errors hide them.
 struct Glitch {
   int frame = 0;
   int landmark = 0;

@@ -57,7 +57,7 @@ std::string drawn(const LookedAt& clip, double top_cm) {
       "figure", "",
       element("h3", "", escaped(clip.title)) +
           element("p", "", escaped(clip.figures) + "<br/>" + escaped(clip.reason)) +
-          curves(clip, top_cm) + draw(clip.sights, clip.seconds, "What the eye sees") +
+          curves(clip, top_cm) + draw(clip.sights, clip.seconds, "Visibility") +
           element("div", attribute("class", "pair"),
                   scene(clip.furthest, "Bone end furthest off: " + clip.furthest.landmark +
                                            ", frame " + std::to_string(clip.furthest.frame)) +
@@ -69,10 +69,10 @@ std::string drawn(const LookedAt& clip, double top_cm) {
 
 std::string disagreement_page(const std::vector<Disagreement>& all) {
   std::string body =
-      element("h1", "", "Where RMS, maximum and the eye disagree") +
+      element("h1", "", "Clips that RMS, maximum and visibility rank differently") +
       element("p", attribute("class", "muted"),
               "Grey: the largest error of any point of the skin at every frame. Red: root mean "
-              "square. Below: what the eye sees. " +
+              "square. Below: visibility. " +
                   std::string(kSightLegend) +
                   " Poses: the original in grey, the decoded one in red.");
   for (const Disagreement& one : all) {
@@ -83,11 +83,12 @@ std::string disagreement_page(const std::vector<Disagreement>& all) {
                                 drawn(one.better, top_cm) + drawn(one.worse, top_cm)));
   }
   return "<!DOCTYPE html>\n" +
-         element("html", attribute("lang", "en"),
-                 "<head><meta charset=\"utf-8\"/>" +
-                     element("title", "", "Where RMS, maximum and the eye disagree") +
-                     element("style", "", kReportStyle) + "</head>" +
-                     element("body", "", element("main", "", body))) +
+         element(
+             "html", attribute("lang", "en"),
+             "<head><meta charset=\"utf-8\"/>" +
+                 element("title", "", "Clips that RMS, maximum and visibility rank differently") +
+                 element("style", "", kReportStyle) + "</head>" +
+                 element("body", "", element("main", "", body))) +
          "\n";
 }
 

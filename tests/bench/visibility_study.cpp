@@ -103,7 +103,7 @@ void print(const Row& row) {
 /// the largest difference.
 std::optional<Disagreement> print_disagreement(const std::vector<Row>& rows, std::size_t a,
                                                std::size_t b) {
-  constexpr std::array<const char*, 3> kNames = {"RMS", "maximum", "eye"};
+  constexpr std::array<const char*, 3> kNames = {"RMS", "maximum", "visibility"};
   int pairs = 0;
   int contrary = 0;
   double most = 1;

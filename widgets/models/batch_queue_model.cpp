@@ -399,7 +399,7 @@ QVariant BatchQueueModel::headerData(int section, Qt::Orientation orientation, i
       case Eps:
         return {tr("eps_x cm"), tr("Weighted root mean square error.")};
       default:
-        return {tr("Max cm"), tr("Largest error of any joint at any frame.")};
+        return {tr("Max cm"), tr("Largest error of any point at any frame.")};
     }
   }();
   if (role == Qt::DisplayRole) return texts.name;

@@ -55,23 +55,24 @@ Texts textsOf(const Settings& preset) {
   const std::string word = slug(preset.name);
   if (word == "hero-close-up")
     return {Presets::tr("Hero close-up"),
-            Presets::tr("Characters near the camera: an error of 0.65 mm on the skin, about a "
-                        "degree of heads and hands.")};
+            Presets::tr("Characters near the camera: an error of 0.65 mm on the body's surface, "
+                        "about a degree of heads and hands.")};
   if (word == "gameplay")
     return {Presets::tr("Gameplay"),
-            Presets::tr("Characters in play: an error of 2.5 mm on the skin, at most 2.5 degrees "
-                        "of heads and 4 of hands.")};
+            Presets::tr("Characters in play: an error of 2.5 mm on the body's surface, at most "
+                        "2.5 degrees of heads and 4 of hands.")};
   if (word == "planted-feet")
     return {
         Presets::tr("Planted feet"),
         Presets::tr("Like Gameplay, with much less sliding of feet, for 5 to 13 % more bytes.")};
   if (word == "crowd")
     return {Presets::tr("Crowd"),
-            Presets::tr("Figures in the background: an error of 6 mm on the skin, at most 7.5 "
-                        "degrees of heads and 12 of hands.")};
+            Presets::tr("Figures in the background: an error of 6 mm on the body's surface, at "
+                        "most 7.5 degrees of heads and 12 of hands.")};
   if (word == "archive")
     return {Presets::tr("Archive"), Presets::tr("For archives that replace the source: no point of "
-                                                "the body has an error above 1 mm at any frame.")};
+                                                "the body's surface has an error above 1 mm at any "
+                                                "frame.")};
   return {QString::fromStdString(preset.name), {}};
 }
 

@@ -18,7 +18,7 @@ enum class LibraryShow {
   Stale,  // the verdict, or the outcome
   WithNotes,
   WithWarnings,
-  Visible,     // an eye notices the difference, or might
+  Visible,     // visible or borderline errors
   Unfinished,  // not compressed yet by their settings
   Missed       // no target met, or not to be read or compressed
 };

@@ -171,7 +171,7 @@ QVariant StudyRowsModel::headerData(int section, Qt::Orientation orientation, in
       case Eps:
         return {tr("eps_x cm"), tr("Weighted root mean square error.")};
       case Max:
-        return {tr("Max cm"), tr("Largest error of any joint at any frame.")};
+        return {tr("Max cm"), tr("Largest error of any point at any frame.")};
       case Footskate:
         return {tr("Slide cm"), tr("Path of feet while they stand in the original.")};
       default:

@@ -179,9 +179,10 @@ void CompressionPanel::makeChoices() {
   addChoices(weighting_, kWeightingsWithoutMesh);
   weighting_->setAccessibleName(tr("Weighting"));
   weighting_->setToolTip(
-      tr("Points on which the error eps_x is measured. Surface: the body's skin, so that turned "
-         "heads and hands count. Skin: the mesh of the clip or of the character put on it. Shell: "
-         "three points 3 cm from every joint, as in ACL. Bone ends and joint origins: points on "
+      tr("Points on which the error eps_x is measured. Surface: a body modelled around the bones, "
+         "so that turned heads and hands count. Skin: the mesh of the clip or of the character put "
+         "on it. Shell: three points 3 cm from every joint, as in ACL. Bone ends and joint "
+         "origins: points on "
          "the bones, weighted by bone length; joint origins are the paper's."));
   addChoices(coding_, {Coding::Deflate, Coding::Rle16, Coding::Adaptive});
   coding_->setAccessibleName(tr("Coding"));

@@ -28,7 +28,7 @@ FiguresBar::FiguresBar(QWidget* parent) : QWidget(parent) {
                 "length: the paper's distortion."));
   p95_ = add(row, tr("p95"), tr("95 % of all points at all frames have a smaller error."));
   p99_ = add(row, tr("p99"), tr("99 % of all points at all frames have a smaller error."));
-  max_ = add(row, tr("max"), tr("Largest error of any joint at any frame."));
+  max_ = add(row, tr("max"), tr("Largest error of any point at any frame."));
   footskate_ = add(row, tr("foot drift"),
                    tr("Largest distance between a standing foot and its place in the original."));
   size_ =

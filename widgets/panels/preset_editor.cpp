@@ -73,9 +73,10 @@ void PresetEditor::addRows() {
   method_->setMinimumContentsLength(12);
   weighting_->setAccessibleName(tr("Weighting"));
   weighting_->setToolTip(tr(
-      "Points on which the error eps_x is measured. Surface: the body's skin, so that turned heads "
-      "and hands count. Skin: the mesh of the clip or of the batch's character; clips without a "
-      "mesh are refused. Shell: three points 3 cm from every joint, as in ACL. Bone ends and joint "
+      "Points on which the error eps_x is measured. Surface: a body modelled around the bones, so "
+      "that turned heads and hands count. Skin: the mesh of the clip or of the batch's character; "
+      "clips without a mesh are refused. Shell: three points 3 cm from every joint, as in ACL. "
+      "Bone ends and joint "
       "origins: points on the bones, weighted by bone length; joint origins are the paper's."));
   for (const Weighting weighting : kWeightings)
     weighting_->addItem(displayName(weighting), static_cast<int>(weighting));

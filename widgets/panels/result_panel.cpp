@@ -78,7 +78,7 @@ ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent), grid_(new QGridLayo
                 tr("95th percentile of the distance over all joints and frames, unweighted."));
   p99_ = addRow(tr("99 % of points within"),
                 tr("99th percentile of the distance over all joints and frames, unweighted."));
-  max_ = addRow(tr("Worst point"), tr("Largest error of any joint at any frame."));
+  max_ = addRow(tr("Worst point"), tr("Largest error of any point at any frame."));
   skin_ = addRow(tr("On the skin: worst / RMS"),
                  tr("Errors of points spread evenly over the mesh, over all frames."));
   seen_ = addRow(tr("Visibility"), seenExplanation());

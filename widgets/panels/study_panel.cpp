@@ -209,8 +209,9 @@ QWidget* StudyPanel::makeTargets() {
   errors_->setToolTip(tr("Errors eps_x to compress to, in centimetres, separated by spaces."));
   weighting_->setAccessibleName(tr("Weighting of the study"));
   weighting_->setToolTip(tr(
-      "Points on which the error eps_x is measured. Surface: the body's skin, so that turned heads "
-      "and hands count. Shell: three points 3 cm from every joint, as in ACL. Bone ends and joint "
+      "Points on which the error eps_x is measured. Surface: a body modelled around the bones, so "
+      "that turned heads and hands count. Shell: three points 3 cm from every joint, as in ACL. "
+      "Bone ends and joint "
       "origins: points on the bones, weighted by bone length; joint origins are the paper's."));
   for (const Weighting weighting : kWeightings)
     weighting_->addItem(displayName(weighting), static_cast<int>(weighting));

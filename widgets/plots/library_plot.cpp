@@ -105,7 +105,7 @@ void LibraryPlot::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange) redraw();
 }
 
-/// One graph for each thing an eye may see, and one for clips nobody looked at.
+/// Draws one graph for each class of visibility, and one for clips that were not judged.
 void LibraryPlot::redraw() {
   applyPalette(plot_);
   const QColor text = palette().color(QPalette::Text);

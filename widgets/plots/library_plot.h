@@ -13,8 +13,8 @@ namespace mocapress {
 
 class LibraryFilter;
 
-/// The clips that a library's filter shows as points of error against ratio, both logarithmic, in
-/// the colours of what the eye sees. A click opens a clip; the wheel zooms, dragging moves, a
+/// Shows the clips that pass the library's filter as points of error against ratio, both
+/// logarithmic, coloured by visibility. A click opens a clip; the wheel zooms, dragging moves, a
 /// double click beside the points shows all.
 class LibraryPlot : public QWidget {
   Q_OBJECT

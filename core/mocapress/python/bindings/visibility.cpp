@@ -10,7 +10,7 @@ namespace {
 
 using namespace py::literals;
 
-/// A verdict, with the words for what is seen most.
+/// The visibility of a motion's errors, and its worst error in words.
 struct Verdict {
   Visibility visibility;
   Seen seen;
@@ -32,20 +32,19 @@ Verdict look(const MotionFile& original, const MotionFile& decoded) {
 
 void bind_visibility(py::module_& module) {
   py::class_<Verdict>(module, "Visibility",
-                      "A judgement: does somebody who looks at a decoded motion see that it is not "
-                      "the original?")
+                      "Whether people who watch a decoded motion notice its errors.")
       .def_property_readonly(
           "verdict", [](const Verdict& v) { return name(v.seen.sight()); },
           "not-visible, borderline or visible.")
       .def_property_readonly(
           "times_noticed", [](const Verdict& v) { return v.seen.times_noticed; },
-          "The worst error, in multiples of what is just noticed.")
+          "The worst error as a multiple of the noticeable threshold.")
       .def_property_readonly(
           "visible_share", [](const Verdict& v) { return v.seen.visible_share; },
-          "The share of the frames at which something is visible, 0 to 1.")
+          "The share of frames with visible errors, 0 to 1.")
       .def_property_readonly(
           "reason", [](const Verdict& v) { return to_str(v.seen.reason); },
-          "The most visible difference, where and when; empty where nothing differs.")
+          "The most visible error, with joint and frame; empty if nothing differs.")
       .def_property_readonly(
           "window_frames", [](const Verdict& v) { return v.visibility.table.window_frames; },
           "Frames in each window of the table.")
@@ -59,7 +58,8 @@ void bind_visibility(py::module_& module) {
           "float32, (windows, joints): times noticed. A read-only view, not a copy.");
   module.def("visibility", &look, py::call_guard<py::gil_scoped_release>(), "original"_a,
              "decoded"_a,
-             "Judges what the eye sees of a decoded motion. Raises Error where the shapes differ.");
+             "Judges whether people notice the errors of a decoded motion. Raises Error if the "
+             "motions differ in shape.");
 }
 
 }  // namespace mocapress::python
