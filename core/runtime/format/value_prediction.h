@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Predicts a coefficient's value from those decoded earlier: FORMAT.md, "What is expected of a
+// Predicts a coefficient's value from those decoded earlier: FORMAT.md, "Prediction of a
 // value". Uses integers only, so that every machine decodes the same bits. Based on: Y. V.
 // Zakharov, G. P. White and J. Liu, "Low-complexity RLS algorithms using dichotomous coordinate
 // descent iterations", 2008 (recursive least squares without inverting a matrix).
