@@ -404,8 +404,9 @@ MCPR_API mcpr_result mcpr_convention_of(mcpr_engine engine, mcpr_convention* out
  * sampling all joints; a list of joints in the request is slower, as it is looked up each time. */
 typedef struct mcpr_selection mcpr_selection;
 
-/* The number of finest detail bands that can be left out of poses seen from far away. They carry
- * what moves within 2 frames, 4, 8 and 16. SAMPLING.md tells the error and the time saved. */
+/* The number of finest detail bands that can be left out of poses seen from far away. Without
+ * 1, 2, 3 or 4 of them, movement faster than about 2, 4, 8 or 16 frames is lost. SAMPLING.md tells
+ * the error and the time saved. */
 #define MCPR_MOST_BANDS_LEFT_OUT 4
 
 /* A request for sampling. All zero: the transforms of all joints, time in frames, clamped. */

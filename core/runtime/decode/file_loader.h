@@ -20,7 +20,7 @@ namespace mocapress::runtime {
 /// The scratch memory of mcpr_read: decoded data, and work space.
 class FileLoader {
  public:
-  /// With measuring memory it only counts.
+  /// If `memory` only measures, this counts bytes and does nothing else.
   FileLoader(Memory& memory, const FileSections& sections);
 
   /// Decodes skeleton, IK correction and motion.

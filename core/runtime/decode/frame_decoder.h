@@ -25,7 +25,8 @@ struct EndShares {
 /// Decodes frames of a clip as a request asks.
 class FrameDecoder {
  public:
-  /// The request must be possible. With measuring memory it only counts.
+  /// The request must be possible. If `memory` only measures, this counts bytes and does nothing
+  /// else.
   FrameDecoder(Memory& memory, const ClipBlock& clip, const mcpr_request& request);
 
   /// Decodes frames first ... first + count - 1, which must exist.

@@ -10,7 +10,7 @@ namespace mocapress::runtime {
 /// Needs the work space of two segments at most.
 class SegmentDecoder {
  public:
-  /// With measuring memory it only counts.
+  /// If `memory` only measures, this counts bytes and does nothing else.
   SegmentDecoder(Memory& memory, const ClipBlock& clip, const SignalRequest& request);
 
   /// Decodes frames first ... first + count - 1 into rows that are out_step apart. 0 < count <=

@@ -22,7 +22,7 @@ class SignalDecoder {
   SignalDecoder(Memory& memory, const ResidentSignals& motion, const SignalRequest& request)
       : SignalDecoder(memory, motion.shape(), &motion, request) {}
 
-  /// For measuring memory only, to count.
+  /// Counts bytes only; `memory` must be one that measures.
   SignalDecoder(Memory& memory, const SignalsShape& shape, const SignalRequest& request)
       : SignalDecoder(memory, shape, nullptr, request) {}
 

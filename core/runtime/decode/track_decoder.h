@@ -16,7 +16,7 @@ bool is_possible(const mcpr_tracks& tracks, const mcpr_track_request& request);
 
 class TrackDecoder {
  public:
-  /// With measuring memory it only counts.
+  /// If `memory` only measures, this counts bytes and does nothing else.
   TrackDecoder(Memory& memory, const mcpr_tracks& tracks, const mcpr_track_request& request);
 
   std::size_t values_of_frame() const { return count_; }

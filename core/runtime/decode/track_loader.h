@@ -13,8 +13,8 @@ namespace mocapress::runtime {
 
 class TrackLoader {
  public:
-  /// With measuring memory it only counts. Reuses the memory of `done_with`, which is not needed
-  /// any more.
+  /// If `memory` only measures, this counts bytes and does nothing else. Reuses the memory of
+  /// `done_with`, which is not needed any more.
   TrackLoader(Memory& memory, const FileSections& sections, const JointByteCoder& done_with);
 
   /// Decodes all tracks. The file is not needed afterwards.

@@ -25,7 +25,7 @@ inline constexpr int kMostSteps = 1 << 28;      // no value is larger
 inline constexpr int kMostMagnitude = 255;      // larger ones count as this in sums
 inline constexpr int kLeastDeviation = 26;      // 256ths
 inline constexpr int kLeastExpected = 6 << 10;  // of a magnitude, 64 * 1024ths
-inline constexpr double kLargestStep = 0x1p64;  // no step is: so every sample is finite
+inline constexpr double kLargestStep = 0x1p64;  // no step is larger, so that every sample is finite
 
 /// Quantised coefficients of some signals, in memory of whoever made it.
 struct QuantisedView {
@@ -304,7 +304,7 @@ class CoefficientCoder {
   std::array<std::int32_t, kScales> deviations_;  // mean distances from predictions, 256ths
 };
 
-/// Half of what there was in the band above at that time.
+/// Starts with half of the unrest in the band above at the same time.
 template <typename Bits>
 void CoefficientCoder<Bits>::begin_restless(int b) {
   const int size = bands_[b].size + 2;
@@ -312,7 +312,7 @@ void CoefficientCoder<Bits>::begin_restless(int b) {
     std::fill_n(notes_.restless, size, 0);
     return;
   }
-  // From the end on, for what is read lies at or before what is written.
+  // Goes from the end backwards: each value is read at or before the place where it is written.
   const int upper = bands_[b - 1].size + 2;
   for (int at = size - 1; at >= 0; --at)
     notes_.restless[at] = notes_.restless[std::min((at + 1) / 2, upper - 1)] / 2;
@@ -346,7 +346,7 @@ void CoefficientCoder<Bits>::code_coarse(int s) {
     return signal < 0 ? 0 : std::min(1 + digits_of(std::abs(difference(signal, i))), 15);
   };
   std::int32_t* const own = coded_.signal(s);
-  // In steps so fine numbers are as large as angles are.
+  // The finer the step, the larger the numbers to expect.
   const int step_depth =
       std::clamp((coded_.step_exponent[s] + coarse_depth_) / 2 + 6, 0, kFourthRelations - 1);
   for (int i = 0; i < bands_[0].size && !bits_.failed(); ++i) {
@@ -440,7 +440,7 @@ typename CoefficientCoder<Bits>::Surroundings CoefficientCoder<Bits>::surroundin
   const int* const activity = notes_.activity + i + 1;
   const int s = band.signal;
   const int busy = 2 * activity[0] + activity[-1] + activity[1];
-  // An estimate of the magnitude in 64ths: each neighbour by how much it tells.
+  // An estimate of the magnitude in 64ths: each neighbour weighted by how well it predicts.
   const int expected = 20 * magnitude(around.own1) + 5 * magnitude(around.own2) +
                        3 * magnitude(around.own3) + 7 * magnitude(around.parent1) +
                        2 * magnitude(around.parent2) + 7 * magnitude(around.sibling) +

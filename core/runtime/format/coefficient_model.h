@@ -34,8 +34,8 @@ inline constexpr int kNumberRelations = 16;
 inline constexpr int kFourthRelations = 32;
 inline constexpr int kSigns = 3;
 
-/// The index of each context. Those before `shared` begin with what other clips taught; the others
-/// are each signal's own.
+/// The index of each context. Those before `shared` start from priors fitted to other clips; the
+/// others belong to single signals.
 struct ContextLayout {
   ContextTable zero_near, zero_crowd, zero_expected;
   ContextTable class_recent, class_expected;
@@ -94,7 +94,7 @@ struct MixingSets {
   static constexpr int kCount = kLower + 1;
 };
 
-inline constexpr int kMostContexts = 5;  // of a bit
+inline constexpr int kMostContexts = 5;  // contexts of one bit
 
 /// All that the coding has learned so far. `contexts` are layout.end, in memory of whoever made it.
 struct CoefficientModel {
@@ -104,10 +104,10 @@ struct CoefficientModel {
   /// Starts from the priors in coefficient_priors.cpp.
   void begin();
 
-  /// The same without those: for fitting them.
+  /// Starts without priors, in order to fit them.
   void begin_untaught();
 
-  /// Takes up what is known of contexts, as context_priors() and context_trust() give it.
+  /// Sets contexts to priors in the form of context_priors() and context_trust().
   void teach(std::string_view priors, std::string_view trust);
 
   ContextLayout layout;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Corrections of a clip's first and last pose, coded if more was promised of them than the
+// Corrections of a clip's first and last pose, coded if these are to have smaller errors than the
 // coefficients give, and of the velocity at one of them: FORMAT.md, ENDS. Writing and reading share
 // this code.
 #pragma once
@@ -21,7 +21,7 @@ inline constexpr int kMostEndStepExponent = 48;
 /// either.
 inline constexpr int kFirstPose = 0;
 inline constexpr int kLastPose = 1;
-inline constexpr int kVelocity = 2;  // a frame, away from the end
+inline constexpr int kVelocity = 2;  // per frame, away from the end
 inline constexpr int kMostEnds = 3;
 inline constexpr int kFarthestReach = 127;             // frames
 inline constexpr std::uint8_t kVelocityFollows = 128;  // beside the reach of the last pose
@@ -33,7 +33,7 @@ inline float end_share(int end, int frames_away, int reach) {
   return end == kVelocity ? static_cast<float>(frames_away) * share : share;
 }
 
-/// The most that goes to any frame: a velocity's at a third of its reach.
+/// The largest share at any frame; that of a velocity is at a third of its reach.
 inline double largest_end_share(int end, int reach) {
   return end == kVelocity ? 4.0 / 27 * reach : 1;
 }

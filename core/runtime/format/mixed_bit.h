@@ -57,9 +57,8 @@ struct MixingWeights {
   std::array<std::int32_t, kMost> of{};
 };
 
-/// The prediction of one bit from several contexts, each of which saw its share of the past.
-/// Whatever is coded passes through here, so it is open to the compiler, and the number of contexts
-/// is known to it.
+/// Predicts one bit from several contexts, each of which saw some of the earlier bits. Every coded
+/// bit passes through here, so the code is inline and the number of contexts a template argument.
 template <std::size_t count, std::size_t opinion_count = 0>
 class MixedBit {
  public:
@@ -81,7 +80,7 @@ class MixedBit {
 
   Probability one() const { return one_; }
 
-  /// Weights that other bits taught already may follow more slowly.
+  /// For weights that start from priors, which may follow more slowly.
   static constexpr int kSlow = 17;
   static constexpr int kSlower = 18;
 

@@ -16,7 +16,7 @@ namespace mocapress::runtime {
 /// unchanged, and turns the coarse bands into samples.
 class CookedBuilder {
  public:
-  /// With measuring memory it only counts.
+  /// If `memory` only measures, this counts bytes and does nothing else.
   CookedBuilder(Memory& memory, const mcpr_clip& clip, const mcpr_cook_options& options);
 
   /// Decides on the layout of the cooked clip.

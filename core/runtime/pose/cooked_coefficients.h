@@ -16,7 +16,7 @@ namespace mocapress::runtime {
 /// others keep the clip's coefficients.
 class CookedCoefficients {
  public:
-  /// With measuring memory it only counts.
+  /// If `memory` only measures, this counts bytes and does nothing else.
   CookedCoefficients(Memory& memory, const ClipBlock& clip, const mcpr_cook_options& options);
 
   /// Decodes the corrected channels. Must be called first.

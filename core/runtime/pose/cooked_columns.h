@@ -56,7 +56,7 @@ class CookedColumns {
     bool is_after = false;      // the constant rotation after the angles, not the one before
   };
 
-  /// With measuring memory it only counts.
+  /// If `memory` only measures, this counts bytes and does nothing else.
   CookedColumns(Memory& memory, const ClipBlock& clip, CookedCoefficients& coefficients);
 
   /// Finds the needs of each channel, and assigns the columns.

@@ -18,7 +18,7 @@ mcpr_sample_request request_of(const mcpr_crowd_request& request, const mcpr_cha
 /// Sorts characters in place.
 class CrowdSorter {
  public:
-  /// With measuring memory it only counts.
+  /// If `memory` only measures, this counts bytes and does nothing else.
   CrowdSorter(Memory& memory, std::uint32_t count);
 
   void sort(const mcpr_crowd_request& request, mcpr_character* characters);
@@ -39,7 +39,7 @@ class CrowdSorter {
 /// Poses characters in the order given.
 class PoseCrowd {
  public:
-  /// With measuring memory it only counts.
+  /// If `memory` only measures, this counts bytes and does nothing else.
   explicit PoseCrowd(Memory& memory);
 
   void pose(const mcpr_crowd_request& request, const mcpr_character* characters,

@@ -124,8 +124,8 @@ MOCAPRESS_ALWAYS_INLINE Shift<Real> turned(const Turn<Real>& q, const Shift<Real
   return v + all_joints<Real>(2) * (q.w * a + b);
 }
 
-/// The transforms of kJointsOf<Real> joints. Quaternions are w x y z, or whatever order the poses
-/// have: then it must not matter.
+/// The transforms of kJointsOf<Real> joints. Quaternions are w x y z, or in the order of the poses
+/// where any order will do.
 template <typename Real>
 struct Placed {
   Turn<Real> turn;
