@@ -103,7 +103,7 @@ void hand_up(const LinkageJoint& joint, FrameRange frames, const JointState* sta
 void enter(const LinkageJoint& joint, ErrorColumns errors, FrameRange frames,
            const JointState* parent, JointState* state);
 
-/// The same for a joint that only its parent moves, and to which nothing was handed up.
+/// Does the same for a joint without errors of its own and without forces from joints below.
 void enter(const LinkageJoint& joint, FrameRange frames, const JointState* parent,
            JointState* state);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Places, axes, moments: three numbers, each of as many frames as a vector has.
+// Three numbers (a place, an axis or a moment) at as many frames as a vector has lanes.
 #pragma once
 
 #include "core/base/instruction_sets.h"

@@ -38,8 +38,8 @@ struct Uncorrected {
 /// Decodes without applying the correction.
 Uncorrected decode_uncorrected(const CompressedClip& compressed);
 
-/// Turns the blocks of visit_decoded() into what decode() returns, except that the channels are
-/// still those that are coded.
+/// Turns the blocks of visit_decoded() into the result of decode(), except that the channels stay
+/// those that are coded.
 class Finish {
  public:
   /// The compressed clip must outlive this.
@@ -69,7 +69,7 @@ using DecodedBlock = std::function<void(int first_frame, Uncorrected& block)>;
 /// with the clip. Correction and ends are not applied. A clip without segments comes as one block.
 void visit_decoded(const CompressedClip& compressed, const DecodedBlock& visit);
 
-/// A clip in the channels that are coded, in those of the skeleton.
+/// Converts a clip from the coded channels to those of the skeleton.
 Clip in_source_channels(const CompressedClip& compressed, Clip coded);
 
 /// Copies rows into `matrix` from row `first` on; `matrix` gets `all` rows in total.

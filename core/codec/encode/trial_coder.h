@@ -77,8 +77,8 @@ class TrialCoder {
   const Goal goal_;
   std::optional<CorrectionEncoder> correction_;
   double correction_ratio_ = 0;
-  std::optional<ErrorModel> own_model_;  // where importance or a correction change it
-  std::optional<ClosedLoop> own_loop_;   // by that, or by factors of frames
+  std::optional<ErrorModel> own_model_;  // set if importance or a correction change the model
+  std::optional<ClosedLoop> own_loop_;   // set if own_model_ is, or if frames have factors
 };
 
 /// Counts the passes of an encode, for its progress.

@@ -23,9 +23,9 @@ enum class Ends {
 /// "free", "even", "exact".
 std::string_view name(Ends ends);
 
-/// Corrections of the first and the last frame, in steps of their segment's channels times
-/// 2^(-step_exponent / 2), and of the velocity at one of them where that has a reach. Neighbouring
-/// frames take part of each correction.
+/// Corrections of the first and the last frame and, if reaches[2] is not 0, of the velocity at the
+/// last frame. Their unit is the channel's step in the segment at that end, times 2^(-step_exponent
+/// / 2). Neighbouring frames get a share of each correction.
 struct CodedEnds {
   runtime::EndReaches reaches{{1, 1, 0}};  // including the end frames
   std::array<int, runtime::kMostEnds> step_exponent{};

@@ -121,7 +121,7 @@ struct CompressedClip {
   /// The part of these bytes that the correction adds to the motion's.
   std::size_t correction_bytes() const;
 
-  /// One segment where there are no others.
+  /// The segments of the motion; a single one if it is not cut.
   SegmentLayout segment_layout() const {
     return segments ? SegmentLayout{frames, segments->length, segments->overlap}
                     : SegmentLayout::whole(frames);

@@ -12,9 +12,9 @@ namespace mocapress {
 /// Throws Error where the clip is too large for a file: check_room().
 std::vector<std::byte> write_container(const CompressedClip& clip);
 
-/// Throws FormatError unless the bytes are a whole, intact file of a known version that holds a
-/// wavelet motion. Of a file with tiers (tiers.h) the first `tiers` are read, and it may end after
-/// them; 0: all.
+/// Reads a file with a wavelet motion. If it has tiers (tiers.h), reads the first `tiers` of them,
+/// and the bytes may end there; 0: all. Throws FormatError unless the bytes are a whole, intact
+/// file of a known version.
 CompressedClip read_container(std::span<const std::byte> bytes, int tiers = 0);
 
 /// A clip and its motion: wavelets, or the payload of a comparison method's COMP section, which

@@ -65,7 +65,7 @@ void fit_contexts(std::span<const NotedClip> clips, std::span<const std::uint16_
 struct DescentPlan {
   int rounds = 0;                  // passes over all clips
   std::vector<bool> may_change;    // contexts; empty: all
-  bool clips_count_alike = false;  // instead of their bits
+  bool clips_count_alike = false;  // each clip counts the same, whatever its bits
 };
 
 /// Improves the priors along the gradient of the coded bits. Before each round, `go_on` receives

@@ -14,7 +14,7 @@ using runtime::SegmentLayout;
 struct ClipShape {
   const Skeleton& skeleton;
   double sample_rate_hz;
-  SegmentLayout segments;  // and with them the frames
+  SegmentLayout segments;  // also give the number of frames
   int effectors = 0;       // number of effectors of an IK correction
 };
 

@@ -20,7 +20,7 @@ std::vector<std::byte> with_source(std::span<const std::byte> mcpr, const Source
 /// Reads the section; the result has no kind where there is none. Throws FormatError.
 SourceFormat source_of(std::span<const std::byte> mcpr);
 
-/// The same of a file. Throws InputError.
+/// Reads the section of the file at a path. Throws InputError.
 SourceFormat load_source(const std::filesystem::path& mcpr);
 
 }  // namespace mocapress

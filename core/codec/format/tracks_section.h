@@ -28,16 +28,17 @@ std::vector<std::byte> curve_bytes(const QuantisedSignals& curves);
 /// Estimates the bits of a track's values if it is held.
 std::size_t held_bits(const ScalarTrack& track);
 
-/// The file with the section at its end, in place of one it had; without, where there are no
-/// tracks. Wants a whole file as write_container() makes it. Throws Error for more tracks, frames
-/// or bytes of a name than the format has room for, and for values that are not finite.
+/// Returns the file with the section at its end, in place of an existing one; without tracks the
+/// section is left out. Requires a whole file as write_container() makes it. Throws Error for more
+/// tracks, frames or bytes of a name than the format has room for, and for values that are not
+/// finite.
 std::vector<std::byte> with_coded_tracks(std::span<const std::byte> mcpr,
                                          const CodedTracks& tracks);
 
 /// Reads the section; empty where there is none. Throws FormatError.
 CodedTracks coded_tracks_of(std::span<const std::byte> mcpr);
 
-/// The bytes that a file has of tracks: the section, its head and all.
+/// The bytes of tracks in a file: the section with its head.
 std::size_t track_bytes_of(std::span<const std::byte> mcpr);
 
 }  // namespace mocapress

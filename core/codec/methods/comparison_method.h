@@ -32,7 +32,7 @@ class ComparisonMethod {
 
   virtual std::string_view name() const = 0;   // as in --method: "pca"
   virtual std::string_view title() const = 0;  // for a legend: "PCA"
-  virtual std::string_view note() const = 0;   // whose it is, and what is simplified here
+  virtual std::string_view note() const = 0;   // its author, and what is simplified here
 
   /// `weighting` of the error is for methods that look at it when they choose what to keep.
   virtual std::unique_ptr<DetailCoder> analyse(const Motion& motion, Weighting weighting) const = 0;

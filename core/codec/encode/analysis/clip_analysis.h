@@ -42,7 +42,8 @@ class ClipAnalysis {
 
   const Motion& motion() const { return motion_; }
 
-  /// choose_forms(), and the analysis of the motion in these forms: this one, if they are its own.
+  /// The forms from choose_forms(), and the analysis of the motion in these forms, which is this
+  /// object if the motion has them already.
   const RotationForms& chosen_forms() const;
   const ClipAnalysis& in_chosen_forms() const;
 

@@ -91,7 +91,7 @@ class ClosedLoop {
   Eigen::VectorXd gains_;
   // The model's curvature, raised where it is zero.
   Eigen::MatrixXf curvature_;
-  Eigen::MatrixXf model_curvature_;        // as it is: frames x channels
+  Eigen::MatrixXf model_curvature_;        // the model's own curvature: frames x channels
   Eigen::MatrixXf coefficient_curvature_;  // with all frames weighted alike
   Eigen::VectorXd mean_curvature_;
 };

@@ -83,7 +83,8 @@ class ClosedLoopRun {
   /// Computes the slope of each coefficient from the gradient of the channel being visited.
   void find_slopes();
 
-  /// Moves the coefficients that all channels have at a time and scale together: joint_search.h.
+  /// Moves together the coefficients that all channels have at the same time and scale:
+  /// joint_search.h.
   void sweep_together();
 
   /// Coefficients that move together. `slopes` holds the slope of each coefficient (rows padded to
@@ -202,7 +203,7 @@ class ClosedLoopRun {
   const ClosedLoop& loop_;
   const std::vector<Band>& bands_;
   Eigen::ArrayXf frame_weights_;  // empty: all alike
-  double largest_weight_ = 1;     // of the loop's
+  double largest_weight_ = 1;     // the largest weight in the loop
   Eigen::MatrixXf weighted_curvature_;
   Eigen::MatrixXf weighted_coefficient_curvature_;
   RateTable rates_;

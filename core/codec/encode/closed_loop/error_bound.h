@@ -63,9 +63,9 @@ class ErrorBound {
   const Eigen::MatrixXd original_tracks_;  // of them
   Eigen::MatrixXd channels_;               // frames x channels
   Eigen::MatrixXd errors_;                 // frames x 3 * landmarks, cm
-  Eigen::MatrixXd squared_;                // of them: frames x landmarks
+  Eigen::MatrixXd squared_;                // squared lengths of errors_: frames x landmarks
   int channel_ = -1;
-  int joint_ = -1;                           // of the channel
+  int joint_ = -1;                           // joint of the current channel
   std::vector<Rotations> world_from_joint_;  // of the joints before joint_
   Rotations world_from_axes_;                // before the channel's own turn
   std::vector<Moved> moved_;                 // one for each landmark, kept to reuse their memory

@@ -20,7 +20,7 @@ class JointSearch {
  public:
   /// Moving by x steps changes the error by 2 slope x + curve x^2, with all others unchanged.
   struct Coefficient {
-    float slope;                  // in bits, as all that follows
+    float slope;                  // in bits, as are the values below
     float curve;                  // > 0
     std::array<float, 3> prices;  // bits a step lower, as it is, and a step higher
   };
@@ -55,7 +55,7 @@ class JointSearch {
   template <typename Vector>
   std::array<float, 2> gains_of_answers(int c) const;
 
-  /// Moves one. Returns cost_of().
+  /// Moves one coefficient. Returns its cost_of().
   template <typename Vector>
   float move(int c, int by);
   void set_limits(int c);

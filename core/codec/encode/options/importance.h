@@ -22,7 +22,8 @@ struct Importance {
   // Weight of a planted foot, as a multiple of its usual share; 0: no extra weight. Keeps the foot
   // planted without a correction.
   double contacts = 0;
-  // The weight of the root's place and heading, as a share of all others': 0, none of their own.
+  // Weight of the root's place and heading, as a share of the sum of all other weights; 0: no
+  // weight of their own.
   double root = 0;
 
   bool is_even() const { return joints.empty() && contacts == 0 && root == 0; }
@@ -46,7 +47,7 @@ struct NamedImportance {
   // Factors by body part ("feet" ...) or joint, in the order of set(). A joint's own factor takes
   // precedence over its part's.
   std::vector<std::pair<std::string, double>> factors;
-  double contacts = 0;  // as Importance has it
+  double contacts = 0;  // see Importance
 
   /// The factor of a name; 1 unless set.
   double factor(std::string_view name) const;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bounds beside the target, on the joints that eyes and engines look at most.
+// Bounds that are kept in addition to the target, on the joints that people notice and engines use
+// most.
 #pragma once
 
 #include <array>
