@@ -39,10 +39,10 @@ struct BankProgress {
   std::size_t done = 0;
   std::size_t clips = 0;
   std::optional<Warning> warning = {};  // given once, if the bank could not be locked
-  std::uint64_t ik_bytes = 0;  // what IK corrections take, so far, of the clips that were cooked
+  std::uint64_t ik_bytes = 0;           // bytes of the IK corrections in the clips cooked so far
 };
 
-// Banks are changed one writer at a time: others wait, in this program or another.
+// One writer changes a bank at a time; others wait, in this program or another.
 
 /// Makes a bank, which takes its place whole or not at all. False: the observer stopped it, and the
 /// place is unchanged. Throws InputError, also if two clips have one name. Throws WriteError, also

@@ -25,15 +25,15 @@ struct BankClip {
   std::uint64_t motion_bytes = 0;  // packed: the size that ratios count; cooked: 0
 };
 
-/// The head of a bank, unchecked, with zeros for what the file lacks of it. Unset for an empty
-/// file. Throws InputError.
+/// Reads the head of a bank without checking it; bytes that the file lacks are zero. Unset for an
+/// empty file. Throws InputError.
 std::optional<mcpk_bank> read_bank_head(const std::filesystem::path& path);
 
-/// A skeleton of some of a bank's clips.
+/// A skeleton that some of a bank's clips share.
 struct SkeletonInBank {
   std::uint64_t hash = 0;   // mcpr_skeleton_hash; 0: no engine plays the clips
-  std::uint32_t clip = 0;   // the first that has it
-  std::uint32_t clips = 0;  // how many have it
+  std::uint32_t clip = 0;   // the first clip that has it
+  std::uint32_t clips = 0;  // number of clips that have it
 };
 
 struct SkeletonsInBank {

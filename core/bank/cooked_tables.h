@@ -18,7 +18,7 @@ struct ClipForBank {
   AlignedBytes clip;
   AlignedBytes tables;
   std::vector<std::byte> skeleton;  // stored as an item of the bank
-  std::uint64_t ik_bytes = 0;       // what the IK correction takes of clip and tables
+  std::uint64_t ik_bytes = 0;       // bytes of the IK correction in clip and tables
 
   const mcpr_cooked& cooked() const { return *reinterpret_cast<const mcpr_cooked*>(clip.data()); }
 };
@@ -34,7 +34,8 @@ struct CookedIk {
 /// Cooks a .mcpr. Throws FormatError.
 ClipForBank cook_for_bank(std::span<const std::byte> file, const CookedIk& ik);
 
-/// The bytes of a clip in a bank, without the places of its tables, which are put among the bank's.
+/// The bytes of a clip for a bank. Its tables go into `tables`, whose place in the bank is not set
+/// yet.
 std::vector<std::byte> put_tables(const mcpr_cooked& clip, SharedTables& tables);
 
 }  // namespace mocapress

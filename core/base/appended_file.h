@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A file that grows. After open(2) on O_APPEND and flock(2).
+// A file that is only appended to, by open(2) with O_APPEND, and locked by flock(2).
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,7 @@ class AppendedFile {
   AppendedFile(const AppendedFile&) = delete;
   AppendedFile& operator=(const AppendedFile&) = delete;
 
-  /// Removes a file that it created and that is still empty.
+  /// Removes the file if this object created it and it is still empty.
   ~AppendedFile();
 
   /// Set if the file system has no locks, so that other processes are not kept away.
@@ -63,7 +63,7 @@ class AppendedFile {
   [[noreturn]] void fail(int error) const;
 
   std::filesystem::path path_;
-  std::filesystem::path target_;  // the end of its links
+  std::filesystem::path target_;  // the file that its links lead to
   Lock lock_;
   FileDescriptor file_;
   bool made_ = false;

@@ -8,7 +8,7 @@
 
 namespace mocapress {
 
-/// Every failure the world can cause. Bugs are asserts, never one of these.
+/// A failure that input, files or the system can cause. Bugs are asserts, never an Error.
 class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };

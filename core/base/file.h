@@ -23,12 +23,12 @@ FileDescriptor open_to_read(const std::filesystem::path& path);
 std::vector<std::byte> read_bytes(const std::filesystem::path& path);
 std::string read_text(const std::filesystem::path& path);
 
-/// As a StagedFile: a reader sees the old file or the new one, and a failure leaves the old one.
-/// Throws WriteError.
+/// Writes a file as StagedFile does: a reader sees the old file or the new one, and a failure
+/// leaves the old one. Throws WriteError.
 void write_bytes(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_text(const std::filesystem::path& path, std::string_view text);
 
-/// The same for text that is too long to be kept in memory. The stream knows no locale.
+/// Does the same for text that is too long to be kept in memory. The stream ignores the locale.
 void write_stream(const std::filesystem::path& path,
                   const std::function<void(std::ostream&)>& write);
 

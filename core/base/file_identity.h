@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tells whether two paths are one file. After stat(2).
+// Tells whether two paths are one file, by stat(2).
 #pragma once
 
 #include <compare>

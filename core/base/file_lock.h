@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// After flock(2).
+// A lock that keeps other processes from a file, by flock(2).
 #pragma once
 
 #include <filesystem>

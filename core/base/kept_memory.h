@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// For programs, not for libraries: a process's handling of memory is the program's affair.
+// For programs only: a library does not decide how a process handles its memory.
 #pragma once
 
 #ifdef __linux__
@@ -19,7 +19,8 @@ inline void keep_freed_memory() {
 #endif
 }
 
-/// Gives freed memory back to the system where glibc keeps it, in pieces that fit nothing larger.
+/// Gives back to the system the freed memory that glibc keeps, which is often in pieces too small
+/// to be used again.
 inline void give_back_freed_memory() {
 #ifdef __GLIBC__
   malloc_trim(0);

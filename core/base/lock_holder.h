@@ -7,7 +7,7 @@
 
 namespace mocapress {
 
-/// A run that has a folder to itself, as written there for others to read.
+/// A run of a program that has locked a folder, as written in that folder for others to read.
 struct LockHolder {
   std::string host;
   std::string user;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// After mmap(2).
+// A file mapped into memory, by mmap(2).
 #pragma once
 
 #include <cstddef>

@@ -25,7 +25,7 @@ struct FileStatus {
 std::optional<FileStatus> status_of(const std::filesystem::path& path);
 std::optional<FileStatus> status_of(int file);
 
-/// Whether an error means that nothing is at a path. Any other error leaves that open.
+/// Returns whether an error means that nothing is at a path. After any other error this is unknown.
 bool is_absence(int error);
 
 /// Opens what is there for reading, and waits for nothing if that is a pipe. Nothing opened: errno.
@@ -40,10 +40,11 @@ FileDescriptor open_appended(const std::filesystem::path& path, Appending to);
 /// and EWOULDBLOCK while another holds the lock. Others can still read the file.
 int lock_now(int file);
 
-/// Reads from `offset` until `count` bytes or the end of the file: how many came. Unset: errno.
+/// Reads from `offset` until `count` bytes or the end of the file, and returns the number of bytes
+/// read. Unset: errno.
 std::optional<std::size_t> read_all(int file, std::uint64_t offset, char* bytes, std::size_t count);
 
-// These answer whether it went well; errno says why not.
+// These return whether they succeeded; errno tells why not.
 
 bool cut_to(int file, std::uint64_t size);
 bool remove_file(const std::filesystem::path& path);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// After stat(2).
+// Tells what is at a path, by stat(2).
 #pragma once
 
 #include <filesystem>

@@ -12,8 +12,8 @@ namespace mocapress {
 /// and Unicode's that change the direction of text "\u202e".
 std::string printable(std::string_view text);
 
-/// A name for a message, which its reader should see the end of: at most 40 bytes, "..." the last
-/// three of a longer one.
+/// Shortens a name for a message, so that the end of the message stays visible: at most 40 bytes,
+/// of which the last three are "..." if the name is longer.
 std::string shortened(const std::string& name);
 
 }  // namespace mocapress

@@ -5,9 +5,9 @@
 
 namespace mocapress {
 
-/// A report from long work, answered with "go on?". After false the work ends soon and returns the
-/// best it has, marked incomplete; whether to keep or drop that is the caller's decision. Called
-/// on the thread that does the work. An empty function goes on.
+/// Receives a report from long work and returns whether to go on. After false the work ends soon
+/// and returns the best it has, marked incomplete; the caller decides whether to keep it. Called on
+/// the thread that does the work. An empty function goes on.
 template <typename State>
 using Observer = std::function<bool(const State&)>;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The one way to write a file. After open(2) on O_TMPFILE, rename(2) and fsync(2).
+// Writes a file whole or not at all, by open(2) with O_TMPFILE, rename(2) and fsync(2). All files
+// are written by this.
 
 #pragma once
 
@@ -35,7 +36,7 @@ class FileDescriptor {
   int number_;
 };
 
-// These answer whether it went well; errno says why not.
+// These return whether they succeeded; errno tells why not.
 
 /// Writes everything, even if the system takes it in parts.
 bool write_all(int file, std::string_view bytes);
@@ -101,9 +102,9 @@ class StagedFile {
   /// place, and the WriteError says that a power cut may undo it.
   void commit(Existing existing = Existing::Replace);
 
-  /// The same for many files, which wait for the disk together: twice in all, not twice each. If
-  /// one cannot take its place, those before it leave theirs again, but for files that they
-  /// replaced. So under Refuse all files are there or none.
+  /// Commits many files, which wait for the disk together: twice in total, not twice each. If one
+  /// cannot be put in place, those before it are removed again, except where they replaced a file.
+  /// So with Existing::Refuse either all files are there or none.
   static void commit_all(std::span<StagedFile> files, Existing existing = Existing::Replace);
 
  private:

@@ -21,8 +21,9 @@ using BatchRows = std::function<void(const std::function<void(const BatchRow&)>&
 void write_batch_report(const std::filesystem::path& folder, const std::string& suffix,
                         const BatchRows& rows, std::size_t waiting);
 
-/// The page alone, needing nothing else: totals, what failed, the worst frames drawn, every clip.
-/// The viewer, if there is one, shows clips that were written for it (OutputFormat::Review).
+/// Writes the page alone, which needs no other file: totals, failures, drawings of the worst
+/// frames, and every clip. The viewer, if there is one, shows clips that were written for it
+/// (OutputFormat::Review).
 void write_batch_html(std::ostream& out, const BatchRows& rows, std::size_t waiting,
                       const ReportStamp& stamp,
                       std::span<const std::byte> viewer = review_viewer());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Windows under the functions of open_file.h. File numbers are those of the C library, errors its
-// errno values.
+// The Windows calls behind the functions of open_file.h. File numbers are those of the C library,
+// errors its errno values.
 #pragma once
 
 #ifndef NOMINMAX  // libstdc++ has it
