@@ -21,7 +21,8 @@ inline constexpr double kUsualAmcRate = 120;  // Hz: CMU's rate, since their fil
 MotionFile read_amc(const std::string& file, std::string_view text, const AsfSkeleton& skeleton,
                     const ReadOptions& options = {});
 
-/// The text of an .amc, in degrees and asf_text()'s unit of length. Requires an acclaim_motion().
+/// The text of an .amc, in degrees and asf_text()'s unit of length. Requires a motion that
+/// acclaim_motion() returned.
 std::string amc_text(const Motion& motion, double cm_per_unit = kAsfCmPerUnit);
 
 }  // namespace mocapress

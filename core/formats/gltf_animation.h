@@ -24,7 +24,7 @@ class AnimationWriter {
   AnimationWriter(BufferWriter& buffer, Json& animation, double first_s, int frames,
                   double sample_rate_hz);
 
-  /// `always`: though it rests.
+  /// `always`: adds the track even if nothing changes in it.
   void add(const NodeTrack& track, bool always);
   void add(const WeightsTrack& weights);
 

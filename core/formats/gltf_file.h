@@ -92,7 +92,7 @@ class GltfFile {
   /// The number of components in an element of such an accessor.
   static std::size_t components_of(std::string_view type);
 
-  /// Numbers of an accessor that come from elsewhere, normalised if it says so.
+  /// Normalises numbers of an accessor that were decoded elsewhere, if the accessor says so.
   std::vector<double> as_stated(std::size_t accessor, std::vector<double> values) const;
 
   /// All elements of an accessor as numbers: normalised ones from -1 or 0 to 1, sparse ones filled

@@ -98,7 +98,8 @@ Character read_character(const std::filesystem::path& path);
 /// clip lacks, where too little of the character would be left.
 void put_character(const std::filesystem::path& character, MotionFile& clip);
 
-/// The same of a character that was read from `file`. Returns its skin on the joints. Throws Error.
+/// Puts on a character that was already read from `file`. Returns its skin on the joints. Throws
+/// Error.
 std::shared_ptr<const Skin> put_character(const std::filesystem::path& file,
                                           const Character& character, Skeleton& skeleton,
                                           Warnings& warnings);
@@ -107,8 +108,8 @@ std::shared_ptr<const Skin> put_character(const std::filesystem::path& file,
 using CharacterReader =
     std::function<std::shared_ptr<const Character>(const std::filesystem::path& file)>;
 
-/// read_motion() of one of many clips: it keeps what it has where the character does not fit, and
-/// that is a warning. Without `read` a character is parsed for this clip alone.
+/// Reads one of many clips as read_motion() does. If the character does not fit, the clip keeps its
+/// own skin, with a warning. Without `read` the character is parsed for this clip alone.
 MotionFile read_motion_of_many(const std::filesystem::path& path,
                                const std::optional<std::filesystem::path>& skeleton_path = {},
                                const ReadOptions& options = {}, const CharacterReader& read = {});

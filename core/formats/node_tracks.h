@@ -20,11 +20,11 @@ struct NodeTrack {
   LocalTransform rest;
   std::vector<Eigen::Vector3d> translation;
   std::vector<Eigen::Quaterniond> rotation;
-  std::optional<Eigen::Vector3d> scale;  // where it is another than at rest
-  std::vector<Eigen::Vector3d> scales;   // where it changes
+  std::optional<Eigen::Vector3d> scale;  // set if it differs from that at rest
+  std::vector<Eigen::Vector3d> scales;   // one for each frame, if it changes
 };
 
-/// The scales that tracks have of joints.
+/// The scales of joints that tracks hold.
 class JointScales {
  public:
   JointScales(const ScalarTracks& tracks, const Skeleton& skeleton);
@@ -43,8 +43,8 @@ class JointScales {
 /// has no such pose (FBX, glTF), the first frame.
 Pose resting_pose(const Motion& motion, const SourceFormat& source);
 
-/// The tracks of all joints; the nodes are numbered as they are. Throws WriteError where a scale of
-/// nothing leaves what hangs from a joint no place.
+/// The tracks of all joints; nodes have the numbers of their joints. Throws WriteError if a scale
+/// of zero leaves the children of a joint without a place.
 std::vector<NodeTrack> tracks_of(const Motion& motion, const Pose& rest, double cm_per_unit,
                                  const JointScales& scales);
 
@@ -56,10 +56,10 @@ std::vector<NodePlacement> rest_placements(const Skeleton& skeleton,
 /// The end of a joint's bone, in its node's axes: scales move it.
 Eigen::Vector3d end_in_node(const NodePlacement& node, const Eigen::Vector3d& end_site);
 
-/// The tracks of the nodes of a take that are the joints of `motion`, one for each, so that they
-/// move as these do in the world. `names` are those of the joints as a reader gives them;
-/// `options` are what the take was read with. Throws InputError, which names `file`, where a joint
-/// is not there.
+/// Tracks for the nodes of a take that stand for the joints of `motion`, one for each, so that the
+/// nodes move as the joints do in the world. `names` are those of the joints as a reader gives
+/// them; `options` are what the take was read with. Throws InputError, which names `file`, if a
+/// joint has no node.
 std::vector<NodeTrack> tracks_following(const std::string& file, const NodeTake& take,
                                         const Motion& motion, const std::vector<std::string>& names,
                                         const ReadOptions& options, const JointScales& scales);

@@ -6,9 +6,9 @@
 // errors in ballistic motion", 2003: errors along the ground are seen sooner than vertical ones,
 // added acceleration sooner than removed one (their own figures were not at hand);
 // M. Prazak, L. Hoyet and C. O'Sullivan, "Perceptual evaluation of footskate cleanup", 2011: feet
-// that slide by less than 2.1 cm are seen to in most conditions;
+// that slide by less than 2.1 cm are noticed in most conditions;
 // J. Harrison, R. A. Rensink and M. van de Panne, "Obscuring length changes during animated
-// motion", 2004: limbs that change by 3 % of their length are seen to where one looks;
+// motion", 2004: limbs that change by 3 % of their length are noticed where viewers look;
 // H. R. Wilson, F. Wilkinson, L. M. Lin and M. Castillo, "Perception of head orientation", 2000:
 // heads 1.9 degrees apart are told apart.
 #pragma once

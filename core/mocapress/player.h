@@ -38,7 +38,8 @@ class Player {
   const Skeleton& skeleton() const;  // skeleton().find(name) is a joint's index
   int frames() const;
   double sample_rate_hz() const;
-  double seconds() const;  // of one turn of a loop; else from the first frame to the last
+  double seconds()
+      const;  // Duration: one turn of a loop, otherwise from the first frame to the last.
   bool is_loop() const;
 
   /// The pose at an instant. At a frame it is the coded pose; between two frames the channels are

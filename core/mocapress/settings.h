@@ -55,15 +55,14 @@ struct Settings {
   Target target{Target::Kind::Error, 0.5};   // cm
   std::uint64_t seed = 1;                    // of the annealing; the same seed gives the same bytes
   Effort effort = Effort::Default;           // not Draft, which promises nothing
-  NamedImportance importance;                // what more care is taken of
+  NamedImportance importance;                // parts of the body that get more weight
   Promises promises;                         // further bounds, if the target is an error
   Ends ends = Ends::Even;                    // what is promised of the first and the last pose
   std::optional<Loop> loop;                  // unset: the encoder finds whether the clip is one
-  double track_error = kUsualTrackError;     // no value of a track is further off
+  double track_error = kUsualTrackError;     // largest error of any value of a track
   std::optional<CorrectionSettings> correction;         // unset: without IK correction
-  std::optional<std::vector<ContactSetting>> contacts;  // edited ones, of the one clip they are
-                                                        // for; unset: found
-  std::vector<ImportantRange> ranges;  // frames with more care, of the one clip they are for
+  std::optional<std::vector<ContactSetting>> contacts;  // edited contacts; they fit one clip only
+  std::vector<ImportantRange> ranges;  // frames with more care; they fit one clip only
 
   bool operator==(const Settings&) const = default;
 };

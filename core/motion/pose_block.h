@@ -69,7 +69,7 @@ void visit_poses(const Skeleton& skeleton, const Eigen::MatrixXd& channels, int 
   });
 }
 
-/// For all frames.
+/// Visits all frames of a clip.
 template <typename Visit>
 void visit_poses(const Skeleton& skeleton, const Eigen::MatrixXd& channels, const Visit& visit,
                  Eigen::MatrixXd* axes = nullptr) {

@@ -28,10 +28,9 @@ struct BoneWeights {
   std::array<float, 4> weights{};
 };
 
-/// A character's own bone lengths on a clip with others. Its joints turn as those of the clip do;
-/// they are where the clip's are in a world that is `scale` times as large, and then further by
-/// what the bones above them are longer or shorter than in that world. So nothing tears, and feet
-/// reach the floor, y = 0.
+/// A character's own bone lengths on a clip of a body with others. Joints turn as in the clip. The
+/// place of a joint is that in the clip, scaled by `scale` about `centre`, plus the differences in
+/// length of the bones above it. So the mesh does not tear, and feet reach the floor, y = 0.
 struct OwnLengths {
   struct Bone {
     int joint;               // the clip's joint at the end of the bone

@@ -12,8 +12,8 @@
 namespace mocapress {
 
 /// The script by which a review page shows a compressed clip, see review_script(). Pages play what
-/// engines play: the original is coded to 0.01 cm, and so is `decoded`, the motion of a `file` that
-/// the runtime does not play. Null: it plays it.
+/// engines play, so the original is coded to 0.01 cm. `decoded` is the motion of a `file` that the
+/// runtime does not play, and is coded likewise; null: the runtime plays the file.
 std::string review_clip(std::string_view name, const Encoder& original,
                         std::span<const std::byte> file, const Clip* decoded,
                         const Observer<EncodeProgress>& observer = {});

@@ -9,8 +9,8 @@
 
 namespace mocapress {
 
-/// The error at which single numbers are compared: 0.5 cm, up to which the paper saw no artifact,
-/// or another at which the leading series has as many sizes as anywhere, and then the whole study.
+/// The error at which single numbers are compared: the one at which most clips have a size, in the
+/// leading series or else in all; of several, 0.5 cm, up to which the paper saw no artifact.
 double headline_eps_cm(const Results& results);
 
 /// The mean ratio of each series at equal errors.

@@ -32,7 +32,7 @@ struct FbxClip {
 std::string fbx_bytes(const std::vector<FbxClip>& clips, const SourceFormat& source = {},
                       const WriteOptions& options = {});
 
-/// The same of one clip.
+/// The bytes of a file with one clip.
 std::string fbx_bytes(const Motion& motion, const SourceFormat& source = {},
                       const WriteOptions& options = {}, const ScalarTracks& tracks = {});
 
