@@ -25,7 +25,7 @@ enum class LibraryShow {
 
 QString displayName(LibraryShow show);
 
-/// The clips of a library that match, in the order of a column; by column -1 in their own.
+/// The clips of a library that match, sorted by a column; with column -1, in the library's order.
 class LibraryFilter : public QSortFilterProxyModel {
   Q_OBJECT
 

@@ -36,12 +36,12 @@ struct Outcome {
   double eps_cm = 0;
   double max_cm = 0;
   std::size_t motion_bytes = 0;
-  bool met = true;                 // the target that was set
-  std::optional<Sight> sight;      // unset: nobody looked
+  bool met = true;                 // the result met its target
+  std::optional<Sight> sight;      // unset: not judged
   std::optional<double> slide_cm;  // of the feet, over all contacts; unset: there are none
   QStringList warnings;            // of the reader, and on its character
   std::string source;              // hash of the bytes it was made from
-  std::string settings;            // settings_hash() of what it was made by
+  std::string settings;            // settings_hash() of the settings it was made with
   std::optional<int> worst_frame;  // where max_cm is; unset: an older project does not say
   std::string worst_point;         // likewise
 
@@ -64,22 +64,21 @@ struct LibraryEntry {
   QStringList notes;      // what its reader repaired or guessed
   bool missing = false;   // its file is gone
   Loop loop = Loop::None;
-  QString preset;  // the settings come of; empty: of none
+  QString preset;  // preset that the settings came from; empty: none
   QString
       failure;  // why it could not be compressed by its settings; empty: it could, or nobody tried
   std::optional<Outcome> outcome;
-  std::optional<std::size_t> bytes_before;  // with the settings it had before the last that it got
-                                            // together with others
-  Staleness outdated = Staleness::None;     // of the outcome: why it is no longer that of the clip
+  std::optional<std::size_t> bytes_before;  // bytes with its earlier settings
+  Staleness outdated = Staleness::None;     // why the outcome no longer applies to the clip
   ClipReview review;
-  Staleness stale = Staleness::None;  // of the verdict
+  Staleness stale = Staleness::None;  // why the verdict no longer applies to the clip
 
   QString key() const { return clipKey(path, take); }
 
   /// "walk.bvh", "moves.fbx: Run".
   QString name() const;
 
-  /// It could be compressed, and what that would come to is not known.
+  /// True if the clip could be compressed and its result is not known.
   bool wantsEncoding() const {
     return frames > 0 && !is_compressed && !missing && trouble.isEmpty() && failure.isEmpty() &&
            (!outcome || outdated != Staleness::None);
@@ -133,11 +132,10 @@ RowState stateOf(const LibraryEntry& entry);
 /// Dark enough on white, bright enough on black.
 QColor colourOf(RowState state, const QPalette& palette);
 
-/// Nobody has said anything about it, or the verdict is stale. A clip whose file is gone cannot be
-/// reviewed.
+/// True if the clip has no verdict or a stale one, and its file is there to be reviewed.
 bool wantsReview(const LibraryEntry& entry);
 
-/// Its target was not met, or it cannot be read or compressed at all.
+/// True if its target was not met, or it cannot be read or compressed.
 bool isMissed(const LibraryEntry& entry);
 
 /// "approved", "✓ stale: file changed", "target missed" ...; empty where there is
@@ -153,8 +151,8 @@ QString verdictText(Verdict verdict, Staleness stale);
 /// "Ann, 27.11.26 01:39"; empty when the reviewer is unknown.
 QString reviewerText(const ClipReview& review);
 
-/// "12 clips: 41,200 bytes, 51,800 before": what they come to together, and came to before they got
-/// other settings.
+/// "12 clips: 41,200 bytes, 51,800 before": total sizes of clips with their present and earlier
+/// settings.
 QString sumText(const LibraryModel& model, const std::vector<int>& rows);
 
 /// The library's review of a clip.

@@ -12,7 +12,7 @@
 
 namespace mocapress {
 
-/// Folders that the clips of a library stand in: on the disk, by what was said of them, or none.
+/// Groups of a library's clips: by folder, verdict or visibility, or none.
 enum class Grouping { Folder, Verdict, Seen, None };
 
 QString displayName(Grouping grouping);
@@ -73,7 +73,7 @@ class LibraryTree : public QAbstractItemModel {
   Grouping grouping_ = Grouping::Folder;
   std::unique_ptr<Folder> root_;
 
-  /// Where a clip stood in the filter when the tree was built, and in which folder.
+  /// A clip's row in the filter and in its folder, when the tree was built.
   struct Place {
     int row = -1;  // -1: filtered out
     Folder* folder = nullptr;

@@ -6,8 +6,9 @@
 
 namespace mocapress {
 
-/// A sentence of core (a warning, an error) in the language of the program. What stands before it
-/// with a colon, such as a file and a line, stays; so does a sentence that is not in the list.
+/// Translates a sentence of core (a warning, an error) into the program's language. A beginning
+/// that ends with a colon, such as file and line, is kept; so is a sentence that is not in the
+/// list.
 QString translatedSentence(const QString& sentence);
 
 /// The list, in English, with %1 and on for what differs.

@@ -11,7 +11,7 @@ namespace mocapress {
 
 class LibraryModel;
 
-/// A button that has the library's clips compressed in the background, and how far that is.
+/// A button that compresses the library's clips in the background, and shows how many are done.
 class EncodingBar : public QWidget {
   Q_OBJECT
 
@@ -33,7 +33,7 @@ class EncodingBar : public QWidget {
   const LibraryModel* model_;
   QToolButton* button_;
   QProgressBar* progress_;
-  QTimer count_later_;  // clips change by the thousand
+  QTimer count_later_;  // delays counting: thousands of clips may change at once
 };
 
 }  // namespace mocapress

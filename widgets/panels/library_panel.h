@@ -22,8 +22,8 @@ class LibraryModel;
 class LibraryTree;
 class ReviewBar;
 
-/// The clips of the project in groups: what each came to, and what the reviewer says. A click opens
-/// a clip. The context menu of the head chooses columns.
+/// Lists the clips of the project in groups, with results and verdicts. A click opens a clip. The
+/// context menu of the head chooses columns.
 class LibraryPanel : public QWidget {
   Q_OBJECT
 
@@ -55,18 +55,17 @@ class LibraryPanel : public QWidget {
   /// The columns, their widths and order, what rows are sorted by, and their groups.
   QByteArray arrangement() const;
 
-  /// As arrangement() said once. What is no arrangement changes nothing.
+  /// Restores what arrangement() returned; other bytes change nothing.
   void arrange(const QByteArray& arrangement);
 
-  /// Choices of columns.
+  /// Makes the menu that chooses columns.
   QMenu* makeColumnMenu();
   QComboBox* verdict() const { return verdict_; }
   QLineEdit* note() const { return note_; }
   ReviewBar* reviewed() const { return reviewed_; }
   EncodingBar* encoding() const { return encoding_; }
 
-  /// The next clip, in the order shown, after the one that is open that waits for a verdict; -1:
-  /// none.
+  /// The next clip after the open one, in the order shown, that waits for a verdict; -1: none.
   int nextToReview() const;
 
   /// Makes the context menu for the selection.

@@ -30,7 +30,7 @@ class ReviewBar : public QWidget {
   const LibraryModel* model_;
   QToolButton* next_;
   QProgressBar* progress_;
-  QTimer count_later_;  // clips change by the thousand
+  QTimer count_later_;  // delays counting: thousands of clips may change at once
 };
 
 }  // namespace mocapress

@@ -48,7 +48,7 @@ class LibraryPlot : public QWidget {
   QCustomPlot* plot_;
   QCPItemText* hint_;
   QCPGraph* ring_ = nullptr;
-  QTimer redraw_later_;  // clips change by the thousand
+  QTimer redraw_later_;  // delays drawing: thousands of clips may change at once
   int current_ = -1;
   bool moved_ = false;  // by the user: new points leave the axes alone
   QPoint pressed_at_;

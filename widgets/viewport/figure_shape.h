@@ -75,7 +75,7 @@ class FigureShape {
   /// The body's landmarks at a frame, and the highest points of its parts.
   std::vector<QVector3D> body(const Eigen::MatrixXd& tracks, int frame) const;
 
-  /// The centre of the box around them.
+  /// The centre of the box around body().
   QVector3D centre(const Eigen::MatrixXd& tracks, int frame) const;
 
  private:
