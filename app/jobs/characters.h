@@ -30,9 +30,9 @@ PutCharacter readCharacterOn(Characters& characters, const Skeleton& skeleton);
 using CharacterFiles = std::map<std::string, QString>;
 CharacterFiles filesOf(const Characters& characters);
 
-/// The file of the character on clips of this rig; empty: each keeps its own. A clip whose rig is
-/// unknown ("") gets the only character there is. If that does not fit, it is left off with a
-/// warning.
+/// The file of the character for clips of this rig; empty: each clip keeps its own. A clip whose
+/// rig is unknown ("") gets the only character there is, if there is one. If that does not fit, the
+/// clip keeps its own, with a warning.
 QString characterFile(const CharacterFiles& files, const std::string& rig);
 
 }  // namespace mocapress

@@ -28,7 +28,7 @@ struct OpenRequest {
   std::string comparison;  // for a motion: comparison method to show with `options`, or empty
 };
 
-/// At least one of the two is set.
+/// A clip that was opened: its original, its compressed form, or both.
 struct OpenedClip {
   OriginalPtr original;
   DecodedPtr decoded;

@@ -10,8 +10,8 @@
 
 namespace mocapress {
 
-/// A project's batch as its file keeps it: clips and their own settings. Their results are in the
-/// journal in the batch's folder.
+/// The batch of a project as the project file stores it: clips and their own settings. Results are
+/// in the journal in the batch's folder.
 struct RememberedBatch {
   BatchSettings settings;
   Settings common = built_in_presets()[1];

@@ -127,11 +127,12 @@ class Session : public QObject {
   /// Removes the character from clips of the rig. Can be undone.
   void takeCharacterOff();
 
-  /// Puts them on clips of these rigs, as a step of somebody else. Unset: each has its own.
+  /// Sets the characters of these rigs, as part of another object's step. Unset: clips of the rig
+  /// have their own.
   using CharacterChanges = std::map<std::string, std::optional<PutCharacter>>;
   void putCharacters(const CharacterChanges& by_rig);
 
-  /// Has them again as a project has them. They are read once a clip needs them.
+  /// Sets the characters that a project has stored. A file is read when a clip first needs it.
   void recallCharacters(const CharacterFiles& files);
 
   /// True while a file is being read.
@@ -184,7 +185,7 @@ class Session : public QObject {
   void readAs(const QString& step, const ReadOptions& reading);
   void readBy(const ReadOptions& reading, std::function<void()> then = {});
 
-  /// Unset removes the rig's own character.
+  /// Sets a rig's character; unset removes it.
   void setCharacter(const std::string& rig, const std::optional<PutCharacter>& character);
   void changeCharacter(const PutCharacter& character);
 

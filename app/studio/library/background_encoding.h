@@ -15,17 +15,17 @@ namespace mocapress {
 class Library;
 class Session;
 
-/// Compresses the clips of the library by their settings, as a batch would, and keeps nothing but
-/// what they come to. The queue is what Library::unencoded() says, taken up in small parts: a clip
-/// whose settings change meanwhile is in a later part again, and its older result is dropped. It
-/// waits while the session works for the clip that is open.
+/// Compresses the clips of the library by their settings, as a batch would, and keeps only the
+/// measurements. Takes the clips of Library::unencoded() in small parts: if a clip's settings
+/// change meanwhile, its result is dropped and the clip is in a later part again. Waits while the
+/// session works on the open clip.
 class BackgroundEncoding : public QObject {
   Q_OBJECT
 
  public:
   BackgroundEncoding(Session* session, Library* library, QObject* parent = nullptr);
 
-  /// Begins or goes on; else pauses, in the middle of a clip too.
+  /// True starts or resumes; false pauses, also in the middle of a clip.
   void setActive(bool active);
   bool active() const { return active_; }
 
@@ -42,8 +42,8 @@ class BackgroundEncoding : public QObject {
   Session* session_;
   Library* library_;
   bool active_ = false;
-  QTimer watch_;                      // for clips that wait, and for the session's work
-  QTemporaryDir folder_;              // the batch's journal is there; no clip is
+  QTimer watch_;          // looks for waiting clips, and for the end of the session's work
+  QTemporaryDir folder_;  // holds the batch's journal, no clips
   std::vector<TunedClip> under_way_;  // by their index in the batch
   JobRunner preparing_{Workers::LongRunning};
   BatchRunner runner_;

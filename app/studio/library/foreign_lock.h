@@ -7,8 +7,8 @@
 
 namespace mocapress {
 
-/// The lock of a project that a studio on another computer holds, or held when that computer went
-/// away: nobody here can tell.
+/// The lock of a project that a studio on another computer holds, or left behind when that computer
+/// went away. It cannot be told from here which of the two.
 struct ForeignLock {
   QString host;
   QString user;  // empty: a user that this computer does not know

@@ -32,14 +32,15 @@ class ProjectLock {
 
   bool held() const { return lock_->isLocked(); }
 
-  /// Held once, but its file is now another studio's, or gone. False if nobody can tell.
+  /// True if this lock was held and its file is now another studio's, or gone. False if that cannot
+  /// be told.
   bool lost() const;
 
-  /// Another studio holds the lock. If the lock is neither held nor in use, the folder cannot be
-  /// written.
+  /// True if another studio holds the lock. If the lock is neither held nor in use, the folder
+  /// cannot be written.
   bool inUse() const { return !held() && lock_->error() == QLockFile::LockFailedError; }
 
-  /// Held now, after a studio that ended without releasing it.
+  /// True if this lock is held after a studio that ended without releasing it.
   bool wasLeftBehind() const { return held() && existed_; }
 
   /// The path of the lock for `project`.

@@ -71,36 +71,36 @@ class Library : public KeptProject {
   void copySettings(int row);
   bool hasCopy() const { return copied_.has_value(); }
 
-  /// Gives clips what was copied, in one step. Edited contacts, ranges and whether it is a loop
-  /// stay, which are of one clip.
+  /// Applies the copied settings to clips, in one step. Each clip keeps its own edited contacts,
+  /// ranges and loop.
   void pasteSettings(const std::vector<int>& rows);
   void pasteImportance(const std::vector<int>& rows);
 
-  /// Puts a character on the clips' rigs, in one step; an empty path takes it off. Clips that were
+  /// Sets the character of the clips' rigs, in one step; an empty path removes it. Clips that were
   /// not read yet are left out.
   void putCharacter(const std::vector<int>& rows, const QString& file);
 
-  /// Looks whether the files of the clips are still there and what they were. Those that have
-  /// changed are read again.
+  /// Checks whether the files of the clips are there and unchanged. Clips whose files have changed
+  /// are read again.
   void checkFiles();
 
-  /// The same, unless a look is under way.
+  /// Calls checkFiles() unless a check is running.
   void lookAgain();
 
   /// Searches a folder for missing clips and continues with the files found, in one step.
   void findMissing(const QString& folder);
 
-  /// A batch has done a clip of that file by these settings: the clip has that outcome now, unless
-  /// it has other settings of its own.
+  /// Takes over the outcome of a batch that compressed a clip of that file by these settings, unless
+  /// the clip has other settings of its own.
   void noteExported(const QString& path, const Settings& settings, const ReadOptions& reading,
                     const BatchStep& step);
 
-  /// Clips without an outcome of their files and settings as they are now, in the order of the rows
-  /// from the current one on, and `most` at most. Each has settings. Left out: the clip that is
-  /// open, which the session compresses, and those known to fail.
+  /// Clips that have settings and no outcome for their present files and settings: at most `most`,
+  /// in the order of the rows, from the current one on. Leaves out the open clip, which the session
+  /// compresses, and clips that failed.
   std::vector<TunedClip> unencoded(std::size_t most) const;
 
-  /// The background has compressed one of these, or could not.
+  /// Takes over the result, or the failure, of a clip that was compressed in the background.
   void noteEncoded(const TunedClip& clip, const BatchStep& step);
 
   /// The pinned results of a clip.
@@ -131,7 +131,7 @@ class Library : public KeptProject {
   /// New clips were added, starting at this row.
   void added(int row);
 
-  /// A look at the files has ended.
+  /// A check of the files has ended.
   void looked();
 
  private:
@@ -202,7 +202,7 @@ class Library : public KeptProject {
       known_;  // by hashes of source and settings
   JobRunner checking_{Workers::LongRunning};
   bool check_again_ = false;  // files may have changed since the running check began
-  std::string tried_;         // hash of the changed file that was opened last, or could not be
+  std::string tried_;         // hash of the changed file that was opened last, or failed to open
   JobRunner finding_{Workers::LongRunning};
   JobRunner reading_character_;
   JobRunner carrying_notes_{Workers::LongRunning};

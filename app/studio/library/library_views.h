@@ -26,16 +26,16 @@ class LibraryViews : public QObject {
   /// Sets the presets that clips of the library can get.
   void offer(const PresetShelf* presets);
 
-  /// Clips are opened there too.
+  /// Opens clips that are clicked in the plot.
   void offer(LibraryPlot* plot);
 
-  /// Opens the next clip that waits for a verdict, and says so where there is none.
+  /// Opens the next clip that waits for a verdict; shows a message if there is none.
   void showNextToReview();
 
   /// Gives the open clip a verdict and opens the next that waits for one.
   void judge(Verdict verdict);
 
-  /// With a file dialog.
+  /// Asks for files and adds them.
   void addClips();
   void addFolder();
   void findMissing();

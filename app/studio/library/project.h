@@ -25,11 +25,11 @@ struct ProjectClip {
   std::optional<Outcome> outcome;
   ClipReview review;
   std::vector<Pin> pins;
-  std::string rig;   // rig_of() its joints as they were read last; empty: they never were
-  InputStamp stamp;  // of its files as they were found last; no hash: they never were
-  std::optional<std::size_t> bytes_before;  // as LibraryEntry has it; not kept
-  bool missing = false;                     // they are gone, by what is known now; not kept
-  QString failure;  // why its settings cannot compress it, likewise; empty: nobody knows
+  std::string rig;   // rig_of() its joints when last read; empty: never read
+  InputStamp stamp;  // stamp of its files when last examined; no hash: never examined
+  std::optional<std::size_t> bytes_before;  // see LibraryEntry; not saved
+  bool missing = false;                     // its files were gone when last looked for; not saved
+  QString failure;  // why its settings cannot compress it; empty: unknown; not saved
 
   /// clipKey() of path and take. A file with several takes has a clip for each once it was read.
   QString key() const { return clipKey(path, reading.take); }

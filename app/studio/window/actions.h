@@ -44,7 +44,7 @@ struct Actions {
   QAction* undo = nullptr;
   QAction* redo = nullptr;
   QAction* next_review = nullptr;  // the next clip that waits for a verdict
-  QAction* approve = nullptr;      // and on to the next
+  QAction* approve = nullptr;      // approves the clip and opens the next
   QAction* reject = nullptr;
   QAction* note_here = nullptr;
   QAction* next_note = nullptr;
