@@ -179,7 +179,7 @@ class JointMotion {
     request_.selection = nullptr;
     request_.parents = nullptr;
     request_.convention = nullptr;
-    // Nothing moves back to the first frame of a clip that is no such loop.
+    // Only a clip whose first frame follows the last can blend back to its first frame.
     if (request_.wrap == MCPR_LOOP_BLEND && clip.loop != LoopKind::Follows)
       request_.wrap = MCPR_LOOP_HOLD;
   }

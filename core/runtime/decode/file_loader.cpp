@@ -127,7 +127,7 @@ mcpr_result FileLoader::read_motion() {
   return kOk;
 }
 
-/// A pose, and after the last one the velocity, if there is one.
+/// Reads the correction of a pose and, after the last pose, that of the velocity if there is one.
 void FileLoader::read_ends(EndReader& ends, int pose) {
   const EndReaches& reaches = sections_.end_reaches;
   if (!reaches.any()) return;
@@ -135,7 +135,7 @@ void FileLoader::read_ends(EndReader& ends, int pose) {
   if (pose == kLastPose && reaches.count() > kVelocity) read_end(ends, kVelocity);
 }
 
-/// In steps of the segment that was decoded last.
+/// Reads one correction, in steps of the segment that was decoded last.
 void FileLoader::read_end(EndReader& ends, int end) {
   const std::uint32_t channels = sections_.channels;
   const int step_exponent = sections_.end_step_exponent[end];
@@ -144,7 +144,7 @@ void FileLoader::read_end(EndReader& ends, int end) {
         end_value(ends.next(), steps_[c], step_exponent);
 }
 
-/// Unless it is the one that was decoded last.
+/// Decodes a segment, unless it is the one that was decoded last.
 mcpr_result FileLoader::read_segment(int segment) {
   if (segment == decoded_) return kOk;
   const Segment& coded = segments_[segment];
@@ -278,7 +278,7 @@ void FileLoader::lay_out_motion(BlockLayout& block, ClipBlock& head, std::byte* 
   }
 }
 
-/// The FileLoader itself, then what it takes.
+/// Counts the FileLoader itself, then the memory that it takes.
 mcpr_result find_read_bytes(const FileSections& sections, const mcpr_limits& limits,
                             std::uint64_t& bytes) {
   if (!sections.is_adaptive())

@@ -103,7 +103,7 @@ class SectionsReader {
            offset == sections_.tiers.tier[wanted - 1].file_bytes;
   }
 
-  /// Sections FINE begin and end where TIER says.
+  /// Checks that sections FINE begin and end where TIER says.
   mcpr_result check_tier_ends(const Section& section, std::size_t end) const {
     if (!section.is("FINE")) return kOk;
     const Tier* const tier = sections_.tiers.tier + sections_.tiers_read - 1;
@@ -113,7 +113,7 @@ class SectionsReader {
     return kOk;
   }
 
-  /// All tiers that are wanted are there. Without its finest bands a motion does without the
+  /// Checks that all requested tiers are there. A motion without its finest bands has no
   /// corrections of its ends.
   mcpr_result check_tiers(std::size_t offset) {
     if (sections_.tiers_read != wanted_tiers())
@@ -266,7 +266,7 @@ class SectionsReader {
     return check_values(payload.offset);
   }
 
-  /// The sizes of segments add up to the piece of the coefficients that was read last.
+  /// Checks that the sizes of segments add up to the piece of the coefficients that was read last.
   mcpr_result check_segment_sizes() const {
     if (sections_.segments_bytes == 0) return kOk;
     const int piece = std::max(sections_.tiers_read - 1, 0);

@@ -141,7 +141,8 @@ const PredictionKernels* prediction_of(mcpr_path path) {
     case Kernels::None:
       break;
     case Kernels::Plain:
-    case Kernels::Four:  // no faster: most of the time takes integers of 64 bits
+    case Kernels::Four:  // vectors of four are no faster: most of the work is on integers of 64
+                         // bits
       return &kPlainPrediction;
     case Kernels::Avx2:
 #ifdef MOCAPRESS_HAS_AVX2

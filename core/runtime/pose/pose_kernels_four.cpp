@@ -106,7 +106,7 @@ inline void place_entry_weights(const Wholes& whole, int first_row, int shift,
   place_weights(weights, first_row, shift, of_entry);
 }
 
-/// The weights of two rows, four times.
+/// The weights of two rows, repeated four times.
 struct PairWeights {
   Words8 words;
 

@@ -21,7 +21,8 @@
 namespace mocapress::runtime {
 namespace {
 
-/// The kinds of a clip's columns: as a loop has them, else found by what reads them.
+/// The kinds of a clip's columns: from its table if it is a loop, else found from the tables that
+/// read the columns.
 class ColumnKinds {
  public:
   explicit ColumnKinds(const mcpr_cooked& clip)
@@ -88,7 +89,7 @@ class Sampler {
     put_moving(out);
   }
 
-  /// Overwrites, in a pose that is there, what moves of the joints of the selection.
+  /// Overwrites the moving parts of the selection's joints in a complete pose.
   void run_over(const PlaceInClip& place, float* out) {
     make(place);
     put_moving(out);
@@ -467,7 +468,7 @@ void sample_in(void* room, std::size_t size, const mcpr_cooked& clip, const Pose
   bool is_kept = false;
   const BetweenFrames between = between_frames(static_cast<int>(clip.frames), place.frame);
   const bool has_steps = request.stepped_count > 0 && (is_across || between.share > 0);
-  // A cursor needs the room before anything else, and no longer.
+  // A cursor uses this memory first; afterwards it is free again.
   if (cursor != nullptr && (!is_across || has_steps) &&
       is_liftable(clip.layout().stretch_at(between.before), between))
     is_kept = cursor->keep(kernels, between.before, between.share > 0,

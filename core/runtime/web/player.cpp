@@ -47,7 +47,7 @@ bool succeeded(const mcpr_result& result) {
 
 constexpr const char* kNoMemory = "there is not enough memory for the clip";
 
-/// Memory as the runtime wants it.
+/// Aligned memory for the runtime.
 class Memory {
  public:
   Memory() = default;
@@ -276,7 +276,8 @@ MOCAPRESS_EXPORT const mcpk_bank* web_open_shared(const void* memory, std::size_
   return succeeded(mcpk_open(memory, size, 2, &bank)) ? bank : nullptr;
 }
 
-/// Two numbers: where a clip is, and its bytes; of what follows the clips, for one too many.
+/// Returns two numbers: the place of a clip and its bytes; for the number after the last clip,
+/// those of the data after all clips.
 MOCAPRESS_EXPORT const double* web_place(const mcpk_bank* bank, std::uint32_t number) {
   static double place[2];
   std::uint64_t offset = 0;
@@ -349,7 +350,7 @@ MOCAPRESS_EXPORT int web_decode(const Clip* clip, std::uint32_t first, std::uint
 
 #endif
 
-/// Its players are closed before it.
+/// Closes a clip. Its players must be closed before.
 MOCAPRESS_EXPORT void web_close(Clip* clip) {
   destroy(clip);
 }
