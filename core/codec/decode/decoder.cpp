@@ -82,7 +82,8 @@ class SegmentJoin {
  public:
   explicit SegmentJoin(const SegmentLayout& layout) : layout_(layout) {}
 
-  /// Those of the next segment: gives the frames from its first on that no later one shares.
+  /// Takes the samples of the next segment and returns the frames from its first on that no later
+  /// segment shares.
   Eigen::MatrixXd next(Eigen::MatrixXd samples);
 
  private:

@@ -10,8 +10,8 @@
 namespace mocapress {
 namespace {
 
-/// Returns whether every prediction from samples of this value is the value: in the order of sums
-/// that FORMAT.md gives.
+/// Returns whether samples of this value predict exactly this value, with sums in the order of
+/// FORMAT.md.
 bool predicts_itself(float value) {
   constexpr auto kCubic = runtime::Wavelet::Cubic;
   const runtime::InnerWeights inner = runtime::inner_weights(kCubic);
