@@ -172,7 +172,7 @@ runtime::BankRegion BankWriter::write_region(std::span<const std::byte> bytes,
   return region;
 }
 
-/// The places of what is written after it.
+/// The table of the tiers that are written after it.
 std::vector<std::byte> BankWriter::tier_table() const {
   std::vector<std::byte> table;
   if (tiers_.empty()) return table;

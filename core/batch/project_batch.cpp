@@ -50,7 +50,8 @@ std::size_t index_of(const Settings& settings, std::vector<Settings>& presets) {
   return index;
 }
 
-/// By the rigs of clips; that of "" is on all others. An older project had one for all.
+/// Characters by the rigs of clips; the one of "" is for all other rigs. An older project has one
+/// for all clips.
 std::map<std::string, std::string> characters_in(const Json& json, const fs::path& folder) {
   std::map<std::string, std::string> characters;
   characters.emplace("", path_at(json, "character", folder));
@@ -60,8 +61,8 @@ std::map<std::string, std::string> characters_in(const Json& json, const fs::pat
   return characters;
 }
 
-/// Empty: the clip has its own. One whose rig the project does not know yet gets the only character
-/// there is: where that does not fit it is left off, and that is said.
+/// The character for a clip; empty: its own. A clip whose rig the project does not know yet gets
+/// the only character there is; if that does not fit, the clip keeps its own, with a warning.
 std::string character_on(const Json& clip, const std::map<std::string, std::string>& characters) {
   const std::string rig = clip.value("rig", "");
   if (rig.empty() && characters.size() == 2 && characters.at("").empty())
