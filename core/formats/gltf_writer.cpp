@@ -100,7 +100,7 @@ std::string gltf_bytes(const Motion& given, GltfContainer container, const Sourc
   Json animation = {{"samplers", Json::array()}, {"channels", Json::array()}};
   AnimationWriter writer(buffer, animation, 0, motion.clip.frames(), motion.clip.sample_rate_hz);
   for (const NodeTrack& track : tracks) writer.add(track, false);
-  // Or else it would be no animation, and the number of frames be lost.
+  // Without a channel it would be no animation, and the number of frames would be lost.
   if (animation["channels"].empty() && !tracks.empty()) writer.add(tracks.front(), true);
   json["animations"].push_back(std::move(animation));
   return in_container(std::move(json), container, 0, buffer.release());

@@ -107,7 +107,7 @@ class SourceTracks {
     return of.frames.empty() ? of.rest : of.frames.front();
   }
 
-  /// A node that follows has what is left between its place in the world and that of its parent.
+  /// Gives a node that follows the transform from its parent's place in the world to its own.
   void place(const Pose& pose, const JointScales& scales, int frame) {
     placements_.resize(tracks_.size());
     for (std::size_t n = 0; n < tracks_.size(); ++n) {

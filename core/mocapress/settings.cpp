@@ -21,8 +21,8 @@ bool is_closed_loop(const Settings& settings) {
 }  // namespace
 
 std::span<const Settings> built_in_presets() {
-  // Heads and hands are looked at more than they have skin, and feet stand. These factors keep most
-  // clips within the promises at once; where they do not, an encode raises them.
+  // People look at heads and hands more than their share of the surface says, and feet stand. These
+  // factors keep most clips within the promises at once; if they do not, an encode raises them.
   const NamedImportance looks{.factors = {{"feet", 4}, {"fingers", 8}, {"hands", 54}, {"head", 3}},
                               .contacts = 0};
   NamedImportance planted = looks;

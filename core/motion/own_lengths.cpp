@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kSameLength = 0.2;    // cm
-constexpr double kLeastDrop = 1;       // cm, of legs that say how large a body is
+constexpr double kLeastDrop = 1;       // cm; shorter legs do not tell the size of a body
 constexpr double kLargestScale = 100;  // and its inverse the smallest
 
 /// A joint that carries some of the skin, and the bone that leads to it.

@@ -23,7 +23,7 @@ using Eigen::Vector3d;
 
 constexpr double kSameDirection = 0.97;  // cosine
 constexpr double kSameAxes = 0.8;        // share of the bones' length that lies the same way
-constexpr double kShortest = 0.1;        // cm, of what has a direction
+constexpr double kShortest = 0.1;        // cm; shorter bones have no direction
 constexpr double kLeastCarried = 0.5;    // share of the surface that joints of the clip carry
 
 /// Maps joints of one skeleton to joints of another with the same name; -1: none.
@@ -58,7 +58,7 @@ void require_most(const Skin& skin, const Skeleton& from, const Skeleton& to,
               ": they carry most of the character");
 }
 
-/// Has joints that `to` has carry the whole skin, as it was bound.
+/// Moves vertices on missing joints to joints that `to` has, as they were bound.
 void hold_missing(Skin& skin, const Skeleton& from, const std::vector<int>& joint_in_to) {
   const std::vector<SkinBone> bones = skin.bones;
   const auto bone_of = [&](int joint) {

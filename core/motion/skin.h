@@ -34,7 +34,7 @@ struct BoneWeights {
 struct OwnLengths {
   struct Bone {
     int joint;               // the clip's joint at the end of the bone
-    int above;               // the joint that the bone begins at; -1: it begins nowhere
+    int above;               // the joint at which the bone begins; -1: none
     Eigen::Vector3d longer;  // cm, in the frame of `above`
   };
   double scale = 1;  // of the world: length of its legs / length of the clip's legs

@@ -221,7 +221,7 @@ double headline_eps_cm(const Results& results) {
   const Series* leading = results.leading_series();
   std::pair<int, int> most = {-1, -1};
   for (const double eps_cm : {0.5, 0.26, 1.0, 0.1, 2.0, 0.2, 0.05, 5.0, 10.0}) {
-    // Where the leading method has none, another would win for want of it.
+    // The leading series counts first, so that no error is chosen at which it has no size.
     std::pair<int, int> sizes = {0, 0};
     for (const Series& series : results.series())
       for (const StudiedClip& clip : results.clips())

@@ -42,8 +42,8 @@ std::int64_t id_of(const FbxRecords& records, const FbxObject& object) {
   return id ? id->whole() : 0;
 }
 
-/// The target of a motion: a take, or if none has a key the nodes at rest, from the begin of the
-/// take that the options name, else of the first.
+/// Reads the take that a motion replaces. If no take has a key: the nodes at rest, from the
+/// beginning of the take that the options name, or else of the first.
 FbxTake read_target(FbxFile& file, const ReadOptions& options) {
   const double second = file.ticks_per_second();
   FbxAnimation animation(file.records, file.objects, second);
@@ -159,7 +159,7 @@ std::int64_t EditedTake::free_id() const {
   return largest + 1;
 }
 
-/// A file that has none gets one.
+/// Adds a take to a file without one.
 void EditedTake::add_take() {
   const std::int64_t stack = out_.new_id();
   layer_ = out_.new_id();

@@ -345,7 +345,7 @@ FbxOutRecord FbxDocument::definitions() const {
 
 std::string FbxDocument::bytes(int version) {
   pose_.records.front().field("NbPoseNodes", static_cast<std::int32_t>(bound_));
-  // Programs that check it find the end of the file to belong to this date and this id.
+  // The end of the file follows from this date and id; some programs check that.
   constexpr std::string_view kFileId(
       "\x28\xb3\x2a\xeb\xb6\x24\xcc\xc2\xbf\xc8\xb0\x2a\xa9\x2b\xfc\xf1", 16);
   objects_.records.splice(objects_.records.end(), pose_.records);
