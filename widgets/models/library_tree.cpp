@@ -28,7 +28,8 @@ struct LibraryTree::Folder {
     return *folders.back();
   }
 
-  /// Sorts folders by name. Shortened, what holds one folder and nothing else becomes one with it.
+  /// Sorts folders by name. With `shorten`, joins each folder that holds one folder and nothing
+  /// else with that folder.
   void arrange(bool shorten) {
     while (shorten && clips.empty() && folders.size() == 1) {
       const std::unique_ptr<Folder> only = std::move(folders.front());
@@ -66,7 +67,7 @@ QString displayName(Grouping grouping) {
   return {};
 }
 
-/// Connected after the filter, which has followed a change when the tree hears of it.
+/// Connected after the filter, so that the filter has followed a change when the tree hears of it.
 LibraryTree::LibraryTree(LibraryModel* clips, QObject* parent)
     : QAbstractItemModel(parent), clips_(clips), filter_(clips) {
   connect(clips, &LibraryModel::modelReset, this, &LibraryTree::build);
@@ -113,7 +114,7 @@ void LibraryTree::build() {
     folder->clips.push_back(clip);
     places_[static_cast<std::size_t>(clip)] = {row, nullptr, names};
   }
-  // A single verdict stays, for it says something of the clips.
+  // A single group by verdict or visibility stays, since it says something about the clips.
   root_->arrange(grouping_ == Grouping::Folder);
   const auto note = [this](auto&& self, Folder& folder) -> void {
     QStringList names;

@@ -151,7 +151,7 @@ constexpr const char* kSentences[] = {
                       "has a JSON value of another type than its place asks for"),
     QT_TRANSLATE_NOOP("mocapress::Sentence",
                       "cannot be read: a library that reads its parts failed"),
-    // Text that is not as its format wants it.
+    // Text that breaks the rules of its format.
     QT_TRANSLATE_NOOP("mocapress::Sentence", "expected one sample per second or more, found %1"),
     QT_TRANSLATE_NOOP(
         "mocapress::Sentence",
@@ -254,7 +254,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("mocapress::Sentence", "its nodes hang deeper than %1"),
     QT_TRANSLATE_NOOP("mocapress::Sentence", "has keys at impossible times"),
     QT_TRANSLATE_NOOP("mocapress::Sentence", "has too many nodes for so many frames"),
-    // The encoder's.
+    // Errors of the encoder.
     QT_TRANSLATE_NOOP(
         "mocapress::Sentence",
         "the target of %1 is out of reach with this method: the nearest is %2, a smaller file"),
@@ -302,7 +302,7 @@ constexpr const char* kCounts[] = {
     QT_TRANSLATE_N_NOOP("mocapress::Sentence", "%n End Site(s)"),
 };
 
-/// A text that fits a pattern, and what stands in its places.
+/// A sentence with %1 and on, and an expression that matches it.
 struct Pattern {
   const char* source;
   QRegularExpression fits;

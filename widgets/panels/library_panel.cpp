@@ -305,7 +305,7 @@ bool LibraryPanel::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
-/// The clip has the room that the other columns leave, and what it needs to say something.
+/// Gives the clips' column the width that the others leave, but at least a readable one.
 void LibraryPanel::fitColumns() {
   QHeaderView* head = view_->header();
   int others = 0;
@@ -434,7 +434,7 @@ void LibraryPanel::setCurrent(int row) {
     using Selection = QItemSelectionModel;
     Selection* selection = view_->selectionModel();
     const QSignalBlocker blocker(selection);
-    // One of several that are chosen leaves them so.
+    // A clip within the selection leaves the selection as it is.
     selection->setCurrentIndex(index, selection->isSelected(index)
                                           ? Selection::SelectionFlags(Selection::NoUpdate)
                                           : Selection::ClearAndSelect | Selection::Rows);

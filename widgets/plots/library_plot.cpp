@@ -136,7 +136,7 @@ void LibraryPlot::redraw() {
     else
       any = true;
   }
-  plot_->legend->setFillOrder(QCPLegend::foColumnsFirst);  // anew: its items are others
+  plot_->legend->setFillOrder(QCPLegend::foColumnsFirst);  // arranges the new items
   plot_->legend->setVisible(any);
   plot_->legend->setBrush(Qt::NoBrush);
   plot_->legend->setBorderPen(Qt::NoPen);
@@ -164,7 +164,7 @@ void LibraryPlot::placeRing() {
 
 void LibraryPlot::showAll() {
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  // A QCPRange would turn round what is empty.
+  // Unlike a QCPRange, this can be empty.
   struct Range {
     double lower = kInfinity, upper = 0;
     void include(double value) {

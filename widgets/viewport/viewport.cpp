@@ -103,7 +103,7 @@ void Viewport::setSkeleton(const Skeleton& skeleton) {
   slides_.clear();
   selected_joint_ = -1;
   camera_is_framed_ = false;
-  frame_ = 0;  // the last clip's means nothing here
+  frame_ = 0;  // the frame of the last clip means nothing here
   if (scene_) scene_->setCell(gridCell(shape_->size()));
   arrangeFigures();
 }
@@ -115,7 +115,7 @@ void Viewport::setSkin(std::shared_ptr<const Skin> skin) {
     for (SkinFigure* figure : {&scene_->bodySkin(), &scene_->shellSkin()}) figure->setSkin(skin_);
     for (std::size_t i = 0; i < kMostPinned; ++i) scene_->pinnedSkin(i).setSkin(skin_);
   }
-  // As long as nobody has looked elsewhere, the whole of it is in sight.
+  // Frames the whole figure anew unless the user has moved the camera.
   camera_is_framed_ = camera_is_framed_ && !camera_is_as_framed_;
   placeOriginal();
   placeCompressed();
@@ -151,7 +151,7 @@ void Viewport::placeCompressed() {
   if (!original_) measureFigure();
 }
 
-/// A character with bone lengths of its own has its joints elsewhere than the clip.
+/// Moves tracks to the places of a character's joints, which differ if it has its own bone lengths.
 Viewport::Tracks Viewport::asSeen(const Tracks& of_clip, const Poses& poses) const {
   if (!of_clip || !hasSkin(poses) || skin_->lengths.bones.empty()) return of_clip;
   std::vector<Landmark> points = landmarks(skeleton_);
@@ -261,7 +261,7 @@ void Viewport::lookDown() {
 
 void Viewport::capture() {
   if (scene_) return scene_->capture();
-  // Later, as with a scene: the caller may not have connected yet.
+  // Emitted later, as with a scene: the caller may not have connected yet.
   QMetaObject::invokeMethod(
       this, [this] { emit captured({}); }, Qt::QueuedConnection);
 }
@@ -302,7 +302,7 @@ void Viewport::showFigure(const Parts& parts, const Role& role, const FigureMark
   const bool as_skin = shown && hasSkin(role.poses);
   if (!shown || as_skin) figure.hide();
   if (!as_skin) skin.hide();
-  // That of a ghost would be taken for the other's.
+  // A ghost's shadow would be taken for the other figure's.
   const bool has_shadow = shown && !role.placement.ghost;
   if (!has_shadow) shadow.hide();
   if (!shown || !options_.path) path.hide();
@@ -390,7 +390,7 @@ bool Viewport::colouredByError() const {
   return options_.by_error && errors_ && compressed_ && errors_->rows() == compressed_->rows();
 }
 
-/// Where the compressed figure was and will be.
+/// Shows poses of the compressed figure before and after the frame.
 void Viewport::showGhosts() {
   Figure& ghosts = scene_->ghosts();
   if (options_.trail == 0 || !shape_ || !compressed_ || !arrangement_.compressed.shown)
@@ -411,7 +411,7 @@ FigureMarks Viewport::compressedMarks() const {
     marks.alerts = slideAlerts(slides_, shape_->jointCount(), frame);
     return marks;
   }
-  // As far off as it is seen to be.
+  // The distance between the figures as drawn.
   const bool has_own_lengths = original_ != original_of_clip_ && compressed_ != compressed_of_clip_;
   for (int landmark = 0; landmark < static_cast<int>(errors_->cols()); ++landmark) {
     const float cm = has_own_lengths ? landmarkAt(*compressed_, frame, landmark)
@@ -422,7 +422,7 @@ FigureMarks Viewport::compressedMarks() const {
   return marks;
 }
 
-/// On the ground below the compressed figure: where feet stand and how they slid.
+/// Draws on the ground below the compressed figure where feet stand and how they slid.
 void Viewport::showMarks() {
   const bool shown = shape_ && compressed_ && arrangement_.compressed.shown;
   for (Figure* marks : {&scene_->trails(), &scene_->discs()}) {
@@ -435,7 +435,7 @@ void Viewport::showMarks() {
                                  kDiscPerSize * shape_->size()));
 }
 
-/// They do not change from frame to frame.
+/// Draws the trails of sliding feet, which do not change from frame to frame.
 void Viewport::showTrails() {
   if (!scene_ || !shape_ || !compressed_ || !arrangement_.compressed.shown) return;
   scene_->trails().show(slideTrails(slides_, *compressed_, kTrailPerSize * shape_->size()));
@@ -452,8 +452,8 @@ void Viewport::sizeCamera() {
   if (!scene_) return;
   camera_.setViewSize({static_cast<double>(scene_->width()) / arrangement_.panes,
                        static_cast<double>(scene_->height())});
-  // In a view of another shape the figure may no longer be whole. Where the user has looked at
-  // something, that stays.
+  // A view of another shape may cut the figure off, so it is framed anew, unless the user has moved
+  // the camera.
   camera_is_as_framed_ ? resetCamera() : showCamera();
 }
 
@@ -499,8 +499,9 @@ const Eigen::MatrixXd* Viewport::leadingTracks() const {
   return original_ ? original_.get() : compressed_.get();
 }
 
-/// With its skin, where that is seen; and with what it does later, around where its root is now:
-/// who lies down is seen whole by a camera that follows.
+/// Points of the leading figure to be framed, with its skin if that is shown, and with its later
+/// poses moved to where its root is now, so that a camera that follows it sees it whole when it
+/// lies down.
 std::vector<QVector3D> Viewport::leadingBody() const {
   const Eigen::MatrixXd& tracks = *leadingTracks();
   const Poses& poses = original_ ? original_poses_ : compressed_poses_;
@@ -615,7 +616,7 @@ void Viewport::release(const QMouseEvent& event) {
 
 std::optional<Viewport::Pointed> Viewport::pointedAt(const QPointF& position, double reach) const {
   OrbitCamera camera = camera_;
-  camera.moveBy(-offset());  // to where the figures are as recorded
+  camera.moveBy(-offset());  // to the places of the figures as recorded
   std::optional<Pointed> nearest;
   double least = reach;
   for (const auto& [tracks, placement] : {std::pair(compressed_, arrangement_.compressed),
