@@ -88,7 +88,7 @@ void BackgroundEncoding::take(const std::vector<BatchStep>& steps) {
       library_->noteEncoded(under_way_[step.index], step);
 }
 
-/// Results that still arrive are of no clip.
+/// Drops results that still arrive: their clips are gone.
 void BackgroundEncoding::leave() {
   preparing_.abandon();
   runner_.cancel();

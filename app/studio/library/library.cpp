@@ -86,7 +86,7 @@ void Library::enter() {
 void Library::add(const QStringList& paths) {
   QSet<QString> known;
   for (const ProjectClip& clip : project_.clips) known.insert(clip.path);
-  auto clips = std::make_shared<ClipsByRow>();  // as they are when they are taken out again
+  auto clips = std::make_shared<ClipsByRow>();  // the clips as they are when undo removes them
   QSet<QString> fresh;
   for (const QString& each : paths) {
     const QString path = QFileInfo(each).absoluteFilePath();
@@ -146,7 +146,8 @@ Library::ClipsByRow Library::takeOut(const IsOut& is_out) {
   return clips;
 }
 
-/// With all that was decided about them, where they were: the first row first.
+/// Inserts removed clips again at their old rows, with their settings and reviews, the first row
+/// first.
 void Library::putBack(const ClipsByRow& clips) {
   std::vector<LibraryEntry> all = entries();
   const QHash<QString, int> known = project_.rows();
@@ -226,7 +227,7 @@ void Library::showRows(const std::vector<int>& rows) {
   if (!rows.empty()) touch();
 }
 
-/// A motion that is opened belongs to the project from then on.
+/// Makes the opened motion the current clip, and adds it to the project if it is new.
 void Library::noteOpened(const QString& path, const QString& skeleton) {
   const OriginalPtr& original = session_->document().original();
   if (original) {

@@ -40,7 +40,7 @@ void Library::noteFiles(const std::vector<QString>& keys, const std::vector<Clip
     const int row = rows.value(keys[i], -1);
     if (row < 0) continue;
     ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
-    if (clip.stamp.hash != sources[i].stamp.hash) continue;  // opened since: that is newer
+    if (clip.stamp.hash != sources[i].stamp.hash) continue;  // opened since, so its stamp is newer
     const bool was_missing = std::exchange(clip.missing, now[i].state == SourceNow::State::Missing);
     const bool is_new = now[i].state == SourceNow::State::Found &&
                         (was_missing || now[i].stamp.hash != clip.stamp.hash);
@@ -63,8 +63,8 @@ void Library::noteFiles(const std::vector<QString>& keys, const std::vector<Clip
   openIfChanged();
 }
 
-/// Each content of a file once: a file that cannot be read, or takes longer than the time between
-/// two looks, is not opened over and over.
+/// Opens the current clip again if its file has changed, once for each content: a file that cannot
+/// be read, or takes longer than the time between two checks, is not opened over and over.
 void Library::openIfChanged() {
   const ProjectClip* open = openNow();
   if (!open || open->missing || session_->isOpening()) return;
@@ -105,7 +105,7 @@ void Library::findMissing(const QString& folder) {
       [this](const QString& message) { emit failed(message); });
 }
 
-/// The clips stay what they are, with their files elsewhere.
+/// Sets new places of files; everything else about the clips stays.
 void Library::move(const std::map<QString, ClipSource>& to) {
   std::vector<LibraryEntry> all = entries();
   bool current_moves = false;
@@ -131,8 +131,8 @@ void Library::move(const std::map<QString, ClipSource>& to) {
   if (current_moves) openClip(currentRow());
 }
 
-/// The view does not stay on the clip before: what is said of the chosen clip would seem to be said
-/// of that one.
+/// Notes the failure and closes the clip before: what is shown would otherwise seem to be about the
+/// chosen clip.
 void Library::noteOpenFailed(const OpenRequest& request, const QString& message) {
   const QString key = clipKey(request.path, request.reading.value_or(ReadOptions()).take);
   const int row = model_->rowOf(key);

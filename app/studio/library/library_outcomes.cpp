@@ -86,7 +86,7 @@ void Library::setOutcome(ProjectClip& clip, const Outcome& outcome) {
   if (clip.key() == project_.current) emit currentChanged();
 }
 
-/// Settings that the clip had before came to the same.
+/// Restores the outcome that the clip had earlier with the same file and settings.
 void Library::recallOutcome(ProjectClip& clip) {
   const auto found = known_.find({clip.stamp.source, settingsHash(clip)});
   if (found != known_.end()) clip.outcome = found->second;
@@ -114,7 +114,7 @@ void Library::noteEncoded(const TunedClip& tuned, const BatchStep& step) {
     noteExported(tuned.path, tuned.settings->preset, tuned.reading, step);
   } else {
     const std::string made_by = settings_hash(tuned.settings->preset, tuned.reading);
-    if (clip->settings && settingsHash(*clip) != made_by) return;  // it has others by now
+    if (clip->settings && settingsHash(*clip) != made_by) return;  // it has other settings by now
     clip->failure = QString::fromStdString(step.error);
     show(*clip);
   }
@@ -129,7 +129,7 @@ void Library::noteOutcome() {
   ProjectClip* clip = openNow();
   const DecodedPtr& decoded = session_->document().decoded();
   if (!clip || !decoded || !decoded->distortion) return;
-  if (!clip->settings) {  // opened as it came: what it came to is by these from now on
+  if (!clip->settings) {  // opened without settings: the outcome belongs to these
     clip->settings = settingsNow();
     touch();
   }

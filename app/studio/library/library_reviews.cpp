@@ -21,7 +21,7 @@ std::string Library::timeNow() {
   return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
 }
 
-/// The reviewer has seen what the row shows.
+/// Makes a review of the result that the row shows, by the present user and time.
 ClipReview Library::reviewNow(const ProjectClip& clip, Verdict verdict) const {
   ClipReview review{.verdict = verdict, .note = clip.review.note, .notes = clip.review.notes};
   if (verdict == Verdict::None) return review;
@@ -59,7 +59,7 @@ void Library::setVerdict(const std::vector<int>& rows, Verdict verdict) {
         tr("Verdict"), [this, after] { apply(after); }, [this, before] { apply(before); }));
   if (missing == 0) return;
   emit failed(tr("No verdict for %Ln clip(s): the file is missing.", nullptr, missing));
-  emit currentChanged();  // what stands is shown again
+  emit currentChanged();  // shows the old verdict again
 }
 
 void Library::setNote(int row, const QString& note) {

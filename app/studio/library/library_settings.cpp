@@ -44,7 +44,8 @@ void Library::pasteImportance(const std::vector<int>& rows) {
   });
 }
 
-/// In one step. Clips that were never tuned begin with the usual settings.
+/// Changes settings of several clips in one step. Clips that were never tuned begin with the usual
+/// settings.
 void Library::change(const std::vector<int>& rows, const QString& name,
                      const std::function<void(NamedSettings&)>& change) {
   SettingsByKey before, after;
@@ -142,7 +143,7 @@ void Library::noteSettings() {
   if (!clip) return;
   const auto state = [clip] { return std::pair(staleVerdict(*clip), outdated(*clip)); };
   const auto before = state();
-  // Those it was opened by stay as they were said.
+  // Settings that have not changed since opening are kept as they were written.
   if (clip->settings && isAsNow(*clip->settings)) return;
   clip->settings = settingsNow();
   clip->failure.clear();

@@ -45,8 +45,8 @@ Staleness outdated(const ProjectClip& clip);
 /// Why a note on the clip does not apply to it today, in English. Unset: it does.
 std::optional<std::string> staleNote(const ProjectClip& clip, const FrameNote& note);
 
-/// A verdict on a clip that was never compressed, and whose files had not been looked at yet, is
-/// about what they were then, if they have not been written since.
+/// Gives a verdict the hash of the clip's files if it has none, because the clip was not compressed
+/// or examined at the time, and if the files have not been written since.
 void bindVerdict(ProjectClip& clip);
 
 /// A list of clips with their common data.
