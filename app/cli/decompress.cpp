@@ -115,7 +115,7 @@ struct Decompress {
     return files;
   }
 
-  /// Also for a file that has come since run() looked.
+  /// Refuses to replace also a file that has appeared since run() looked.
   StagedFile::Existing existing() const {
     return no_clobber ? StagedFile::Existing::Refuse : StagedFile::Existing::Replace;
   }

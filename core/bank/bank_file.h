@@ -41,8 +41,8 @@ struct SkeletonsInBank {
   std::vector<std::uint32_t> of_clip;  // for each clip, its number among `all`
 };
 
-/// A bank on disk whose bytes were all checked. All of it is in memory, since the pages of a mapped
-/// file would be lost if somebody cut it short.
+/// A bank on disk with all of its bytes checked. All of it is in memory, since the pages of a
+/// mapped file would be lost if somebody cut it short.
 class BankFile {
  public:
   /// Throws InputError.

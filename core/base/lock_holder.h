@@ -17,7 +17,7 @@ struct LockHolder {
   bool operator==(const LockHolder&) const = default;
 };
 
-/// This process, from now on.
+/// Describes this process, since now.
 LockHolder this_process();
 
 /// "ana on render3, process 4711, since 2026-11-26T14:05:00Z"

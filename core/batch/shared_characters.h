@@ -15,7 +15,7 @@ namespace mocapress {
 /// its size or time of writing changed. Threads may ask at once: one parses, the others wait.
 class SharedCharacters {
  public:
-  /// As read_character(). Throws InputError.
+  /// Returns what read_character() returns for the file. Throws InputError.
   std::shared_ptr<const Character> read(const std::filesystem::path& file);
 
  private:

@@ -41,7 +41,7 @@ class AnimationWriter {
 
 Json json_of(const Eigen::Vector3d& vector);
 
-/// Writes what is not the default.
+/// Writes the parts of a transform that differ from glTF's defaults.
 void set_transform(Json& node, const LocalTransform& local);
 
 }  // namespace mocapress

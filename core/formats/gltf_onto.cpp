@@ -67,7 +67,7 @@ void remove_channels(const GltfFile& file, const std::vector<NodeTrack>& tracks,
   }
 }
 
-/// By its first bytes; empty for what is no image that a glTF may hold.
+/// The media type of an image by its first bytes; empty for what is no image that a glTF may hold.
 std::string image_type(std::string_view bytes) {
   if (bytes.starts_with("\x89PNG")) return "image/png";
   if (bytes.starts_with("\xFF\xD8\xFF")) return "image/jpeg";

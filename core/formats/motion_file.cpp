@@ -43,7 +43,7 @@ bool has_extension(const path& file, std::string_view extension) {
   return equals_ignoring_case(utf8(file.extension()), extension);
 }
 
-/// Told by the extension. Models and animations of VRM are .glb files by another name.
+/// True for the extensions of glTF. Models and animations of VRM are .glb files by another name.
 bool is_gltf(const path& file) {
   return std::any_of(std::begin(kGltfExtensions), std::end(kGltfExtensions),
                      [&](const char* extension) { return has_extension(file, extension); });

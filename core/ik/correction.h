@@ -41,7 +41,7 @@ int knee_of(const Effector& effector);
 /// arrive in blocks, in order.
 class KneeSpeed {
  public:
-  /// Both must outlive this.
+  /// Both arguments must outlive this.
   KneeSpeed(const Skeleton& skeleton, const std::vector<Effector>& effectors);
 
   void add(const Clip& frames);

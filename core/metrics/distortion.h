@@ -146,7 +146,7 @@ class DistortionMeter {
   Distortion distortion() const;
 
   double eps() const { return eps(0); }  // in the weighting of Detail::Means
-  // Among the points of that weighting.
+  // The point with the largest distance among those of that weighting.
   const WorstPoint& worst() const { return sets_.front().worst; }
 
  private:

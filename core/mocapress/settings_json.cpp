@@ -212,7 +212,7 @@ std::uint64_t seed_from(const Json& json, const Keys& keys) {
   return json.get<std::uint64_t>();
 }
 
-/// Not checked.
+/// Reads settings without check().
 Settings read_settings(const Json& json) {
   Settings settings;
   settings.name = Keys(json, "what should be settings").text("name", "");

@@ -124,7 +124,7 @@ void ErrorModel::compute_motions(const Skeleton& skeleton, const MeasuredPoints&
   parallel_for(Eigen::Index{0}, blocks, [&](Eigen::Index block) {
     const Eigen::Index first = block * kBlock;
     const auto frames = static_cast<int>(std::min(kBlock, rows - first));
-    // Relative to the first joint, since places far from the origin would lose digits.
+    // Places are relative to the first joint, since those far from the origin would lose digits.
     const ThreeColumns origin = three_of(origins_, 0, first);
     std::vector<CompositeBody> bodies(static_cast<std::size_t>(skeleton.joint_count()));
     for (int p = 0; p < weights.size(); ++p)

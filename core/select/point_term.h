@@ -51,7 +51,7 @@ class PointTerm {
   void add_sums(const std::vector<int>& channels, Eigen::Index first, Eigen::Index apart,
                 const Eigen::ArrayXf& weights, Eigen::MatrixXf& sums) const;
 
-  /// Both steps at once: adds the change times an error of `delta` in `channel` alone.
+  /// Does both steps at once: adds the change times an error of `delta` in `channel` alone.
   void add_to_gradient(int channel, const Eigen::VectorXd& delta, Eigen::MatrixXd& gradient) const;
 
  private:

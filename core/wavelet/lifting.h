@@ -45,7 +45,7 @@ class Lifting {
   Basis basis() const { return basis_; }
   const std::vector<Band>& bands() const { return bands_; }
 
-  /// Both take and give length() values; input and output may be the same memory.
+  /// Transform length() values and back; input and output may be the same memory.
   void forward(std::span<const double> samples, std::span<double> coefficients) const;
   void forward(std::span<const float> samples, std::span<float> coefficients) const;
   void inverse(std::span<const double> coefficients, std::span<double> samples) const;

@@ -16,7 +16,7 @@ class NumberBox : public QDoubleSpinBox {
  public:
   explicit NumberBox(QWidget* parent = nullptr);
 
-  /// At least `shown` decimals, at most `most`.
+  /// Shows at least `shown` decimals and at most `most`.
   void setDecimalsShown(int shown, int most);
 
   QSize sizeHint() const override;

@@ -25,7 +25,7 @@ class LibraryPlot : public QWidget {
   /// Rings the point of a clip, by its row in the library; -1: none.
   void setCurrent(int clip);
 
-  /// In this widget's pixels. The clip has an outcome.
+  /// The place of a clip's point in this widget's pixels. Requires that the clip has an outcome.
   QPoint positionOf(int clip) const;
 
  signals:

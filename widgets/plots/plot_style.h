@@ -21,7 +21,7 @@ inline QColor fainter(QColor colour, float alpha) {
   return colour;
 }
 
-/// One point a frame, against seconds.
+/// Makes a point for each frame, against seconds.
 QVector<QCPGraphData> overTime(const Eigen::VectorXd& values, double sample_rate_hz);
 
 /// Ticks of a logarithmic axis: every digit, 1, 2 and 5, or whole decades, whichever is the finest

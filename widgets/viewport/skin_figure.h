@@ -34,7 +34,7 @@ class SkinFigure : public Qt3DCore::QEntity {
 
   void setGhost(bool ghost);
 
-  /// As Figure::setBehind().
+  /// See Figure::setBehind().
   void setBehind(float behind);
   void setPane(const Pane& pane);
 

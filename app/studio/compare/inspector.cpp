@@ -269,7 +269,8 @@ void Inspector::chooseRatio(int point) {
 
 void Inspector::showNextWorst(int step) {
   if (worst_.empty()) return;
-  // From any other frame the worst comes first, even if the playhead stands on one by chance.
+  // At any frame but the one shown last, starts with the worst, even if the playhead stands on one
+  // of them by chance.
   const bool goes_on = playback_->frame() == shown_worst_;
   const int frame = goes_on ? nextWorst(worst_, shown_worst_, step) : worst_.front();
   shown_worst_ = frame;

@@ -265,7 +265,7 @@ QString Document::wornFile() const {
   return original_ && original_->skin ? original_->path : QString();
 }
 
-/// Where the clip begins, on the floor.
+/// The root's place on the floor in the first frame.
 Eigen::Vector3d Document::start() const {
   const Clip& clip = original_ ? original_->motion().clip : decoded_->clip;
   Pose pose;

@@ -72,7 +72,7 @@ class Document : public QObject {
   /// Null: no clip is open.
   const Skeleton* skeleton() const;
 
-  /// As they are listed: without a namespace that all joints share.
+  /// The landmarks' names as lists show them: without a namespace that all joints share.
   std::vector<QString> landmarkNames() const;
   int frames() const;
   double sampleRate() const;  // Hz

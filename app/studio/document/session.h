@@ -46,7 +46,7 @@ class Session : public QObject {
   /// Closes the clip and abandons one that is being opened.
   void closeClip();
 
-  /// Also removes all characters.
+  /// Closes the clip and removes all characters.
   void close();
 
   /// True if this motion is open.

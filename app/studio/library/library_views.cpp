@@ -59,7 +59,8 @@ LibraryViews::LibraryViews(Session* session, Library* library, LibraryPanel* pan
           [library](Qt::ApplicationState state) {
             if (state == Qt::ApplicationActive) library->checkFiles();
           });
-  // Some change beside the user: written by another program on a second screen, or over a network.
+  // Files also change while this window is active: another program writes them on a second screen
+  // or over a network.
   constexpr int kLookAgainMs = 3000;
   auto* const look_again = new QTimer(this);
   connect(look_again, &QTimer::timeout, library, &Library::lookAgain);

@@ -127,7 +127,7 @@ std::optional<FileStatus> status_of(int file) {
     return std::nullopt;
   }
   const auto both = [](DWORD high, DWORD low) { return std::uint64_t{high} << 32 | low; };
-  // In tenths of a microsecond since 1601.
+  // Counts tenths of a microsecond since 1601.
   const auto written = static_cast<std::int64_t>(
       both(found.ftLastWriteTime.dwHighDateTime, found.ftLastWriteTime.dwLowDateTime));
   constexpr std::int64_t kBegin1970 = 116'444'736'000'000'000;
@@ -153,7 +153,7 @@ FileDescriptor open_appended(const fs::path& path, Appending to) {
 }
 
 int lock_now(int file) {
-  // Nobody else can read a locked byte: it is one that no file has.
+  // Locks a byte that no file has, since nobody else can read a locked byte.
   OVERLAPPED place{};
   place.OffsetHigh = 0x40000000;
   constexpr DWORD kHow = LOCKFILE_EXCLUSIVE_LOCK | LOCKFILE_FAIL_IMMEDIATELY;
@@ -191,7 +191,7 @@ bool synchronise_folder_of(const fs::path&) {
 bool write_all(int file, std::string_view bytes) {
   constexpr std::size_t kMost = std::size_t{1} << 30;
   while (!bytes.empty()) {
-    // At the end, wherever the last read has moved the position.
+    // Appends at the end, wherever the last read has moved the position.
     OVERLAPPED end{};
     end.Offset = end.OffsetHigh = 0xffffffff;
     DWORD written = 0;

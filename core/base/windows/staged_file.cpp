@@ -56,8 +56,8 @@ bool is_replaced(const fs::path& path, const fs::path& target) {
   return true;
 }
 
-/// Who may do what with the file at `old` holds for the new one. If that cannot be set, the new one
-/// has what its folder passes on.
+/// Gives the new file the access rights of the file at `old`. If they cannot be set, it has those
+/// that its folder passes on.
 void keep_permissions(int file, const fs::path& old) {
   PACL allowed = nullptr;
   PSECURITY_DESCRIPTOR all = nullptr;

@@ -38,7 +38,8 @@ enum class Method : std::uint8_t {
 /// "per-channel", "standard", "annealed", "closed-loop".
 std::string_view name(Method method);
 
-/// The making and the measured error of a clip: for people and tools, unused by the decoder.
+/// The method, settings and measured error of an encode: for people and tools, unused by the
+/// decoder.
 struct Provenance {
   Method method = Method::Annealed;
   Weighting weighting = Weighting::BoneEnds;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a .mcpr to a clip of a packed bank and back, byte for byte: FORMAT.md, "Packed clips".
+// Converts a .mcpr to a clip of a packed bank and back, byte for byte: FORMAT.md, "Packed clips".
 #pragma once
 
 #include <array>

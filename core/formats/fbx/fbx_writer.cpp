@@ -99,7 +99,7 @@ class FbxDocument {
   };
   struct MorphedMesh {
     std::int64_t shapes = 0;  // the deformer that holds them
-    // By the name of the shape, and how many of a take had it before.
+    // Channels by the name of their shape, and by how many of that name the take had before.
     std::map<std::pair<std::string, int>, std::int64_t> channels;
     std::map<std::string, int> of_name;  // how often a name was in the take that is added
   };
@@ -225,7 +225,7 @@ void FbxDocument::add_movement(const NodeTrack& track) {
     scales.fill(std::vector<float>(track.rotation.size(), 1.0F));
   for (const Vector3d& scale : track.scales) append(scale, scales);
   const std::int64_t model = joints_[track.node].id;
-  // It may stand elsewhere than at rest, in another take perhaps.
+  // A joint may be elsewhere than at rest, for example in another take.
   const Vector3d& rest = joints_[track.node].rest.translation;
   const bool is_at_rest = (track.translation.front() - rest).norm() <= 1e-9 * (1 + rest.norm());
   if (skeleton_.joint(static_cast<int>(track.node)).parent < 0 || !is_at_rest || moves(places))

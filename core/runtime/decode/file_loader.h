@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// From the bytes of a file to a clip, in two steps: read() decodes everything into scratch memory,
-// then build() makes the resident form from it. For a segmented clip, scratch memory holds one
-// decoded segment and the coded bytes of all; each segment is decoded once to check and measure it,
-// and once more to build it.
+// Makes a clip from the bytes of a file, in two steps: read() decodes everything into scratch
+// memory, then build() makes the resident form from it. For a segmented clip, scratch memory holds
+// one decoded segment and the coded bytes of all; each segment is decoded once to check and measure
+// it, and once more to build it.
 #pragma once
 
 #include "core/runtime/decode/clip.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From section trks of a file to the tracks of a clip, in two steps as in FileLoader.
+// Makes the tracks of a clip from section trks of a file, in two steps as in FileLoader.
 #pragma once
 
 #include "core/runtime/decode/block_layout.h"

@@ -48,7 +48,7 @@ class BankSkeleton {
                : nullptr;
   }
 
-  /// As the C interface tells it. The name must end within the item.
+  /// Describes a joint for the C interface. The name must end within the item.
   mcpr_joint described(std::uint32_t number) const {
     const BankJoint made = joint(number);
     mcpr_joint told{};

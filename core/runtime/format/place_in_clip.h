@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From an instant of a player's time to a place in the clip.
+// Converts an instant of a player's time to a place in the clip.
 #pragma once
 
 #include <algorithm>

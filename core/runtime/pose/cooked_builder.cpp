@@ -239,7 +239,7 @@ void CookedBuilder::lay_out_joints(CookedBlock& tables, mcpr_cooked& head) {
           origin[axis_of(channel.kind)] += channel.constant;
       }
       if (joint.has_axes) rotation = rotation * joint.axes_from_joint;
-      // Not used, and zeroed so that more tables are equal and shared in a bank.
+      // Zeroes a rotation that is not used, so that more tables are equal and shared in a bank.
       if (is_turned) rotation = {};
       const Quaternion q = quaternion_from(rotation);
       for (int i = 0; i < 4; ++i) rest[j].rotation[i] = static_cast<float>(q.wxyz[i]);

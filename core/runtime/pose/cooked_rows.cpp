@@ -64,7 +64,7 @@ class RowWriter {
       : block_(block), columns_(columns), coefficients_(coefficients) {}
 
   CookedRows put_part(const CookedPart& part);
-  /// To be called after put_part() for all parts.
+  /// Writes the entries. Call it after put_part() for all parts.
   CookedEntries put_entries(int first_group, int depth);
 
  private:

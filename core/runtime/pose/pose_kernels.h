@@ -125,7 +125,8 @@ struct PoseKernels {
   void (*lift)(const LiftPart&);
   /// `around` is the table that the group's AroundKind describes.
   void (*turn)(const RotorGroup&, const float* columns, const float* around, RotorQuaternions& out);
-  /// As turn(), for the first `joints` joints; writes w x y z of each to out + 8 * place.
+  /// Does what turn() does for the first `joints` joints; writes w x y z of each to out + 8 *
+  /// place.
   void (*turn_into)(const RotorGroup&, const float* columns, const float* around,
                     const std::uint16_t* places, int joints, float* out);
 };

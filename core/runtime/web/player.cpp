@@ -203,7 +203,7 @@ class Player {
            succeeded(mcpr_make_cursor(cooked, memory_.data(), bytes, &cursor_));
   }
 
-  /// One mcpr_transform a joint.
+  /// Returns one mcpr_transform for each joint.
   const float* sample(double seconds, mcpr_wrap wrap, std::uint32_t bands_left_out) {
     mcpr_sample_request request = {};
     request.unit = MCPR_SECONDS;
@@ -369,7 +369,7 @@ MOCAPRESS_EXPORT const TrackRecord* web_track(Clip* clip, std::uint32_t number) 
 
 // A wrap is the number of an mcpr_wrap.
 
-/// One float a track.
+/// Returns one float for each track.
 MOCAPRESS_EXPORT const float* web_sample_tracks(Clip* clip, double frame, int wrap) {
   return clip->sample_tracks(frame, static_cast<mcpr_wrap>(wrap));
 }

@@ -14,8 +14,8 @@
 
 namespace mocapress {
 
-/// values = coefficients reduced by `less`, in whole steps: magnitudes in steps plus `added`,
-/// truncated.
+/// Reduces each coefficient by `less` and cuts it to whole steps: its magnitude in steps plus
+/// `added`, truncated.
 void cut_to_steps(const double* coefficients, const float* less, int count, double per_unit,
                   double added, int* values);
 

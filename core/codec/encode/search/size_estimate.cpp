@@ -59,7 +59,7 @@ class BandMagnitudes {
   std::vector<std::uint8_t> significant_;
 };
 
-/// By Stirling's series; x above 0.
+/// The logarithm of the gamma function, by Stirling's series. Requires x > 0.
 double log_gamma(double x) {
   double factors = 1;
   for (; x < 6; ++x) factors *= x;
