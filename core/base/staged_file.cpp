@@ -34,7 +34,7 @@ int synchronise_file_system(int) {
   return -1;
 }
 
-/// fsync(2) leaves the contents in the disk's own memory there.
+/// Writes to the disk itself; on macOS fsync(2) leaves the contents in the disk's own memory.
 int synchronise_disk(int file) {
   return ::fcntl(file, F_FULLFSYNC) == 0 ? 0 : ::fsync(file);
 }

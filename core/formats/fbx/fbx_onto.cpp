@@ -341,8 +341,8 @@ void EditedTake::move(const ScalarTracks& tracks) {
   for (const Property& property : changed) move(property, given.at(property));
 }
 
-/// Where several layers move a property, or others share its curves, the values of all its axes go
-/// to curves of its own in the first layer.
+/// Sets the curves of a property. If several layers move it, or other properties share its curves,
+/// the values of all its axes go to curves of its own in the first layer.
 void EditedTake::move(const Property& property, const GivenTracks& given) {
   const auto& [object, name] = property;
   const FbxMovement* const movement = movement_of(object, name);

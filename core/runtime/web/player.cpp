@@ -55,7 +55,7 @@ class Memory {
   Memory& operator=(const Memory&) = delete;
   ~Memory() { std::free(data_); }
 
-  /// Called once.
+  /// Allocates the memory; called once.
   bool reserve(std::size_t bytes) {
     size_ = (bytes / MCPR_ALIGNMENT + 1) * MCPR_ALIGNMENT;
     if (bytes <= SIZE_MAX / 2) data_ = std::aligned_alloc(MCPR_ALIGNMENT, size_);
@@ -73,7 +73,7 @@ class Memory {
 
 constexpr mcpr_track_request kAllTracks = {};
 
-/// A clip that is cooked, or was cooked here.
+/// A cooked clip: from a cooked bank, or cooked here.
 class Clip {
  public:
   /// Reads a clip by `inspect` and `read`, which know whether it is a file or in a packed bank.
@@ -145,7 +145,7 @@ class Clip {
     return clip_ != nullptr;
   }
 
-  /// Frames as MCPR_LOCAL gives them.
+  /// Decodes frames in the layout of MCPR_LOCAL.
   bool decode(std::uint32_t first, std::uint32_t count, float* out) const {
     mcpr_request request = {};
     request.output = MCPR_LOCAL;
@@ -225,7 +225,7 @@ void destroy(T* object) {
   std::free(object);
 }
 
-/// A new object if `open` succeeds on it, else null.
+/// Returns a new object if `open` succeeds on it, else null.
 template <typename T, typename Open>
 T* made(const Open& open) {
   void* const memory = std::malloc(sizeof(T));
@@ -258,7 +258,7 @@ MOCAPRESS_EXPORT void web_free(void* memory) {
   std::free(memory);
 }
 
-/// The bank's bytes stay where they are while it or a clip of it is in use.
+/// Opens a bank, whose bytes must stay in place while the bank or a clip of it is in use.
 MOCAPRESS_EXPORT const mcpk_bank* web_open_bank(const void* memory, std::size_t size) {
   const mcpk_bank* bank = nullptr;
   return succeeded(mcpk_open(memory, size, 1, &bank)) ? bank : nullptr;
@@ -288,7 +288,7 @@ MOCAPRESS_EXPORT const double* web_place(const mcpk_bank* bank, std::uint32_t nu
   return place;
 }
 
-/// 0 is a failure.
+/// Verifies a clip that was loaded later. Returns 0 on failure.
 MOCAPRESS_EXPORT int web_check(const mcpk_bank* bank, std::uint32_t number) {
   return succeeded(mcpk_check(bank, number)) ? 1 : 0;
 }
@@ -306,7 +306,7 @@ MOCAPRESS_EXPORT const char* web_bank_name(const mcpk_bank* bank, std::uint32_t 
   return mcpk_name(bank, number, name) > 0 ? name : nullptr;
 }
 
-/// Null after the last tag.
+/// Returns a tag of a clip; null after the last one.
 MOCAPRESS_EXPORT const char* web_bank_tag(const mcpk_bank* bank, std::uint32_t clip,
                                           std::uint32_t number) {
   return mcpk_tag(bank, clip, number);
@@ -318,7 +318,7 @@ MOCAPRESS_EXPORT Clip* web_open_cooked(const mcpk_bank* bank, std::uint32_t numb
 
 #ifndef MOCAPRESS_COOKED_ALONE
 
-/// The file is not needed afterwards.
+/// Opens a file, which is not needed afterwards.
 MOCAPRESS_EXPORT Clip* web_open(const void* file, std::size_t size) {
   return made<Clip>([&](Clip& clip) {
     return clip.open([&](mcpr_info* info) { return mcpr_inspect(file, size, nullptr, info); },
@@ -337,12 +337,12 @@ MOCAPRESS_EXPORT Clip* web_open_packed(const mcpk_bank* bank, std::uint32_t numb
   });
 }
 
-/// 0 for a clip of a cooked bank, which has no frames to decode: it is sampled.
+/// Returns 0 for a clip of a cooked bank, which has no frames to decode: it is sampled.
 MOCAPRESS_EXPORT int web_is_decoded(const Clip* clip) {
   return clip->is_decoded() ? 1 : 0;
 }
 
-/// Writes seven floats a joint and frame. 0 is a failure.
+/// Writes seven floats for each joint and frame. Returns 0 on failure.
 MOCAPRESS_EXPORT int web_decode(const Clip* clip, std::uint32_t first, std::uint32_t count,
                                 float* out) {
   return clip->decode(first, count, out) ? 1 : 0;
@@ -384,7 +384,7 @@ MOCAPRESS_EXPORT void web_stop(Player* player) {
   destroy(player);
 }
 
-/// Eight floats a joint.
+/// Returns eight floats for each joint.
 MOCAPRESS_EXPORT const float* web_sample(Player* player, double seconds, int wrap,
                                          std::uint32_t bands_left_out) {
   return player->sample(seconds, static_cast<mcpr_wrap>(wrap), bands_left_out);
