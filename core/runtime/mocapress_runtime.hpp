@@ -21,6 +21,7 @@ struct Expected {
   T value{};
   mcpr_result result{};
 
+  /// True if the call succeeded.
   explicit operator bool() const { return result.status == MCPR_OK; }
   T& operator*() { return value; }
   T* operator->() { return &value; }
@@ -28,26 +29,30 @@ struct Expected {
   const T* operator->() const { return &value; }
 };
 
+/// Frees memory from allocate().
 struct Release {
   void operator()(const void* memory) const {
     ::operator delete (const_cast<void*>(memory), std::align_val_t{MCPR_ALIGNMENT});
   }
 };
 
-/// A clip, a cooked clip, or memory for the runtime.
+/// Owns a clip, a cooked clip, or memory for the runtime, and frees it at the end.
 template <typename T>
 using Owned = std::unique_ptr<T, Release>;
 
-/// Null if there is no such memory, which functions of the runtime take and tell.
+/// Allocates memory with the alignment that the runtime needs. Null if there is none left:
+/// functions of the runtime accept that and report it.
 inline Owned<void> allocate(std::size_t bytes) {
   return Owned<void>(::operator new (bytes, std::align_val_t{MCPR_ALIGNMENT}, std::nothrow));
 }
 
+/// The allocator of load() and load_cooked(), whose clips Release frees.
 inline constexpr mcpr_allocator kAllocator = {
     [](void*, std::size_t bytes, std::size_t) { return allocate(bytes).release(); },
     [](void*, void* memory) { Release()(memory); }, nullptr};
 
-/// Opens a file, which is not needed afterwards.
+/// Decodes a file, which is not needed afterwards. `limits` refuse files that are too large; null:
+/// the format's own. Fails as mcpr_load does.
 inline Expected<Owned<const mcpr_clip>> load(std::span<const std::byte> file,
                                              const mcpr_limits* limits = nullptr) {
   const mcpr_clip* clip = nullptr;
@@ -55,7 +60,7 @@ inline Expected<Owned<const mcpr_clip>> load(std::span<const std::byte> file,
   return {Owned<const mcpr_clip>(result.status == MCPR_OK ? clip : nullptr), result};
 }
 
-/// Opens a file for a Player.
+/// Decodes and cooks a file for a Player. Fails as mcpr_load_cooked does.
 inline Expected<Owned<const mcpr_cooked>> load_cooked(std::span<const std::byte> file,
                                                       const mcpr_cook_options& options = {},
                                                       const mcpr_limits* limits = nullptr) {
@@ -75,9 +80,11 @@ inline std::uint32_t tiers_within(std::span<const std::byte> file) {
   return count;
 }
 
-/// Plays a cooked clip, which outlives it, for one character.
+/// Plays a cooked clip for one character. The clip must outlive the player. Each thread and each
+/// character needs its own.
 class Player {
  public:
+  /// Makes a player with a cursor. Fails as mcpr_make_cursor does.
   static Expected<Player> of(const mcpr_cooked* clip) {
     Expected<Player> player;
     const std::size_t bytes = mcpr_cursor_bytes(clip);
@@ -98,7 +105,8 @@ class Player {
     return mcpr_sample_next(cursor_, &request, time, out.data());
   }
 
-  /// Writes one transform a joint.
+  /// Writes the local transform of each joint at an instant. Fails if `pose` has fewer transforms
+  /// than the clip has joints.
   mcpr_result sample(double seconds, std::span<mcpr_transform> pose, mcpr_wrap wrap = MCPR_CLAMP) {
     mcpr_sample_request request = {};
     request.unit = MCPR_SECONDS;
@@ -111,12 +119,13 @@ class Player {
  private:
   const mcpr_cooked* clip_ = nullptr;
   mcpr_cursor* cursor_ = nullptr;
-  Owned<void> memory_;
-  Owned<void> scratch_;
+  Owned<void> memory_;   // the cursor
+  Owned<void> scratch_;  // grows when a request needs more
   std::size_t scratch_bytes_ = 0;
 };
 
-/// Opens a bank in memory that is aligned and stays. Fails as mcpk_open does.
+/// Opens a bank in place: `memory` must be aligned, and stay there while the bank is in use.
+/// `check` = 1 verifies every byte. Fails as mcpk_open does.
 inline Expected<const mcpk_bank*> open_bank(std::span<const std::byte> memory, int check = 1) {
   Expected<const mcpk_bank*> bank;
   bank.result = mcpk_open(memory.data(), memory.size(), check, &bank.value);
@@ -131,7 +140,7 @@ struct Name {
   operator std::string_view() const { return text; }
 };
 
-/// Points to a clip of a cooked bank by its name.
+/// Finds a clip of a cooked bank by its name, ready for a Player. Fails if there is none.
 inline Expected<const mcpr_cooked*> cooked_of(const mcpk_bank* bank, const char* name) {
   const std::int32_t number = mcpk_find(bank, name);
   if (number < 0) return {nullptr, {MCPR_ARGUMENT, 0, "the bank has no clip of this name"}};
