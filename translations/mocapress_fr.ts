@@ -3504,7 +3504,7 @@
     </message>
     <message>
         <source>Take Over</source>
-        <translation>Reprendre</translation>
+        <translation>Prendre le relais</translation>
     </message>
     <message>
         <source>Unnamed, %1</source>
