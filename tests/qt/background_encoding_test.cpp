@@ -180,7 +180,7 @@ TEST_F(ALibraryInTheBackground, RangesAndLoopStayWithTheirClip) {
   EXPECT_EQ(project(0).settings->preset.loop, Loop::None);
 }
 
-TEST_F(ALibraryInTheBackground, TheBytesBeforeAStepStandBesideThoseAfter) {
+TEST_F(ALibraryInTheBackground, ShowsTheBytesBeforeAndAfterAChangeOfSettings) {
   BackgroundEncoding encoding(&session_, &library_);
   encoding.setActive(true);
   ASSERT_TRUE(waitForAll());

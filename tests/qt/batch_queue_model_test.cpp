@@ -65,7 +65,7 @@ TEST_F(BatchQueue, OnlyClipsWhoseSettingsChangeAreWaitingAgain) {
   EXPECT_EQ(model_.clips()[1].state, ClipState::Done);
 }
 
-TEST_F(BatchQueue, ShowsHowFarAClipIsAndWhatItCameTo) {
+TEST_F(BatchQueue, ShowsProgressAndResultOfAClip) {
   model_.setProgress(0, {ClipProgress::Stage::Encoding, 0.43});
   EXPECT_EQ(text(0, BatchQueueModel::State), QStringLiteral("Compressing, 43 %"));
   EXPECT_DOUBLE_EQ(
@@ -131,7 +131,7 @@ TEST_F(BatchQueue, ARejectedClipIsLeftOutUntilItIsTicked) {
   EXPECT_TRUE(model_.clips()[0].left_out) << "rejected anew";
 }
 
-TEST_F(BatchQueue, TheColumnOfVerdictsIsThereOnceThereIsOne) {
+TEST_F(BatchQueue, ShowsTheVerdictColumnOnceAClipHasAVerdict) {
   const BatchQueueView view(&model_);
   EXPECT_TRUE(view.isColumnHidden(BatchQueueModel::Review));
   LibraryReview review;
@@ -161,7 +161,7 @@ class PresetEditorTest : public testing::Test {
   std::vector<Settings> told_;
 };
 
-TEST_F(PresetEditorTest, TellsOnlyOfWhatTheUserDoes) {
+TEST_F(PresetEditorTest, EmitsOnlyForChangesByTheUser) {
   for (const Settings& preset : built_in_presets()) editor_.setPreset(preset);
   EXPECT_TRUE(told_.empty());
   emit editor_.chooser()->box()->activated(2);
@@ -169,7 +169,7 @@ TEST_F(PresetEditorTest, TellsOnlyOfWhatTheUserDoes) {
   EXPECT_EQ(told_[0], built_in_presets()[2]);
 }
 
-TEST_F(PresetEditorTest, AChangeIsShownAsOneOfThePreset) {
+TEST_F(PresetEditorTest, ShowsAChangedSettingAsAChangeOfThePreset) {
   editor_.setPreset(built_in_presets()[1]);
   editor_.value()->setValue(0.35);
   ASSERT_EQ(told_.size(), 1u);

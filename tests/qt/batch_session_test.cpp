@@ -68,7 +68,7 @@ class BatchInTheStudio : public testing::Test {
   BatchSession session_{&presets_};
 };
 
-TEST_F(BatchInTheStudio, ExportsTheQueueAndShowsWhatBecameOfEachClip) {
+TEST_F(BatchInTheStudio, ExportsTheQueueAndShowsTheResultOfEachClip) {
   addClips(3);
   session_.start();
   EXPECT_TRUE(session_.running());
@@ -127,7 +127,7 @@ TEST_F(BatchInTheStudio, RetriesFailedClipsAndKeepsFinishedOnes) {
   EXPECT_EQ(count(ClipState::Done), 3);
 }
 
-TEST_F(BatchInTheStudio, PausedItStaysWhereItIsUntilItGoesOn) {
+TEST_F(BatchInTheStudio, MakesNoProgressWhilePaused) {
   addClips(4, 900);
   session_.start();
   session_.pause();
@@ -147,7 +147,7 @@ TEST_F(BatchInTheStudio, PausedItStaysWhereItIsUntilItGoesOn) {
   EXPECT_EQ(count(ClipState::Done), 4);
 }
 
-TEST_F(BatchInTheStudio, CancelledItsClipsWaitAndTheNextRunGoesOn) {
+TEST_F(BatchInTheStudio, CancelLeavesClipsWaitingForTheNextRun) {
   addClips(6, 900);
   session_.start();
   ASSERT_TRUE(QTest::qWaitFor([this] { return session_.counts().done > 0; }, kPatience));
@@ -171,7 +171,7 @@ TEST_F(BatchInTheStudio, StoppedAfterCurrentNothingIsLeftHalfDone) {
   EXPECT_LT(count(ClipState::Done), 8);
 }
 
-TEST_F(BatchInTheStudio, GoesAwayWhilePausedWithoutWaitingForEver) {
+TEST_F(BatchInTheStudio, CanBeDestroyedWhilePaused) {
   addClips(2, 900);
   auto other = std::make_unique<BatchSession>(&presets_);
   other->queue()->add(session_.queue()->clips());
@@ -223,7 +223,7 @@ TEST_F(BatchInTheStudio, ChangesAreKeptSoon) {
   EXPECT_EQ(keep.count(), 2);
 }
 
-TEST_F(BatchInTheStudio, AnotherProjectsQueueLeavesNothingOfTheOneBefore) {
+TEST_F(BatchInTheStudio, LoadingAnotherProjectsQueueReplacesAllOfTheOldOne) {
   addClips(2);
   session_.recall({});
   EXPECT_EQ(session_.queue()->rowCount(), 0);
@@ -231,7 +231,7 @@ TEST_F(BatchInTheStudio, AnotherProjectsQueueLeavesNothingOfTheOneBefore) {
   EXPECT_FALSE(session_.history().canUndo());
 }
 
-TEST_F(BatchInTheStudio, SaysWhereAVerdictIsNotAboutWhatIsExported) {
+TEST_F(BatchInTheStudio, MarksVerdictsOnOtherFilesOrSettingsThanThoseExported) {
   addClips(3);
   const std::string key = settings_hash(session_.queue()->common(), {});
   const auto approved = [](const std::string& source, const std::string& settings) {
@@ -254,7 +254,7 @@ TEST_F(BatchInTheStudio, SaysWhereAVerdictIsNotAboutWhatIsExported) {
   EXPECT_TRUE(statusOf(session_).contains(QStringLiteral("3 with a stale verdict")));
 }
 
-TEST_F(BatchInTheStudio, TellsWhatEachClipCameTo) {
+TEST_F(BatchInTheStudio, ReportsTheResultOfEachClip) {
   addClips(2);
   QSignalSpy exported(&session_, &BatchSession::exported);
   session_.start();
@@ -346,7 +346,7 @@ TEST_F(BatchInTheStudio, ARejectedClipIsNotExportedUnlessAskedFor) {
   EXPECT_NE(read_text(path("out/report.csv").toStdString()).find("slides"), std::string::npos);
 }
 
-TEST_F(BatchInTheStudio, AClipIsLeftOutByWhatWasSaidBeforeItCame) {
+TEST_F(BatchInTheStudio, LeavesOutAClipThatWasRejectedBeforeItWasAdded) {
   session_.setReviews({{path("clip0.bvh"), {Verdict::Rejected, ""}}});
   addClips(1);
   EXPECT_TRUE(session_.queue()->clips()[0].left_out);
@@ -538,7 +538,7 @@ TEST_F(BatchInTheStudio, LeavesACharacterOffClipsThatItDoesNotFitAndSaysSo) {
   EXPECT_EQ(warnings.filter(QStringLiteral("character.glb: is not put on")).size(), 1);
 }
 
-TEST_F(BatchInTheStudio, WhileItRunsClipsAreRefusedAloud) {
+TEST_F(BatchInTheStudio, RefusesClipsWithAMessageWhileItRuns) {
   addClips(2, 900);
   session_.start();
   ASSERT_TRUE(session_.running());

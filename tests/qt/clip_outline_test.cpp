@@ -11,7 +11,7 @@
 namespace mocapress {
 namespace {
 
-TEST(ClipOutline, IsOfTheBodyAndNotOfTheFloorThatItWalksAwayFrom) {
+TEST(ClipOutline, DrawsTheBodyWithoutItsRootOnTheFloor) {
   Motion motion;
   motion.skeleton.add({.name = "root"});
   motion.skeleton.add({.name = "hips",

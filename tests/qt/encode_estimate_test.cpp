@@ -11,7 +11,7 @@
 namespace mocapress {
 namespace {
 
-TEST(EncodeEstimate, AnAnnealingRunsFromNoneToAllOfAPass) {
+TEST(EncodeEstimate, ShareOfAnAnnealingGrowsFromZeroToOneInAPass) {
   EncodeProgress state;
   EXPECT_DOUBLE_EQ(passProgress(state), 0);
   state.first_step = 64;
@@ -24,7 +24,7 @@ TEST(EncodeEstimate, AnAnnealingRunsFromNoneToAllOfAPass) {
   EXPECT_DOUBLE_EQ(before, 1);
 }
 
-TEST(EncodeEstimate, MovesWithEveryEncodeAndNeverBackNorToTheEnd) {
+TEST(EncodeEstimate, GrowsWithEveryReportAndStaysBelowOne) {
   const Encoder encoder(test::smooth_motion(400));
   for (const Method method : {Method::Annealed, Method::ClosedLoop})
     for (const Target& target :
@@ -45,7 +45,7 @@ TEST(EncodeEstimate, MovesWithEveryEncodeAndNeverBackNorToTheEnd) {
     }
 }
 
-TEST(EncodeEstimate, KnowsTheTimeLeftFromWhatHasPassed) {
+TEST(EncodeEstimate, EstimatesTheTimeLeftFromTheTimePassed) {
   EncodeEstimate estimate({.method = Method::ClosedLoop});
   estimate.add({.pass = 1, .iteration = 1}, 0.2);
   EXPECT_FALSE(estimate.secondsLeft()) << "too early to tell";

@@ -61,7 +61,7 @@ TEST(ImportOptions, SayWhatTheClipWasReadAs) {
   EXPECT_TRUE(texts.contains(QStringLiteral("replaces"))) << qPrintable(texts);
 }
 
-TEST(ImportOptions, NameTheUsualRateOfAFileThatSaysNoneForWhatItIs) {
+TEST(ImportOptions, NameTheDefaultRateOfAFileThatStatesNone) {
   OriginalClip clip = clipOf(SourceFormat::Kind::Acclaim);
   const auto rates = [&clip] {
     QStringList first;

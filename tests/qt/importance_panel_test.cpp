@@ -48,7 +48,7 @@ TEST_F(ImportancePanelTest, ASliderIsTheFactorOfAllJointsOfItsPart) {
   EXPECT_TRUE(told_.back().is_even());
 }
 
-TEST_F(ImportancePanelTest, ShowsSilentlyWhatItIsTold) {
+TEST_F(ImportancePanelTest, EmitsNothingWhenSetByTheProgram) {
   Importance importance{
       .joints = std::vector<double>(static_cast<std::size_t>(skeleton_.joint_count()), 1.0),
       .contacts = 20};
@@ -77,7 +77,7 @@ TEST_F(ImportancePanelTest, ADrawerHoldsAnyJoint) {
   EXPECT_FALSE(panel_.joints()->topLevelItem(joint)->isHidden());
 }
 
-TEST_F(ImportancePanelTest, AllAlikeIsAButtonAway) {
+TEST_F(ImportancePanelTest, AButtonMakesAllImportancesEqual) {
   panel_.contacts()->number()->setValue(20);
   panel_.part(BodyPart::Head)->number()->setValue(3);
   EXPECT_FALSE(told_.back().is_even());

@@ -101,7 +101,7 @@ TEST(JobRunner, DeliversNothingOfAnAbandonedJob) {
   EXPECT_FALSE(delivered);
 }
 
-TEST(JobRunner, FinishedTheLastJobHasRunThoughItHadNotBegun) {
+TEST(JobRunner, FinishRunsTheLastJobEvenIfItHadNotBegun) {
   for (int i = 0; i < 50; ++i) {
     std::atomic<bool> ran = false;
     JobRunner runner;
@@ -184,7 +184,7 @@ TEST(JobRunner, QuickJobsDoNotWaitBehindLongOnes) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return answered; }, kPatience));
 }
 
-TEST(JobRunner, OneThatWaitsForAThreadIsGivenUpWithoutWaiting) {
+TEST(JobRunner, AbandonsAJobThatWaitsForAThreadAtOnce) {
   std::vector<std::unique_ptr<JobRunner>> busy;
   for (int i = 0; i < 20; ++i) {
     busy.push_back(std::make_unique<JobRunner>(Workers::Idle));
@@ -203,7 +203,7 @@ TEST(JobRunner, OneThatWaitsForAThreadIsGivenUpWithoutWaiting) {
   EXPECT_FALSE(ran);
 }
 
-TEST(WorkerPool, DoesAllOfItOnNoMoreThreadsThanItMayHaveAndWaitsForWhatHasBegun) {
+TEST(WorkerPool, RunsAllJobsWithinItsThreadLimitAndWaitsForBegunOnes) {
   std::mutex mutex;
   std::set<std::thread::id> threads;
   int done = 0;

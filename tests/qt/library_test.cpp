@@ -126,7 +126,7 @@ TEST_F(InALibrary, IsRecoveredWithEditsAndNotesAfterACrash) {
   EXPECT_EQ(run.model.entry(0).review.verdict, Verdict::Rejected);
 }
 
-TEST_F(InALibrary, GoesOnAfterAnEndWithoutTalkOfACrash) {
+TEST_F(InALibrary, ReopensAfterARegularEndWithoutReportingACrash) {
   const QString walk = clip("walk.bvh", 1);
   {
     Run run;
@@ -305,7 +305,7 @@ TEST_F(InALibrary, DoesNotGoOnWhereTheLastChangesCannotBeWritten) {
   EXPECT_TRUE(run.library.end());
 }
 
-TEST_F(InALibrary, AWriteThatFailsIsSaidOnceAndTriedAgain) {
+TEST_F(InALibrary, AFailedWriteIsReportedOnceAndRetried) {
   Run run;
   run.library.begin(data());
   run.library.add({clip("walk.bvh", 1)});
@@ -380,7 +380,7 @@ TEST_F(InALibrary, AStartSaysOnWhichComputerTheLastProjectIsOpen) {
   EXPECT_FALSE(noted[0][0].toString().contains(QStringLiteral("window")));
 }
 
-TEST_F(InALibrary, AProjectThatIsGoneOrUnreadableIsSaidAndANewOneBegins) {
+TEST_F(InALibrary, ReportsAMissingOrUnreadableProjectAndBeginsANewOne) {
   const QString knights = path("knights.mocapress");
   {
     Run run;
@@ -507,7 +507,7 @@ TEST_F(InALibrary, AChangedFileThatCannotBeReadIsOpenedOnceForEachContent) {
   EXPECT_EQ(failures.size(), 2);
 }
 
-TEST_F(InALibrary, AProjectOfBeforeVerdictsHadABasisSaysThatItIsNotKnown) {
+TEST_F(InALibrary, AVerdictWithoutHashesIsStaleAsUnknown) {
   clip("walk.bvh", 1);
   QFile file(path("old.mocapress"));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
@@ -607,7 +607,7 @@ TEST_F(InALibrary, StepsOfAClipAreThereAgainWhenItIsOpenedAgain) {
   EXPECT_TRUE(session.history()->canUndo());
 }
 
-TEST_F(InALibrary, ClipsThatUndoTakesOutAreSaid) {
+TEST_F(InALibrary, UndoReportsTheClipsThatItRemoves) {
   Run run;
   run.library.add({clip("a.bvh", 1), clip("b.bvh", 2)});
   QSignalSpy noted(&run.library, &Library::noted);
@@ -723,7 +723,7 @@ TEST_F(InALibrary, TheQueueOfABatchGoesWithItsProject) {
   EXPECT_EQ(run.library.project().batch->clips[0].source, batch.clips[0].source);
 }
 
-TEST_F(InALibrary, AProjectIsNotLeftWhileThatIsRefused) {
+TEST_F(InALibrary, AProjectIsNotLeftWhileItsLeaveCheckRefuses) {
   Run run;
   run.library.begin(data());
   run.library.add({clip("walk.bvh", 1)});
@@ -951,7 +951,7 @@ TEST_F(InALibrary, SettingsThatDoNotFitTheClipAreLeftOut) {
   EXPECT_EQ(run.session.document().contacts(), (std::vector<ContactSpan>{{4, 10, 20}}));
 }
 
-TEST_F(InALibrary, AClipThatWasOpenedKeepsTheSettingsItsOutcomeIsBy) {
+TEST_F(InALibrary, AnOpenedClipKeepsTheSettingsOfItsOutcome) {
   Run run;
   run.library.add({clip("walk.bvh", 1), clip("jump.bvh", 2)});
   settleAfter(run, [&] { run.library.openClip(0); });

@@ -242,7 +242,7 @@ TEST_F(ALibraryTree, ThePanelKeepsTheSelectionWhereRowsMove) {
   EXPECT_EQ(panel.chosenRows().size(), 2u);
 }
 
-TEST_F(ALibraryTree, ThePanelSaysWhatTheSelectionComesToAndCameToBefore) {
+TEST_F(ALibraryTree, ThePanelShowsTheTotalSizeOfTheSelectionNowAndBefore) {
   LibraryEntry a = entry("/m/a.bvh", true), b = entry("/m/b.bvh", true);
   clips_.setEntries({a, b});
   LibraryPanel panel(&clips_);

@@ -121,7 +121,7 @@ TEST_F(JointErrors, ShowsTheAngleOfEveryJointAndItsEnds) {
                   .contains(QStringLiteral("world-space rotation")));
 }
 
-TEST_F(JointErrors, ShowsHowMuchTheEyeSeesOfEveryJointAtWorst) {
+TEST_F(JointErrors, ShowsTheWorstVisibilityOfEveryJoint) {
   model_.setLandmarks(points_);
   SightTable sight;
   sight.times_noticed.setZero(3, test::small_skeleton().joint_count());
@@ -147,7 +147,7 @@ TEST_F(JointErrors, SortsByError) {
   EXPECT_EQ(sorted.mapToSource(sorted.index(1, 0)).row(), 5);
 }
 
-TEST_F(JointErrors, ACheckIsAWishThatTheSelectionAnswers) {
+TEST_F(JointErrors, ACheckOnlyAsksTheOwnerForASelection) {
   model_.setLandmarks(points_);
   const QSignalSpy wishes(&model_, &JointErrorModel::checkRequested);
   const QModelIndex root = model_.index(0, JointErrorModel::Name);

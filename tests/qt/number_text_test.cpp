@@ -21,7 +21,7 @@ TEST(LengthText, IsInMillimetresBelowACentimetre) {
   EXPECT_EQ(lengthText(486.7), QStringLiteral("487 cm"));
 }
 
-TEST(LengthText, ShowsNoErrorAsNothingThatIsNotNothing) {
+TEST(LengthText, NeverShowsANonzeroErrorAsZero) {
   EXPECT_EQ(lengthText(0), QStringLiteral("0 mm"));
   EXPECT_EQ(lengthText(0.004), QStringLiteral("0.04 mm"));
   EXPECT_EQ(lengthText(1e-9), QStringLiteral("< 0.01 mm"));
@@ -45,7 +45,7 @@ TEST(AngleText, HasNoMoreDigitsThanOneSees) {
   EXPECT_EQ(angleText(123.4), QStringLiteral("123°"));
 }
 
-TEST(AngleText, ShowsNoTurnAsNothingThatIsNotNothing) {
+TEST(AngleText, NeverShowsANonzeroAngleAsZero) {
   EXPECT_EQ(angleText(0), QStringLiteral("0°"));
   EXPECT_EQ(angleText(1e-9), QStringLiteral("< 0.01°"));
   for (double degrees = 1e-7; degrees < 180; degrees *= 1.07)

@@ -99,7 +99,7 @@ TEST(TargetControl, SaysWhatIsWrongBesideTheNumberAndLeavesIt) {
   EXPECT_EQ(told.count(), 0);
 }
 
-TEST(TargetControl, AnotherKindAsksForWhatTheResultHasOfIt) {
+TEST(TargetControl, AnotherKindOfTargetStartsAtTheValueOfTheResult) {
   TargetControl control;
   control.setTarget({Target::Kind::Error, 0.5});
   control.setAchieved({{Target::Kind::Ratio, 264.3},
@@ -200,7 +200,7 @@ TEST(NumberBox, TypedValuesHaveThreeDigits) {
   EXPECT_DOUBLE_EQ(typed("12345"), 12345) << "bytes are counted";
 }
 
-TEST(TargetControl, WithoutAResultEveryKindBeginsWithSomethingUsual) {
+TEST(TargetControl, WithoutAResultEveryKindStartsAtAUsualValue) {
   TargetControl control;
   for (const auto kind : {Target::Kind::Size, Target::Kind::Error, Target::Kind::MaxError,
                           Target::Kind::Visibility, Target::Kind::Ratio}) {
@@ -211,7 +211,7 @@ TEST(TargetControl, WithoutAResultEveryKindBeginsWithSomethingUsual) {
   EXPECT_DOUBLE_EQ(control.target().value, Target().value);
 }
 
-TEST(CompressionPanel, ShowsOptionsSilentlyAndTellsOfChoices) {
+TEST(CompressionPanel, EmitsOnlyForChoicesOfTheUser) {
   CompressionPanel panel;
   std::vector<EncodeSettings> chosen;
   QObject::connect(&panel, &CompressionPanel::optionsChanged,
@@ -285,7 +285,7 @@ TEST(ResultPanel, ShowsDashesForWhatIsNotKnown) {
   EXPECT_EQ(texts.count(QStringLiteral("–")), 9);
 }
 
-TEST(ResultPanel, ShowsWhatTheEyeSeesAndWhereMost) {
+TEST(ResultPanel, ShowsVisibilityAndTheMostVisibleJoint) {
   ResultPanel panel;
   ResultFigures figures;
   figures.seen = SeenFigures{Sight::Borderline, Cue::Head, QStringLiteral("Neck1"), 2.5, 1.25};
@@ -398,7 +398,7 @@ TEST(AnnealingPanel, TheCurveIsOfThePresentRun) {
   EXPECT_EQ(plot->graphCount(), 0) << "of a run that was superseded";
 }
 
-TEST(AnnealingPanel, AnAnswerThatTakesItsTimeIsSeenToBeOnItsWay) {
+TEST(AnnealingPanel, ShowsThatASlowAnswerIsOnItsWay) {
   AnnealingPanel panel;
   const auto* bar = panel.findChild<QProgressBar*>();
   panel.await();

@@ -159,7 +159,7 @@ TEST_F(Pinning, AnotherClipBeginsWithoutPins) {
   EXPECT_TRUE(viewport_.pinned().empty());
 }
 
-TEST_F(Pinning, AreThereAgainWithTheirClipMadeAnew) {
+TEST_F(Pinning, AreEncodedAgainWhenTheirClipIsOpenedAgain) {
   std::map<QString, std::vector<Pin>> kept;
   results_.setMemory([&](const QString& path) { return kept[path]; });
   QObject::connect(&results_, &PinnedResults::edited, &results_,

@@ -123,7 +123,7 @@ TEST_F(PresetsOfAClip, ShowThatASettingWasChangedUntilItIsUndone) {
   EXPECT_EQ(shown(), "Gameplay");
 }
 
-TEST_F(PresetsOfAClip, SavedUnderANameTheyHaveItAndUndoneTheyHaveItNot) {
+TEST_F(PresetsOfAClip, SavingNamesThemAndUndoRemovesTheName) {
   EncodeSettings changed = options();
   changed.target.value = 0.66;
   session_.setOptions(changed);
@@ -140,7 +140,7 @@ TEST_F(PresetsOfAClip, SavedUnderANameTheyHaveItAndUndoneTheyHaveItNot) {
   EXPECT_EQ(shown(), "Nearby");
 }
 
-TEST_F(PresetsOfAClip, LeaveOutWhatIsOnlyForComparing) {
+TEST_F(PresetsOfAClip, LeaveOutComparisonMethods) {
   shelf_.save({.name = "By PCA", .method = "pca"});
   shelf_.save({.name = "By r", .target = {Target::Kind::CoefficientRatio, 30}});
   EXPECT_LT(chooser_.box()->findText(QStringLiteral("By PCA")), 0);
@@ -171,7 +171,7 @@ TEST_F(PresetsOfAClip, ANameThatIsTakenLeavesTheHistoryAsItIs) {
   EXPECT_FALSE(session_.history()->canUndo());
 }
 
-TEST_F(PresetsOfAClip, ChoosingTheOneThatStandsIsNoStep) {
+TEST_F(PresetsOfAClip, ChoosingThePresentPresetIsNoUndoStep) {
   choose("Gameplay");
   EXPECT_FALSE(session_.history()->canUndo());
 }

@@ -168,7 +168,7 @@ TEST_F(OfProjectFiles, AProjectLockedElsewhereIsTakenOver) {
   EXPECT_EQ(library_.path(), knights);
 }
 
-TEST_F(OfProjectFiles, ALockThatCannotBeTakenOverIsSaidAndTheQuestionIsOver) {
+TEST_F(OfProjectFiles, ReportsALockThatCannotBeTakenOver) {
   addClips();
   const QString knights = path("knights.mocapress");
   ASSERT_TRUE(library_.saveAs(knights));

@@ -128,7 +128,7 @@ TEST_F(AProjectLock, ALockOfThisMachineIsNotTakenOver) {
   EXPECT_TRUE(ProjectLock(project_).inUse());
 }
 
-TEST_F(AProjectLock, ThatNamesNobodyWasLeftBehindHalfMade) {
+TEST_F(AProjectLock, ALockWithoutAnOwnerWasLeftBehind) {
   writeLock("");
   const ProjectLock lock(project_);
   EXPECT_TRUE(lock.held());

@@ -78,7 +78,7 @@ TEST_F(Studio, OpensAMotionAndCompressesItAtOnce) {
   EXPECT_FALSE(document_.curves().names().isEmpty());
 }
 
-TEST_F(Studio, SpeaksOfACancelOnlyWhereSomebodyDid) {
+TEST_F(Studio, MentionsACancelOnlyIfTheUserCancelled) {
   openAndSettle(writeClip("motion.bvh", 800));
   const auto says_cancelled = [&] {
     return stateOf(document_).contains(QStringLiteral("cancel"), Qt::CaseInsensitive);
@@ -269,7 +269,7 @@ TEST_F(Studio, OpensAnotherTakeOfTheFileAsAClipOfItsOwn) {
   EXPECT_TRUE(document_.options().ranges.empty());
 }
 
-TEST_F(Studio, ReadingAClipInVainIsNoStep) {
+TEST_F(Studio, AFailedReadIsNoUndoStep) {
   const QString clip = writeClip("motion.bvh", 60);
   openAndSettle(clip);
   const int steps = session_.history()->count();

@@ -235,7 +235,7 @@ TEST_F(SkinScreen, HasARingAroundTheSelectedJointAndKeepsItsColours) {
   EXPECT_EQ(front(plain, compressed_at_, 12), front(selected, compressed_at_, 12));
 }
 
-TEST_F(SkinScreen, StandsBesideTheOther) {
+TEST_F(SkinScreen, IsDrawnInItsHalfSideBySide) {
   choose([](ViewOptions& options) { options.mode = ViewMode::SideBySide; });
   const QImage both = picture();
   int blue = 0;

@@ -200,7 +200,7 @@ QString toolTipAt(QWidget& widget, const QPoint& place) {
   return QToolTip::text();
 }
 
-TEST_F(TimelineStrips, ShowWhatTheEyeSeesHalfHighWhereItIsBorderline) {
+TEST_F(TimelineStrips, DrawBorderlineErrorsAtHalfHeight) {
   SightStrip* strip = timeline_.sight();
   const auto there = [&](int from, int to) {
     return QRect(QPoint(xOf(from) + 1, 0), QPoint(xOf(to) - 2, strip->height() - 1));
@@ -218,7 +218,7 @@ TEST_F(TimelineStrips, ShowWhatTheEyeSeesHalfHighWhereItIsBorderline) {
   EXPECT_EQ(countOf(picture, borderline, late) + countOf(picture, visible, early), 0);
 }
 
-TEST_F(TimelineStrips, TellWhatTheEyeSeesAndGoThere) {
+TEST_F(TimelineStrips, ShowTheReasonOfAVisibleErrorAndGoThere) {
   SightStrip* strip = timeline_.sight();
   QSignalSpy chosen(strip, &SightStrip::chosen);
   QTest::mouseClick(strip, Qt::LeftButton, {}, {xOf(70) + 2, 10});
@@ -380,7 +380,7 @@ TEST(HeatMap, TellsBothErrorsOfWhatIsPointedAt) {
   }
 }
 
-TEST(HeatMap, ShowsWhatTheEyeSeesByJointAndTime) {
+TEST(HeatMap, ShowsVisibilityByJointAndTime) {
   HeatMap map;
   map.resize(600, 240);
   map.show();

@@ -194,7 +194,7 @@ TEST_F(ViewportScreen, ARingWithoutColourMarksTheSelectedJointOnBothFigures) {
   }
 }
 
-TEST_F(ViewportScreen, AGhostIsNoLargerThanWhatItIsAGhostOf) {
+TEST_F(ViewportScreen, AGhostHasTheSizeOfItsFigure) {
   const QImage alone = pictureOf(nullptr, compressed_);
   const QImage both = pictureOf(compressed_, compressed_);
   for (const int landmark : {0, kKnee, 3})  // the neck is near the titles
@@ -311,7 +311,7 @@ TEST_F(ViewportScreen, ShowsTheWholeFigureOfAnySizeWhenItIsOpenedAndOnReset) {
   }
 }
 
-TEST_F(ViewportScreen, WhoLiesDownIsSeenWholeByACameraThatFollows) {
+TEST_F(ViewportScreen, AFollowingCameraShowsALyingFigureWhole) {
   Skeleton person;
   Joint hips = joint(-1, {0, 95, 0});
   hips.channels = {ChannelKind::TranslationY, ChannelKind::RotationZ};

@@ -287,7 +287,7 @@ TEST_F(CliBank, ClipsStayInTheFolderWhateverTheirNames) {
               testing::ElementsAre("...mcpr", "..mcpr", "A/Walk.mcpr", "a/b.mcpr", "a/walk.mcpr"));
 }
 
-TEST_F(CliBank, MakingOneCostsNoInput) {
+TEST_F(CliBank, MakingABankNeverOverwritesAnInput) {
   compress_two();
   const std::string clip = file("clips/walk.mcpr");
   const auto before = read_bytes(clip);

@@ -121,7 +121,7 @@ TEST_F(CliBatch, AskedToTerminateLeavesWhatCanBeResumed) {
   EXPECT_EQ(report("out").size(), 12u);
 }
 
-TEST_F(CliBatch, ABadFileAmongGoodOnesIsARowAndSeven) {
+TEST_F(CliBatch, ABadFileGetsARowAndExitCodeSeven) {
   write_clips(3);
   write_text(file("in") / "broken.bvh", "HIERARCHY\nnonsense\n");
   auto words = batch("out", {"--json-progress"});
@@ -345,7 +345,7 @@ TEST_F(CliBatch, OwnPresetsAreReadAndWrongOnesRefused) {
   EXPECT_THAT(refused.err, HasSubstr("tarket"));
 }
 
-TEST_F(CliBatch, WrongUseIsTwoAndNoInputThree) {
+TEST_F(CliBatch, WrongUseExitsWithTwoAndMissingInputWithThree) {
   write_clips(1);
   EXPECT_EQ(mocapress({"batch"}).exit_code, 2);
   EXPECT_EQ(mocapress({"batch", file("in")}).exit_code, 2);

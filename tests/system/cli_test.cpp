@@ -532,7 +532,7 @@ TEST_F(Cli, DecompressedCsvHasALineForEachFrame) {
   EXPECT_EQ(std::count(text.begin(), text.end(), ','), (1 + 600) * 14);
 }
 
-TEST_F(Cli, UsesTheBestThereIsUnlessTold) {
+TEST_F(Cli, UsesTheClosedLoopByDefault) {
   const json report = compress({});
   EXPECT_EQ(report["method"], "closed-loop");
   EXPECT_EQ(report["coding"], "adaptive");

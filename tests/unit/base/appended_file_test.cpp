@@ -149,7 +149,7 @@ TEST_F(AppendedFileTest, LeavesNoEmptyFileOfItsOwn) {
   EXPECT_THAT(names(), ElementsAre("rows.jsonl")) << "somebody else's";
 }
 
-TEST_F(AppendedFileTest, ReplacedInVainIsAsItWas) {
+TEST_F(AppendedFileTest, AFailedReplaceLeavesTheFileUnchanged) {
   AppendedFile file(path_);
   file.append("one");
   EXPECT_THROW(file.replace([](StagedFile& contents) {

@@ -29,7 +29,7 @@ class FileLockTest : public testing::Test {
       fs::path(testing::TempDir()) / ("file-lock-" + std::to_string(getpid()) + ".txt");
 };
 
-TEST_F(FileLockTest, OneAtATimeHasIt) {
+TEST_F(FileLockTest, OnlyOneHolderHasItAtATime) {
   std::optional<FileLock> first = FileLock::wait_for(path_, no);
   ASSERT_TRUE(first);
   EXPECT_FALSE(FileLock::wait_for(path_, no));
@@ -37,7 +37,7 @@ TEST_F(FileLockTest, OneAtATimeHasIt) {
   EXPECT_TRUE(FileLock::wait_for(path_, no));
 }
 
-TEST_F(FileLockTest, WhoWaitedGetsTheFileThatTookItsPlace) {
+TEST_F(FileLockTest, AWaiterLocksTheFileThatReplacedTheOldOne) {
   std::optional<FileLock> first = FileLock::wait_for(path_, no);
   const std::optional<FileLock> second = FileLock::wait_for(path_, [&] {
     write_text(path_, "new");

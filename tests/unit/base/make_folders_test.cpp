@@ -34,7 +34,7 @@ TEST_F(MakeFoldersTest, MakesAllThatAreMissing) {
   make_folders("/");
 }
 
-TEST_F(MakeFoldersTest, ALinkToAFolderIsOne) {
+TEST_F(MakeFoldersTest, AcceptsALinkToAFolder) {
   fs::create_directory(folder_ / "real");
   fs::create_directory_symlink("real", folder_ / "link");
   make_folders(folder_ / "link/below");

@@ -43,7 +43,7 @@ TEST(ParallelInOrder, MakesOnlyAFewAhead) {
   EXPECT_LE(most, 2U * std::max(1U, std::thread::hardware_concurrency()) + 1);
 }
 
-TEST(ParallelInOrder, TakesNoMoreAfterANo) {
+TEST(ParallelInOrder, TakesNothingAfterTheFirstRefusal) {
   std::size_t taken = 0;
   parallel_in_order(
       1000, [](std::size_t index) { return index; },

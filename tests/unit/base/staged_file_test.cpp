@@ -286,7 +286,7 @@ TEST_P(StagedFileTest, GivesANewFileThePermissionsOfTheUmask) {
   EXPECT_EQ(mode_of(place_), 0640u);
 }
 
-TEST_P(StagedFileTest, RefusesFoldersPipesAndPlacesThatAreNot) {
+TEST_P(StagedFileTest, RefusesFoldersPipesAndMissingFolders) {
   fs::create_directories(folder_ / "folder");
   EXPECT_THAT(failure(folder_ / "folder", "new"), HasSubstr("is a folder"));
   EXPECT_THAT(failure(folder_ / "", "new"), HasSubstr("is a folder"));
@@ -305,7 +305,7 @@ TEST_P(StagedFileTest, ReplacesNothingThatIsToBeKept) {
   EXPECT_THAT(names(), ElementsAre("other", "walk.mcpr"));
 }
 
-TEST_P(StagedFileTest, StaysInItsFolderWhateverThatIsCalledByThen) {
+TEST_P(StagedFileTest, StaysInItsFolderWhenThatIsRenamed) {
   fs::create_directories(folder_ / "before");
   StagedFile file = staged(folder_ / "before/walk.mcpr", "new");
   fs::rename(folder_ / "before", folder_ / "after");

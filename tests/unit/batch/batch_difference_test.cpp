@@ -44,7 +44,7 @@ TEST(BatchDifference, TellsWhatGotLargerWorseAndNewlyVisible) {
   EXPECT_EQ(changes(row_of("walk", 1000, 2, 3), walk), std::vector{NoLongerSeen});
 }
 
-TEST(BatchDifference, TakesLittleForNothing) {
+TEST(BatchDifference, IgnoresSmallChanges) {
   const BatchRow walk = row_of("walk", 1000, 2, 0.5);
   EXPECT_TRUE(changes(walk, row_of("walk", 1009, 2.01, 0.6)).empty());
   EXPECT_EQ(difference({walk}, {row_of("walk", 1009, 2.01, 0.6)}).bytes_after, 1009u);

@@ -54,7 +54,7 @@ TEST(Shards, AreWrittenAsIOfN) {
     EXPECT_THROW(parse_shard(text), Error) << text;
 }
 
-TEST(ItemList, GivesBackWhatItTookWhateverWasReplacedAndErased) {
+TEST(ItemList, ReturnsItemsUnchangedAfterReplacingAndErasing) {
   std::vector<BatchItem> kept;
   ItemList list;
   for (std::size_t i = 0; i < 50; ++i) {
@@ -192,7 +192,7 @@ TEST(Queue, ComesBackFromItsFileAsItWas) {
   EXPECT_EQ(read.writing, batch.writing);
 }
 
-TEST(Queue, ThatIsNoneOrLeavesItsFolderIsRefused) {
+TEST(Queue, RefusesInvalidQueuesAndOutputsOutsideTheFolder) {
   const Batch batch{.presets = {{.name = "p"}}, .items = {{.input = "i", .output = "../o"}}};
   EXPECT_THROW(parse_queue("", queue_text(batch)), InputError);
   for (const char* text : {"", "{}", "[]", R"({"mocapress_queue": 1})",

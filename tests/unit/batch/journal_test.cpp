@@ -213,7 +213,7 @@ TEST_F(JournalTest, ResumedWithinTheHeaderBeginsAnew) {
   }
 }
 
-TEST_F(JournalTest, ThatIsNoneIsRefusedToReaders) {
+TEST_F(JournalTest, ReadersRefuseAFileWithoutAHeader) {
   write_text(path_, "hello\n");
   EXPECT_THROW(JournalReader reader(path_), InputError);
   EXPECT_THROW(JournalReader reader(folder_ / "none"), InputError);

@@ -588,7 +588,7 @@ TEST_F(BatchRun, PicturesSayWhatTheirCaptionsAndTheBoundSay) {
   }
 }
 
-TEST_F(BatchRun, TheReportDrawsWhatTheEyeSeesByJointAndTime) {
+TEST_F(BatchRun, TheReportDrawsVisibilityByJointAndTime) {
   run(batch());
   const std::string page = read_text(out() / "report.html");
   int seen = 0;

@@ -46,7 +46,7 @@ TEST_F(CharactersOfABatch, AreKeptByFile) {
   EXPECT_EQ(characters_.read(file_), first);
 }
 
-TEST_F(CharactersOfABatch, AreMissedAtEachClip) {
+TEST_F(CharactersOfABatch, AMissingFileIsReportedForEachClip) {
   fs::remove(file_);
   EXPECT_THROW(characters_.read(file_), InputError);
   EXPECT_THROW(characters_.read(file_), InputError);

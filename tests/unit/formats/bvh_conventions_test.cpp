@@ -130,7 +130,7 @@ TEST(RateFromFrameTime, UndoesTheRoundingOfTheDigitsWritten) {
   EXPECT_NEAR(*rate_from_frame_time(1.001 / 30), 29.97, 1e-4);
 }
 
-TEST(RateFromFrameTime, TakesSecondsAFrameNobodyMeansForFramesASecond) {
+TEST(RateFromFrameTime, ReadsAFrameTimeAboveOneSecondAsFramesPerSecond) {
   EXPECT_EQ(rate_from_frame_time(120), 120);
   EXPECT_FALSE(rate_from_frame_time(0));
   EXPECT_FALSE(rate_from_frame_time(-0.01));

@@ -98,7 +98,7 @@ TEST(Bvh, MixesOrdersWithinAFile) {
   EXPECT_NEAR((end - Eigen::Vector3d(-1, -6, 3)).norm(), 0, kRounding);
 }
 
-TEST(Bvh, ReadsTheSameFileInOtherClothes) {
+TEST(Bvh, ReadsTheSameFileInOtherSpellings) {
   const Motion plain = read(kSmallBvh).motion;
   const std::string exponents = replaced(kSmallBvh, "11 21 31", "+1.1e1 2100E-2 .31e+2");
   for (const std::string& text :

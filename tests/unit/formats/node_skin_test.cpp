@@ -197,7 +197,7 @@ TEST(NodeSkin, SaysWhenThereAreTooManyBones) {
   EXPECT_THAT(file.warnings, Contains(Field(&Warning::message, HasSubstr("more than 256 bones"))));
 }
 
-TEST(MaterialColour, IsAsScreensHaveItAndPlainWhereThereIsNone) {
+TEST(MaterialColour, ConvertsLinearToSrgbAndIsPlainByDefault) {
   EXPECT_NEAR(material_colour({0.5F, 0.2F, 0}, false).x(), 0.735, 1e-3);
   EXPECT_EQ(material_colour({1, 1, 1}, false), kPlainSkin);
   EXPECT_NEAR(material_colour({1, 1, 1}, true).minCoeff(), 1, 1e-6);

@@ -96,14 +96,14 @@ TEST(Visibility, RemovedWobbleIsNotVisible) {
 }
 
 /// Rounding alone would be 1e25 times the trembling of an original that does not tremble.
-TEST(Visibility, HasNoShareOfAJitterThatIsNone) {
+TEST(Visibility, HasNoJitterRatioIfTheOriginalHasNone) {
   const Skeleton skeleton = stick("top");
   const Clip evenly = moved(still(200), 0, [](double s) { return 100 * s; });
   const Clip shaken = moved(evenly, 0, [](double s) { return wobble(s, 15, 0.5); });
   EXPECT_FALSE(compare(skeleton, evenly, shaken).jitter_ratio.has_value());
 }
 
-TEST(Visibility, TremblesAgainstTheOriginalsOwnTrembling) {
+TEST(Visibility, JudgesJitterRelativeToTheOriginals) {
   const Skeleton skeleton = stick("top");
   const auto shaken = [](double cm) {
     return moved(still(200), 0, [cm](double s) { return wobble(s, 15, cm); });
@@ -144,7 +144,7 @@ TEST(Visibility, ALiftedFootFloats) {
   EXPECT_FALSE(compare(skeleton, still(120), lifted).contacts.has_value());
 }
 
-TEST(Visibility, ItsTableTellsByWhatEachJointIsSeenAndFromWhereOn) {
+TEST(Visibility, TheTableHasCueAndThresholdOfEachJoint) {
   const Skeleton skeleton = stick("top");
   const Clip lifted = moved(still(120), 1, [](double) { return 1.5; });
   const Visibility seen = compare(skeleton, still(120), lifted, {{0, 24, 71}});
@@ -175,7 +175,7 @@ TEST(Visibility, AFootThatOnlyTremblesStands) {
   EXPECT_LT(compare(skeleton, still(240), decoded, {{0, 0, 239}}).contacts->worst_slide_cm, 0.01);
 }
 
-TEST(Visibility, ForgivesMoreOfWhatIsFaster) {
+TEST(Visibility, AllowsLargerErrorsOfFasterMovements) {
   const Skeleton skeleton = stick("top");
   const auto error = [&](double speed) {
     const Clip original = moved(still(240), 0, [&](double s) { return speed * s; });
@@ -241,7 +241,7 @@ TEST(Visibility, ATurnedHeadIsVisibleAndAHandLater) {
   EXPECT_FALSE(turned("tail").worst_head.has_value());
 }
 
-TEST(Visibility, ALimbThatLooksLongerIsElsewhere) {
+TEST(Visibility, ALongerLimbIsAnErrorOfPlace) {
   const auto stretched = [](double cm) {
     Skeleton longer;
     longer.add(stick("top").joint(0));

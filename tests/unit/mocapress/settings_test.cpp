@@ -66,7 +66,7 @@ TEST(Settings, BuiltInPresetsKeepTheirPromisesOnEveryClip) {
   }
 }
 
-TEST(Settings, AsksForNothingToSeeWithoutANumber) {
+TEST(Settings, AVisibilityTargetNeedsNoValue) {
   const Settings preset =
       parse_presets("", R"({"name": "a", "target": {"kind": "not-visible"}})").front();
   EXPECT_EQ(preset.target.kind, Target::Kind::Visibility);

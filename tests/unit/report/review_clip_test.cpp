@@ -66,7 +66,7 @@ TEST_F(ReviewClip, HoldsTheOriginalToAHundredthOfACentimetreAndTheFileItself) {
   EXPECT_EQ(compressed, made.file);
 }
 
-TEST_F(ReviewClip, SaysWhatCameOfIt) {
+TEST_F(ReviewClip, ListsTheFactsOfTheResult) {
   const Encoding made = compressed_by("closed-loop");
   EXPECT_THAT(review_facts("closed-loop", 20, made.distortion, made.visibility),
               testing::ElementsAre(method_title("closed-loop"), ratio_text(20),

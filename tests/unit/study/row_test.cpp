@@ -42,7 +42,7 @@ TEST(StudyRow, SurvivesALineOfJson) {
   EXPECT_EQ(to_json_line(*again), to_json_line(row));
 }
 
-TEST(StudyRow, FromBeforeTheEyeLookedIsRead) {
+TEST(StudyRow, ARowWithoutVisibilityIsRead) {
   StudyRow row = full_row();
   std::string line = to_json_line(row);
   const std::size_t first = line.find("\"visibility\"");

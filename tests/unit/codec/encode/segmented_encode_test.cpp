@@ -200,7 +200,7 @@ TEST(Segments, SectionsOutOfPlaceAreRefused) {
   }
 }
 
-TEST(Segments, WordsHaveNone) {
+TEST(Segments, CodingsOfWordsRefuseSegments) {
   CompressedClip words = clip();
   words.coding = Coding::Rle16;
   words.provenance.method = Method::Standard;
@@ -307,7 +307,7 @@ TEST(SegmentedEncode, HoldsAHardMaximum) {
   }
 }
 
-TEST(SegmentedEncode, LeavesNothingToSee) {
+TEST(SegmentedEncode, MeetsAVisibilityTarget) {
   const Encoding encoding = walk().encode(options({Target::Kind::Visibility, 1}));
   EXPECT_EQ(encoding.visibility.sight(), Sight::NotVisible);
   EXPECT_GT(encoding.visibility.worst().times_noticed(), 0.65);

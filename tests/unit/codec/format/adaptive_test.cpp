@@ -110,7 +110,7 @@ TEST(Adaptive, CorruptBytesAreRefusedOrDecodeWithinBounds) {
   }
 }
 
-TEST(Adaptive, RefusesAScaleThatIsNone) {
+TEST(Adaptive, RefusesAnInvalidScale) {
   auto bytes = adaptive_encode(random_signals(20, 0.2), neighbours());
   for (const int high : {0x00, 0x7F, 0xBF}) {  // zero, not finite, negative
     bytes[0] = static_cast<std::byte>(high == 0 ? 0 : 0xC0);

@@ -102,7 +102,7 @@ TEST(EndPoses, TakeEffectWithinTheirReachAndWholeAtTheEnds) {
   EXPECT_TRUE(channels.middleRows(8, kFramesOfClip - 9).isZero(0));
 }
 
-TEST(EndPoses, AVelocityLeavesTheLastFrameAloneAndTurnsTheOneBeside) {
+TEST(EndPoses, AVelocityKeepsTheLastFrameAndChangesTheOneBefore) {
   CodedEnds ends = ends_with_velocity();
   ends.steps.leftCols(2).setZero();
   const std::vector<float> first_steps(kChannelsOfClip, 0.25F);

@@ -139,7 +139,7 @@ TEST(Container, KeepsTurnedAxesWhichCountAsMotion) {
   EXPECT_EQ(clip.motion_bytes(), small_clip(Coding::Adaptive).motion_bytes() + size);
 }
 
-TEST(Container, RefusesTurnedAxesThatAreNone) {
+TEST(Container, RefusesInvalidTurnedAxes) {
   const std::vector<std::byte> good = write_container(turned_clip());
   const Place place = find_section(good, "AXES");
   const auto refused = [&](std::uint32_t byte, int bits) {
@@ -153,7 +153,7 @@ TEST(Container, RefusesTurnedAxesThatAreNone) {
   refused(4, 0x40);  // a seventh number
 }
 
-TEST(Container, RefusesOrdersThatAreNone) {
+TEST(Container, RefusesInvalidOrders) {
   const std::vector<std::byte> good = reordered_file();
   const Place place = find_section(good, "ordr");
   for (std::uint32_t i = 0; i < place.size; ++i) {
@@ -247,7 +247,7 @@ TEST(Container, AClipThatHardlyMovesHasAFileHoweverLongItIs) {
   EXPECT_EQ(read_container(file).motion, clip.motion);
 }
 
-TEST(Container, BytesThatNoReaderKnowsBuyNoSamples) {
+TEST(Container, UnknownSectionsDoNotRaiseTheSampleLimit) {
   const CompressedClip clip = small_clip();
   const auto file = write_container(clip);
   const auto signals = static_cast<std::size_t>(clip.skeleton.channel_count() +
@@ -261,7 +261,7 @@ TEST(Container, BytesThatNoReaderKnowsBuyNoSamples) {
   EXPECT_THROW(read_container(padded), FormatError);
 }
 
-TEST(Container, RefusesAnEffectorThatIsNone) {
+TEST(Container, RefusesAnInvalidEffector) {
   const auto file = write_container(small_clip());
   const Place place = find_section(file, "IKCO");
   const std::size_t effectors = place.start + 12 + 2;

@@ -32,7 +32,7 @@ Skeleton joints(int count, int channels = 3) {
   return skeleton;
 }
 
-TEST(Room, IsThereUpToEachLimitAndNotBeyond) {
+TEST(Room, AcceptsEachLimitAndRefusesOneMore) {
   const SegmentLayout one = SegmentLayout::whole(1);
   const Skeleton few = joints(4, 4);  // 16 channels
   EXPECT_EQ(refusal({joints(4096), 120, one}), "fits");
@@ -51,7 +51,7 @@ TEST(Room, IsThereUpToEachLimitAndNotBeyond) {
     EXPECT_THAT(refusal({few, rate, one}), HasSubstr("sample rate"));
 }
 
-TEST(Room, IsRefusedToNamesAndPlacesThatTheFileCannotHold) {
+TEST(Room, RefusesNamesAndOffsetsThatTheFileCannotHold) {
   const auto refusal_of = [](const Joint& joint) {
     Skeleton skeleton;
     skeleton.add(joint);
@@ -65,7 +65,7 @@ TEST(Room, IsRefusedToNamesAndPlacesThatTheFileCannotHold) {
               HasSubstr("joint 'end'"));
 }
 
-TEST(Room, IsLookedForBeforeTheWorkBegins) {
+TEST(Room, IsCheckedBeforeEncoding) {
   Motion motion = test::smooth_motion(20);
   motion.skeleton.add({.name = std::string(300, 'n'), .parent = 0});
   const MethodEncoder encoder(motion);

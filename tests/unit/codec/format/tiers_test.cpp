@@ -100,7 +100,7 @@ TEST(Tiers, APrefixHasTheMotionWithoutItsFinestBands) {
   }
 }
 
-TEST(Tiers, TellTheirErrors) {
+TEST(Tiers, StateTheErrorOfEachTier) {
   const std::vector<std::byte> cut = tiered(files().back());
   for (std::uint32_t t = 0; t + 1 < kTiers; ++t) {
     const mcpr_tier tier = tier_of(cut, t);
@@ -133,7 +133,7 @@ TEST(Tiers, NeedEveryByteUpToTheirEnd) {
   }
 }
 
-TEST(Tiers, AreNotToldOfAFileWithoutThem) {
+TEST(Tiers, AFileWithoutTiersHasNone) {
   const std::vector<std::byte> file = files().front();
   mcpr_tier tier;
   for (const std::size_t size : {file.size(), std::size_t{MCPR_TIERS_HEAD_BYTES}})

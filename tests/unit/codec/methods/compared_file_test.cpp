@@ -39,7 +39,7 @@ TEST(ComparedFile, ReadsBackWhatWasWritten) {
   EXPECT_EQ(write_compared(pca_method(), opened.compressed), write_compared(pca_method(), clip));
 }
 
-TEST(ComparedFile, TheWaveletReaderSaysWhatItIs) {
+TEST(ComparedFile, TheWaveletReaderNamesTheMethodItRefuses) {
   try {
     read_container(write_compared(pca_method(), pca_clip()));
     FAIL();

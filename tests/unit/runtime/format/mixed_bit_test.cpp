@@ -23,7 +23,7 @@ TEST(AdaptiveBit, ApproachesTheShareOfSetBits) {
   EXPECT_NEAR(bit.one / 65536.0, 0.1, 0.04);
 }
 
-TEST(MixedBit, BelievesTheContextThatKnows) {
+TEST(MixedBit, LearnsToTrustTheContextThatPredicts) {
   Random random(3);
   AdaptiveBit blind;
   AdaptiveBit knowing[2];

@@ -28,7 +28,7 @@ TEST(EndPrices, BeginWithHalfAtEitherEndAndTheWholeBetween) {
   EXPECT_EQ(price_of(prices, ones(144, 40), 3), 3);
 }
 
-TEST(EndPrices, CountAsFarAsAFunctionReachesThere) {
+TEST(EndPrices, CountByTheShareOfAFunctionAtAnEnd) {
   const EndPrices prices(kFrames);
   double before = price_of(prices, ones(0, 16), 1);
   for (const int size : {24, 32, 64}) {

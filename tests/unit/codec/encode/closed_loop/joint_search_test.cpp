@@ -24,7 +24,7 @@ Eigen::MatrixXf with_rows(const Eigen::MatrixXf& cross) {
   return longer;
 }
 
-TEST(JointSearch, LeavesWhatIsWhereItShouldBe) {
+TEST(JointSearch, LeavesCoefficientsAtTheirBestValuesAlone) {
   const Eigen::MatrixXf cross = with_rows(Eigen::MatrixXf::Identity(3, 3));
   const std::vector<JointSearch::Coefficient> coefficients = {
       {0, 1, price_of_steps(0, 0.1F)},
@@ -33,7 +33,7 @@ TEST(JointSearch, LeavesWhatIsWhereItShouldBe) {
   EXPECT_EQ(JointSearch(coefficients, cross).run(), (std::vector{0, 0, 0}));
 }
 
-TEST(JointSearch, ThreeTakeOverWhatOneSaves) {
+TEST(JointSearch, FindsAGainThatNeedsThreeMovesMore) {
   // One that moves all that the other three move, which are zero.
   Eigen::MatrixXf cross(4, 4);
   cross << 3, 1, 1, 1,  //
@@ -48,7 +48,7 @@ TEST(JointSearch, ThreeTakeOverWhatOneSaves) {
   EXPECT_EQ(JointSearch(coefficients, longer).run(), (std::vector{-1, 1, 1, 1}));
 }
 
-TEST(JointSearch, NeverLosesByItsMoves) {
+TEST(JointSearch, NeverRaisesTheCost) {
   Random random(3);
   int moved = 0;
   for (int i = 0; i < 200; ++i) {

@@ -21,7 +21,7 @@ std::vector<Number> numbers(Random& random, int count) {
   return numbers;
 }
 
-TEST(StepKernels, CutOrdinaryNumbersOfAnyCountTowardsZeroAfterWhatIsAdded) {
+TEST(StepKernels, TruncateTowardsZeroAfterAddingForAnyCount) {
   Random random(3);
   for (int count = 0; count <= kMostNumbers; ++count) {
     const auto coefficients = numbers<double>(random, count);
@@ -43,7 +43,7 @@ TEST(StepKernels, CutNothingBeyondTheMostSteps) {
   EXPECT_EQ(values, (std::vector<int>{kMostSteps, -kMostSteps, 4}));
 }
 
-TEST(StepKernels, FindWhatStepsHaveMoreThanCoefficientsOfAnyCount) {
+TEST(StepKernels, FindDifferencesForAnyNumberOfCoefficients) {
   Random random(5);
   for (int count = 0; count <= kMostNumbers; ++count) {
     const auto coefficients = numbers<double>(random, count);

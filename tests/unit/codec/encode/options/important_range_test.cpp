@@ -98,7 +98,7 @@ TEST(ImportantRange, AtOneSizeTheErrorMovesOutOfIt) {
             0.75 * rms_within(middle(3), encoded(target, {})));
 }
 
-TEST(ImportantRange, NothingOffIsSeenThereAtAFractionOfWhatIsNoticed) {
+TEST(ImportantRange, AVisibilityTargetIsAsManyTimesStricterInIt) {
   const auto noticed = [](const Encoding& encoding) {
     const SightTable& table = encoding.visibility.table;
     const int first = table.window_of(middle(1).first_frame);

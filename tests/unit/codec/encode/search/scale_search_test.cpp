@@ -48,7 +48,7 @@ TEST(ScaleSearch, MeetsEveryKindOfTargetWithinTwoPercent) {
   }
 }
 
-TEST(ScaleSearch, LeavesNothingToSee) {
+TEST(ScaleSearch, MeetsAVisibilityTarget) {
   const auto seen = [](double times, const EncodeSettings& more) {
     EncodeSettings options = more;
     options.target = {Target::Kind::Visibility, times};
