@@ -333,7 +333,7 @@ void add_batch(CLI::App& app) {
   command
       ->add_option("--fail-on", call->fail_on,
                    "Exit with code 4 if a finished clip is one of these, comma-separated; "
-                   "borderline includes visible, rejected includes outdated verdicts")
+                   "borderline includes visible, rejected includes stale verdicts")
       ->delimiter(',')
       ->check(CLI::IsMember({"visible", "borderline", "rejected", "warning"}));
   command->add_flag("--keep-going,!--stop-at-failure", call->keep_going,
