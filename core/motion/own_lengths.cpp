@@ -76,8 +76,8 @@ std::vector<bool> on_trunk(const std::vector<Carrier>& carriers) {
   return trunk;
 }
 
-/// The drop from hips to the lowest joint, divided by that of the clip's bones in the same pose:
-/// the one in which the skin was bound, which stands.
+/// The height of the hips above the lowest joint, divided by that of the clip's bones in the same
+/// pose: the pose in which the skin was bound, a standing one.
 double leg_scale(const std::vector<Carrier>& carriers, const std::vector<bool>& trunk) {
   std::size_t at = 0;  // a root, unless there is a limb
   for (std::size_t i = 0; i < carriers.size(); ++i)

@@ -78,11 +78,12 @@ struct ValueSources {
   std::int32_t value;
 };
 
-/// Walks through signals in the order of the file. `Bits` either writes the bits it is given or
-/// ignores and replaces them: bool code(bool bit, Probability one); refuse() when a number that was
-/// read is out of bounds; failed(), after which nothing that was read is of use. Values that are
-/// read replace those in `coded`, which must be zeros before. `Bits` with note(BitSources, bool) or
-/// note(ValueSources) are told what each was predicted from.
+/// Walks through signals in the order of the file. `Bits` either writes the bits it is given, or
+/// ignores them and returns bits that it reads. It has bool code(bool bit, Probability one);
+/// refuse(), called when a number that was read is out of bounds; and failed(): when true, nothing
+/// that was read is of use. Values that are read replace those in `coded`, which must be zeros
+/// before. A `Bits` with note(BitSources, bool) or note(ValueSources) is told what each bit or
+/// value was predicted from.
 template <typename Bits>
 class CoefficientCoder {
  public:

@@ -35,8 +35,9 @@ constexpr bool is_error(const Target& target) {
 /// of figures that were written as text and read again. A coefficient ratio is met by construction.
 bool reached(const Target& target, double achieved);
 
-/// The sentence for a target that nothing meets: what was asked, the nearest that there is, and for
-/// ratios whether that is a smaller or a larger file. Both values are in the target's quantity.
+/// The message for a target that nothing meets: what was asked, the nearest value that can be
+/// reached, and for ratios whether that is a smaller or a larger file. Both values are in the
+/// target's quantity.
 std::string out_of_reach(const Target& target, double nearest);
 
 /// "ratio", "coefficient-ratio", "size", "error", "max-error", "not-visible".

@@ -32,7 +32,8 @@ class SplitSearch {
   /// The r_IK to try next; empty when the search is over.
   std::optional<double> next() const;
 
-  /// Returns whether it is the best so far. The price of a target that was missed is infinite.
+  /// Records the result of an r_IK that was tried; returns whether it is the best so far. The price
+  /// of a target that was missed is infinite.
   bool tried(const Split& split);
 
   const Split& best() const { return best_; }
