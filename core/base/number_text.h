@@ -9,10 +9,11 @@
 
 namespace mocapress {
 
-/// The value with so many digits after the point: "2.50".
+/// Formats a value with this number of digits after the point: "2.50".
 std::string fixed_text(double value, int decimals);
 
-/// The value with at most so many significant digits, without trailing zeros: "2.5", "1e+06".
+/// Formats a value with at most this number of significant digits, without trailing zeros: "2.5",
+/// "1e+06".
 std::string significant_text(double value, int digits);
 
 /// The shortest text that tells the value from every other double: "0.1".

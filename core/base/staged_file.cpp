@@ -233,7 +233,7 @@ StagedFile::~StagedFile() {
   if (!name_.empty()) ::unlinkat(folder_.number(), name_.c_str(), 0);
 }
 
-/// Opens a file without a name, of which nothing is left if we are killed. May leave it to
+/// Opens a file without a name: if the process is killed, nothing of it is left. May leave it to
 /// open_named() to report an error.
 void StagedFile::open_unnamed(std::uint32_t mode) {
   FileDescriptor file(open_nameless(folder_.number(), mode));

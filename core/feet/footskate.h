@@ -66,7 +66,7 @@ struct SlidePerContact {
   bool operator==(const SlidePerContact&) const = default;
 };
 
-/// Footskate divided among so many contacts; unset without contacts.
+/// Footskate divided by the number of contacts; unset without contacts.
 std::optional<SlidePerContact> slide_per_contact(const Footskate& footskate, std::size_t contacts);
 
 }  // namespace mocapress

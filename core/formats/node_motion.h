@@ -51,8 +51,8 @@ NodePlacement file_placement(double cm_per_unit, UpAxis up);
 
 NodePlacement below(const NodePlacement& parent, const LocalTransform& local);
 
-/// Throws InputError if a clip may not hold so many frames of so many moving nodes. Call it before
-/// filling a NodeTake, since `frames` comes from a file.
+/// Throws InputError if a clip may not hold this number of frames of this number of moving nodes.
+/// Call it before filling a NodeTake, since `frames` comes from a file.
 void check_take_size(const std::string& file, std::size_t moving_nodes, double frames);
 
 /// The motion of a take. `options` may override its unit or axis.

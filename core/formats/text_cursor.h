@@ -18,8 +18,8 @@ struct Token {
 /// Compares words, ignoring the case of ASCII letters, as for the keywords of motion files.
 bool equals_ignoring_case(std::string_view a, std::string_view b);
 
-/// The number written in `text`, in any locale; unset if it is none. "nan", "inf", "1.#QNAN" and
-/// numbers too large for a double are numbers, but not finite.
+/// The number written in `text`, in any locale; unset if `text` is no number. "nan", "inf",
+/// "1.#QNAN" and numbers too large for a double are numbers, but not finite.
 std::optional<double> parse_number(std::string_view text);
 
 /// Walks a text word by word, one word ahead. Every failure is an InputError with its place. The

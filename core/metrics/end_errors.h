@@ -30,7 +30,7 @@ struct EndErrors {
 /// Compares clips whose tracks arrive in blocks of frames, each once.
 class EndErrorMeter {
  public:
-  /// Takes skeletons with so many landmarks.
+  /// Takes clips of skeletons with this number of landmarks.
   explicit EndErrorMeter(Eigen::Index landmarks) : landmarks_(landmarks) {}
 
   /// Adds rows of body_tracks() of both clips, and the squared error (cm^2) of the body's surface

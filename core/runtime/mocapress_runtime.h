@@ -812,12 +812,12 @@ MCPR_API const char* mcpk_value(const mcpk_bank* bank, uint32_t number);
 /* The bytes at the beginning of a bank that mcpk_open reads with check = 0. */
 #define MCPK_HEAD_BYTES 104
 
-/* For a bank of which only some clips are wanted in memory, on a server for example. Tells where
- * the bytes of a clip are, counted from the beginning of the bank; with `clip` = mcpk_info.clips,
- * where all that follows the clips is, which they share. Load the head, and open it with check = 0
- * and the size of the whole bank; load what follows the clips to its place, and open the bank with
- * check = 2; then load clips to their places, and call mcpk_check before using one. What lies
- * between need not be there. */
+/* Tells where the bytes of a clip are, counted from the beginning of the bank; with `clip` =
+ * mcpk_info.clips, where the shared data is that follows all clips. So single clips of a bank, for
+ * example on a server, can be loaded: load the head, and open it with check = 0 and the size of the
+ * whole bank; load the shared data to its place, and open the bank with check = 2; then load clips
+ * to their places, and call mcpk_check before using one. Memory between these places is not read.
+ */
 MCPR_API mcpr_result mcpk_place(const mcpk_bank* bank, uint32_t clip, uint64_t* offset,
                                 uint64_t* bytes);
 

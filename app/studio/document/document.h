@@ -99,7 +99,7 @@ class Document : public QObject {
   /// The skin of the figures: of the character if it fits the joints, else of the clip. Null: none.
   const std::shared_ptr<const Skin>& skin() const { return skin_; }
 
-  /// The file that this is in: of the character, or of the clip. Empty: there is none.
+  /// The file that skin() is from: that of the character, or of the clip. Empty: no skin.
   QString wornFile() const;
 
   const CurveSelection& curves() const { return curves_; }

@@ -42,8 +42,8 @@ std::vector<std::vector<std::size_t>> bytes_by_bands(const CompressedClip& clip)
   return bytes;
 }
 
-/// Chooses the bands between which the file is cut, so that tiers have about as many bytes, and are
-/// not refused for having too few for so many values.
+/// Chooses the bands between which the file is cut. Tiers get about the same number of bytes, and
+/// enough bytes for their number of values that a reader does not refuse them.
 std::vector<CutTier> cut(const CompressedClip& clip, int tiers, std::uint64_t values) {
   const std::vector<std::vector<std::size_t>> bytes = bytes_by_bands(clip);
   const auto sum = [&](int left_out) {

@@ -40,7 +40,7 @@ class BankTiers {
   int present_ = 1;
 };
 
-/// Size of the tables of a bank with so many tiers, two or more.
+/// Size of the tables of a bank with this number of tiers, two or more.
 constexpr std::uint64_t tier_table_bytes(std::uint64_t tiers, std::uint64_t clips) {
   return BankTiers::kHeadBytes +
          (tiers - 1) * (BankTiers::kRegionBytes + sizeof(std::uint32_t) * (clips + 1));

@@ -99,7 +99,7 @@ class CoefficientCoder {
         notes_(notes),
         coarse_depth_(bands.depth(0) - half_octaves_of(scale)) {}
 
-  /// Leaves out so many of the finest bands, which the values then do not have.
+  /// Codes all signals, without the values of this number of finest bands.
   void run(int bands_left_out = 0) {
     code_step_exponents();
     for (int s = 0; s < coded_.signal_count && !bits_.failed(); ++s) code_coarse(s);

@@ -45,7 +45,7 @@ struct EndReaches {
   bool any() const { return frames[kFirstPose] > 0; }
   int count() const { return frames[kVelocity] > 0 ? kMostEnds : kVelocity; }
 
-  /// The share of an end's correction at a frame of a clip of so many.
+  /// The share of an end's correction at a frame, in a clip of `frames_of_clip` frames.
   float share_at(int end, int frame, int frames_of_clip) const {
     const int away = end == kFirstPose ? frame : frames_of_clip - 1 - frame;
     return away < frames[end] ? end_share(end, away, frames[end]) : 0.0F;

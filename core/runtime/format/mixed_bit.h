@@ -41,7 +41,8 @@ struct AdaptiveBit {
   void follow(bool bit);
 };
 
-/// The rate at which a context moves towards a bit after so many others, in 65536ths.
+/// The rate at which a context moves towards a bit, by the number of bits that it has seen, in
+/// 65536ths.
 extern const std::array<std::int32_t, AdaptiveBit::kSlowest + 1> kRates;
 
 inline void AdaptiveBit::follow(bool bit) {

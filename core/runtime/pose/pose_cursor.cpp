@@ -120,7 +120,7 @@ void mcpr_cursor::keep_run(const runtime::PoseKernels& kernels, int from, int fr
   fill(kernels, clip->layout().stretch_at(from).segment, work);
 }
 
-/// Lifts as many groups at a time as the entries of which fit into the work space.
+/// Lifts groups in sets, as large as the work space allows for their entries.
 void mcpr_cursor::fill(const runtime::PoseKernels& kernels, int segment,
                        std::span<std::int16_t> work) {
   using namespace runtime;

@@ -107,7 +107,7 @@ class Sampler {
                 std::min(static_cast<int>(clip_.row_groups) - first, kMostGroupsOfPart))};
   }
 
-  /// Makes the groups of a part that are in a set, the columns of which are given.
+  /// Makes the groups of a part that are in a set; `columns` are those of the set.
   void make_part(int segment, int p, GroupRange set, float* columns) const {
     const InstantWeights& weights = work_.weights;
     const CookedPart& part = clip_.part(p);
@@ -439,8 +439,8 @@ std::size_t values_of_joint(mcpr_layout layout) {
 
 namespace {
 
-/// Clips need not more than this to be sampled, but for those with thousands of columns or joints.
-/// It is on the stack, of which a call takes 16 KiB at most.
+/// Memory for sampling all clips but those with thousands of columns or joints. It is on the stack;
+/// a call takes at most 16 KiB of stack.
 constexpr std::size_t kRoomOnStack = 7680;
 static_assert(kRoomOnStack >= sizeof(std::int16_t) * mcpr_cursor::kFewestNumbers);
 

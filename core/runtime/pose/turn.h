@@ -13,7 +13,7 @@
 
 namespace mocapress::runtime {
 
-/// Joints that a number stands for.
+/// Joints in one number: 1 for floats, 4 for Floats4.
 template <typename Real>
 inline constexpr std::uint32_t kJointsOf = sizeof(Real) / sizeof(float);
 

@@ -243,7 +243,7 @@ T* made(const Open& open) {
 
 #define MOCAPRESS_EXPORT extern "C" __attribute__((visibility("default"), used))
 
-// A null pointer is a failure, of which web_error() tells the reason.
+// A null pointer means failure; web_error() tells the reason.
 
 MOCAPRESS_EXPORT const char* web_error() {
   return last_error;
@@ -264,13 +264,13 @@ MOCAPRESS_EXPORT const mcpk_bank* web_open_bank(const void* memory, std::size_t 
   return succeeded(mcpk_open(memory, size, 1, &bank)) ? bank : nullptr;
 }
 
-/// Opens the head of a bank of which the rest is not there yet.
+/// Opens the head of a bank whose other bytes are not there yet.
 MOCAPRESS_EXPORT const mcpk_bank* web_open_head(const void* memory) {
   const mcpk_bank* bank = nullptr;
   return succeeded(mcpk_open(memory, SIZE_MAX, 0, &bank)) ? bank : nullptr;
 }
 
-/// Opens a bank of which the clips are not there yet.
+/// Opens a bank whose clips are not there yet.
 MOCAPRESS_EXPORT const mcpk_bank* web_open_shared(const void* memory, std::size_t size) {
   const mcpk_bank* bank = nullptr;
   return succeeded(mcpk_open(memory, size, 2, &bank)) ? bank : nullptr;

@@ -499,8 +499,8 @@ void ClosedLoopRun::find_energy() {
 
 void ClosedLoopRun::find_taking_part(int j, int b) {
   constexpr double kPromising = 0.4;  // steps from zero at which a zero takes part
-  // Weighing channels against each other takes their number squared of time and memory. Beyond so
-  // many, those nearest to the root take part; sweep() moves the others one by one.
+  // Weighing channels against each other takes their number squared of time and memory. If there
+  // are more, those nearest to the root take part; sweep() moves the others one by one.
   constexpr std::size_t kMostTogether = 512;
   if (is_still(j)) return;
   visit_where(
