@@ -8,7 +8,7 @@
 
 namespace mocapress::runtime {
 
-/// True if the axes are the three, each once, and the factor of length is finite.
+/// True if the three axes are x, y and z, each once, and the factor of length is finite.
 bool is_convention(const mcpr_convention& convention);
 
 /// True if each joint's parent comes before it.
