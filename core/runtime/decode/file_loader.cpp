@@ -149,8 +149,10 @@ mcpr_result FileLoader::read_segment(int segment) {
   if (segment == decoded_) return kOk;
   const Segment& coded = segments_[segment];
   decoded_ = segment;
-  return decode_segment(segment, {sections_.motion.data + coded.first_byte, coded.bytes,
-                                  sections_.motion.offset + coded.first_byte});
+  mcpr_result result =
+      decode_segment(segment, {sections_.motion.data + coded.first_byte, coded.bytes});
+  if (failed(result)) result.offset = sections_.offset_of(segment, result.offset);
+  return result;
 }
 
 mcpr_result FileLoader::decode_segment(int segment, const Bytes& coded) {

@@ -69,6 +69,9 @@ class SectionsReader {
     is_skipped_ = false;
     const mcpr_result result = take(section);
     if (!is_skipped_) known_bytes_ += kSectionHead + section.payload.size;
+    if (is_packed_ && section.is("TIER"))  // a file has more bytes there, and the same limits
+      known_bytes_ +=
+          (kTierBytes - kPackedTierBytes) * static_cast<std::size_t>(sections_.tiers.count);
     return result;
   }
 
@@ -378,6 +381,13 @@ std::uint32_t FileSections::segment_size(int segment) const {
   std::uint32_t size = 0;
   for (int p = 0; p < pieces(); ++p) size += segment_size(p, segment);
   return size;
+}
+
+std::size_t FileSections::offset_of(int segment, std::size_t byte) const {
+  int p = 0;
+  while (p + 1 < pieces() && byte >= segment_size(p, segment)) byte -= segment_size(p++, segment);
+  for (int k = 0; k < segment; ++k) byte += segment_size(p, k);
+  return piece(p).offset + byte;
 }
 
 void FileSections::copy_coded(std::uint8_t* out) const {

@@ -110,6 +110,9 @@ struct FileSections {
   std::uint32_t segment_size(int piece, int segment) const;
   std::uint32_t segment_size(int segment) const;
 
+  /// Position in the file of a byte of a segment's coefficients, which may lie in several pieces.
+  std::size_t offset_of(int segment, std::size_t byte) const;
+
   /// Copies the coefficients of one segment after the other, coded_size() bytes.
   void copy_coded(std::uint8_t* out) const;
 
