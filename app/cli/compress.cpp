@@ -15,7 +15,6 @@
 #include "core/base/staged_file.h"
 #include "core/base/utf8_path.h"
 #include "core/batch/verification.h"
-#include "core/codec/decode/decoder.h"
 #include "core/codec/encode/track_encoder.h"
 #include "core/codec/format/source_section.h"
 #include "core/codec/format/tiers.h"
@@ -39,12 +38,11 @@ void or_usage_error(const std::function<void()>& check) {
   }
 }
 
-/// The error of a clip that lacks its finest bands.
-TierError tier_error(const Encoder& original, const CompressedClip& coarse, Weighting weighting) {
-  const Skeleton& skeleton = original.motion().skeleton;
-  const Distortion distortion =
-      measure(skeleton, original.original_body(), body_tracks(skeleton, decode(coarse)));
-  return {static_cast<float>(distortion.eps(weighting)), static_cast<float>(distortion.max.cm)};
+/// The error of the first tiers of a file.
+TierError tier_error(const Encoder& original, std::span<const std::byte> file, int tiers,
+                     Weighting weighting) {
+  const Distortion found = verify(file, original, {.tiers = tiers}).distortion;
+  return {static_cast<float>(found.eps(weighting)), static_cast<float>(found.max.cm)};
 }
 
 struct Compress {
@@ -124,8 +122,8 @@ struct Compress {
     options.figures_only = true;
     Encoding made = encoder.compress(*find_compression_method(asked.method), options);
     made.file = with_tracks(with_source(made.file, file.source), file.tracks, asked.track_error);
-    made.file = with_tiers(made.file, tiers, [&](const CompressedClip& coarse) {
-      return tier_error(encoder.wavelets(), coarse, options.weighting);
+    made.file = with_tiers(made.file, tiers, [&](std::span<const std::byte> mcpr, int first) {
+      return tier_error(encoder.wavelets(), mcpr, first, options.weighting);
     });
     Verification found = write(made.file, encoder.wavelets(), *options.contacts);
     made.decoded = std::move(found.decoded);

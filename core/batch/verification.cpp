@@ -111,7 +111,7 @@ class Verifier {
       return "library";
     }
     constexpr int kBlock = 8192;
-    const RuntimeClip clip(file_);
+    const RuntimeClip clip(file_, request_.tiers);
     const mcpr_clip_info info = clip.info();
     const int frames = motion_.clip.frames();
     if (info.frames != static_cast<std::uint32_t>(frames) ||

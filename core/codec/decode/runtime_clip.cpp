@@ -33,12 +33,14 @@ bool is_joint(const mcpr_joint& found, const Joint& joint) {
 
 }  // namespace
 
-RuntimeClip::RuntimeClip(std::span<const std::byte> file) {
+RuntimeClip::RuntimeClip(std::span<const std::byte> file, int tiers) {
+  mcpr_limits limits = mcpr_default_limits();
+  limits.tiers = static_cast<std::uint32_t>(tiers);
   mcpr_info info;
-  require(mcpr_inspect(file.data(), file.size(), nullptr, &info));
+  require(mcpr_inspect(file.data(), file.size(), &limits, &info));
   const AlignedBytes opening(info.read_bytes);
   std::size_t size = 0;
-  require(mcpr_read(file.data(), file.size(), nullptr, opening.data(), opening.size(), &size));
+  require(mcpr_read(file.data(), file.size(), &limits, opening.data(), opening.size(), &size));
   resident_.emplace(size);
   require(mcpr_build(opening.data(), opening.size(), resident_->data(), size, &clip_));
   scratch_.emplace(mcpr_scratch_bytes(clip_, &kCorrected));

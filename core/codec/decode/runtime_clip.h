@@ -16,8 +16,9 @@ namespace mocapress {
 /// within its default limits.
 class RuntimeClip {
  public:
-  /// Throws FormatError with the runtime decoder's message about the file.
-  explicit RuntimeClip(std::span<const std::byte> file);
+  /// Opens a file, or its first tiers; 0: all. Throws FormatError with the runtime decoder's
+  /// message about the file.
+  explicit RuntimeClip(std::span<const std::byte> file, int tiers = 0);
 
   mcpr_clip_info info() const { return mcpr_clip_describe(clip_); }
 

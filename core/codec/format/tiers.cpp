@@ -2,7 +2,9 @@
 #include "core/codec/format/tiers.h"
 
 #include <cmath>
+#include <cstring>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -11,6 +13,7 @@
 #include "core/codec/format/section_writer.h"
 #include "core/runtime/format/coded_error.h"
 #include "core/runtime/format/format_limits.h"
+#include "core/runtime/format/packed_clip.h"
 
 namespace mocapress {
 namespace {
@@ -109,49 +112,72 @@ std::vector<Piece> pieces_of(const CompressedClip& clip, const std::vector<CutTi
   return pieces;
 }
 
-/// Copies the sections of a file but for TIER and FINE, with another SEGS and MOTN.
+/// CLIP with other errors.
+std::vector<std::byte> description_with(std::span<const std::byte> payload,
+                                        const TierError& error) {
+  std::vector<std::byte> changed(payload.begin(), payload.end());
+  const float errors[] = {error.eps_cm, error.max_error_cm};
+  std::memcpy(changed.data() + runtime::kErrorsAt, errors, sizeof errors);
+  return changed;
+}
+
+/// Copies the sections of a file but for TIER and FINE, with another SEGS and MOTN. `coarse` is the
+/// error of a motion that lacks its finest bands: CLIP then tells this one, and ENDS is left out.
+/// The file may end before FINE.
 void copy_sections(std::span<const std::byte> mcpr, const std::vector<Piece>& pieces,
-                   std::uint16_t& count, ByteWriter& sections) {
+                   const std::optional<TierError>& coarse, std::uint16_t& count,
+                   ByteWriter& sections) {
   runtime::Cursor file(reinterpret_cast<const std::uint8_t*>(mcpr.data()), mcpr.size());
   std::uint16_t left = 0;
   require(runtime::read_head(file, left));
-  for (; left > 0; --left) {
+  for (; left > 0 && !file.at_end(); --left) {
     runtime::Section section;
     require(runtime::read_section(file, section));
-    if (section.is("TIER") || section.is("FINE")) continue;
+    if (section.is("FINE")) return;
+    if (section.is("TIER") || (coarse && section.is("ENDS"))) continue;
     ++count;
+    const auto payload = mcpr.subspan(section.payload.offset, section.payload.size);
     if (section.is("SEGS")) {
       constexpr std::size_t kHead = 12;  // length, overlap, segments
-      ByteWriter payload;
-      payload.append(mcpr.subspan(section.payload.offset, kHead));
-      for (const Piece& piece : pieces) payload.append(std::as_bytes(std::span(piece.sizes)));
-      write_section(sections, "SEGS", payload.bytes());
+      ByteWriter segments;
+      segments.append(payload.first(kHead));
+      for (const Piece& piece : pieces) segments.append(std::as_bytes(std::span(piece.sizes)));
+      write_section(sections, "SEGS", segments.bytes());
     } else if (section.is("MOTN")) {
       write_section(sections, "MOTN", pieces.front().bytes);
+    } else if (coarse && section.is("CLIP")) {
+      write_section(sections, "CLIP", description_with(payload, *coarse));
     } else {
       sections.append(mcpr.subspan(section.start, file.offset() - section.start));
     }
   }
 }
 
-std::vector<std::byte> write_file(std::span<const std::byte> mcpr, const CompressedClip& clip,
+/// The file with its motion in these tiers.
+std::vector<std::byte> write_file(std::span<const std::byte> mcpr, const std::vector<Piece>& pieces,
                                   const std::vector<CutTier>& tiers) {
-  const std::vector<Piece> pieces = pieces_of(clip, tiers);
   std::uint16_t count = 0;
   ByteWriter sections;
-  copy_sections(mcpr, pieces, count, sections);
+  copy_sections(mcpr, pieces, {}, count, sections);
   ByteWriter file;
-  if (tiers.size() == 1) {
-    write_head(file, count);
-    file.append(sections.bytes());
-    return file.release();
-  }
   std::vector<std::size_t> fine;
   for (std::size_t t = 1; t < tiers.size(); ++t) fine.push_back(pieces[t].bytes.size());
   write_head(file, static_cast<std::uint16_t>(count + tiers.size()));
   write_section(file, kTiers, placed_tiers(write_tiers(tiers), sections.bytes().size(), fine));
   file.append(sections.bytes());
   for (std::size_t t = 1; t < tiers.size(); ++t) write_section(file, kFine, pieces[t].bytes);
+  return file.release();
+}
+
+/// The file with its motion in one piece.
+std::vector<std::byte> write_whole(std::span<const std::byte> mcpr, Piece motion,
+                                   const std::optional<TierError>& coarse) {
+  std::uint16_t count = 0;
+  ByteWriter sections;
+  copy_sections(mcpr, {std::move(motion)}, coarse, count, sections);
+  ByteWriter file;
+  write_head(file, count);
+  file.append(sections.bytes());
   return file.release();
 }
 
@@ -191,10 +217,11 @@ std::vector<std::byte> with_tiers(std::span<const std::byte> mcpr, int tiers,
   if (container.of_comparison || clip.coding != Coding::Adaptive) return {mcpr.begin(), mcpr.end()};
   std::vector<CutTier> cuts = cut(clip, tiers, sections_of(mcpr).room_values());
   if (cuts.size() == 1) return without_tiers(mcpr);
-  const std::vector<std::byte> unmeasured = write_file(mcpr, clip, cuts);
+  const std::vector<Piece> pieces = pieces_of(clip, cuts);
+  const std::vector<std::byte> unmeasured = write_file(mcpr, pieces, cuts);
   for (std::size_t t = 0; t + 1 < cuts.size(); ++t)
-    cuts[t].error = measure(read_container(unmeasured, static_cast<int>(t) + 1));
-  return write_file(mcpr, clip, cuts);
+    cuts[t].error = measure(unmeasured, static_cast<int>(t) + 1);
+  return write_file(mcpr, pieces, cuts);
 }
 
 std::vector<std::byte> file_of_tiers(std::span<const std::byte> mcpr, int tiers) {
@@ -203,29 +230,19 @@ std::vector<std::byte> file_of_tiers(std::span<const std::byte> mcpr, int tiers)
     throw FormatError(0, "the file has " + std::to_string(sections.tiers_read) + " tiers, not " +
                              std::to_string(tiers));
   if (sections.bands_left_out() == 0) return without_tiers(mcpr);
-  CompressedClip clip = read_container(mcpr, tiers);
-  std::vector<std::byte> motion;
-  std::vector<std::uint32_t> sizes;
+  const CompressedClip clip = read_container(mcpr, tiers);
+  Piece motion;
   AdaptiveSegments segments(clip);
   for (int k = 0; k < clip.segment_layout().count(); ++k) {
     const std::vector<std::byte> segment = pack_adaptive(segments.next(), clip);
-    motion.insert(motion.end(), segment.begin(), segment.end());
-    sizes.push_back(static_cast<std::uint32_t>(segment.size()));
+    motion.bytes.insert(motion.bytes.end(), segment.begin(), segment.end());
+    motion.sizes.push_back(static_cast<std::uint32_t>(segment.size()));
   }
-  clip.motion = std::move(motion);
-  if (clip.segments) clip.segments->bytes = std::move(sizes);
-  clip.bands_left_out = 0;
   const runtime::Tier& tier = sections.tiers.tier[tiers - 1];
-  clip.provenance.eps_cm = tier.eps_cm;
-  clip.provenance.max_error_cm = tier.max_error_cm;
-  std::vector<std::byte> file = write_container(clip);
-  for (const auto& [tag, payload] :
-       {std::pair("srce", sections.source), std::pair("trks", sections.tracks.payload)})
-    if (payload.data != nullptr)
-      file = with_section(
-          file, tag,
-          std::vector(mcpr.begin() + static_cast<std::ptrdiff_t>(payload.offset),
-                      mcpr.begin() + static_cast<std::ptrdiff_t>(payload.offset + payload.size)));
+  std::vector<std::byte> file =
+      write_whole(mcpr.first(sections.tiers.tier[0].file_bytes), std::move(motion),
+                  TierError{tier.eps_cm, tier.max_error_cm});
+  sections_of(file);  // throws if a file of so few bytes may not have so many values
   return file;
 }
 
@@ -233,9 +250,9 @@ std::vector<std::byte> without_tiers(std::span<const std::byte> mcpr) {
   const Container container = read_any_container(mcpr);
   const CompressedClip& clip = container.clip;
   if (sections_of(mcpr).tiers.count == 0) return {mcpr.begin(), mcpr.end()};
-  CutTier whole{0, {clip.motion.size()}, {}};
-  if (clip.segments) whole.end.assign(clip.segments->bytes.begin(), clip.segments->bytes.end());
-  return write_file(mcpr, clip, {whole});
+  Piece motion{clip.motion, {}};
+  if (clip.segments) motion.sizes = clip.segments->bytes;
+  return write_whole(mcpr, std::move(motion), {});
 }
 
 }  // namespace mocapress

@@ -22,8 +22,8 @@ struct TierError {
   float max_error_cm = 0;
 };
 
-/// Measures a clip that lacks its finest bands.
-using MeasureTier = std::function<TierError(const CompressedClip&)>;
+/// Measures the first tiers of a file.
+using MeasureTier = std::function<TierError(std::span<const std::byte> mcpr, int tiers)>;
 
 /// Cuts the motion of a file into this many tiers, at most kMostTiers, of about as many bytes each,
 /// so that the file's first bytes give a coarser motion. All tiers together give the same motion as
@@ -35,8 +35,8 @@ std::vector<std::byte> with_tiers(std::span<const std::byte> mcpr, int tiers,
 /// The file that with_tiers() was given.
 std::vector<std::byte> without_tiers(std::span<const std::byte> mcpr);
 
-/// A file without tiers whose motion is that of the first tiers. The file that is read may end
-/// after them. Throws FormatError, also if it has fewer tiers.
+/// A file without tiers whose motion is that of the first tiers, with all other sections but ENDS.
+/// The file that is read may end after them. Throws FormatError, also if it has fewer tiers.
 std::vector<std::byte> file_of_tiers(std::span<const std::byte> mcpr, int tiers);
 
 /// TIER as a packed bank has it: without the places where tiers end in a file.

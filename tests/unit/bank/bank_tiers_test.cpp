@@ -42,7 +42,7 @@ class BankTiersTest : public testing::Test {
   void put(const std::string& name, int tiers, const SegmentLayout& layout) {
     const auto file =
         write_container(test::segmented_clip(test::smooth_motion(layout.frames), layout, true));
-    const auto unmeasured = [](const CompressedClip&) { return TierError{1, 2}; };
+    const auto unmeasured = [](std::span<const std::byte>, int) { return TierError{1, 2}; };
     write_bytes(folder_ / "clips" / (name + ".mcpr"), with_tiers(file, tiers, unmeasured));
   }
   fs::path bank() const { return folder_ / "bank.mcpk"; }
@@ -137,6 +137,36 @@ TEST_F(BankTiersTest, AStrippedBankPlaysTheTiersThatItHas) {
       const auto extracted = made.extract(made.entry(clip));
       const bool has_all = there == sections_of(file(name)).tiers.count;
       EXPECT_EQ(extracted, has_all ? file(name) : file_of_tiers(file(name), there)) << name;
+    }
+  }
+}
+
+/// So a cooked bank is shipped without the finest tiers: it is made of a packed bank without them.
+TEST_F(BankTiersTest, AStrippedBankIsCookedAsFarAsItGoes) {
+  std::uintmax_t smaller = 0;
+  for (int tiers = 1; tiers <= kTiers; ++tiers) {
+    const fs::path path = folder_ / "cooked.mcpk";
+    make_bank(path, find_bank_sources({stripped(tiers)}), {.form = runtime::BankForm::Cooked});
+    EXPECT_GT(fs::file_size(path), smaller);
+    smaller = fs::file_size(path);
+    const BankFile cooked(path);
+    for (std::uint32_t number = 0; number < cooked.clips(); ++number) {
+      const runtime::BankEntry entry = cooked.entry(number);
+      const mcpr_limits limits = limits_of(tiers_of(entry.name, tiers));
+      const test::OpenedClip opened(file(entry.name), &limits);
+      const std::vector<float> wanted =
+          opened.frames({.output = MCPR_LOCAL, .apply_ik = 1}, 0, opened.info.frames);
+      std::vector<mcpr_transform> pose(opened.info.joints);
+      for (std::uint32_t t = 0; t < opened.info.frames; t += 37) {
+        const mcpr_sample_request request{};
+        ASSERT_EQ(mcpr_sample(cooked.cooked(entry), &request, t, pose.data()->rotation).status,
+                  MCPR_OK);
+        for (std::size_t j = 0; j < pose.size(); ++j)
+          for (std::size_t i = 0; i < 7; ++i)
+            EXPECT_NEAR(i < 4 ? pose[j].rotation[i] : pose[j].translation[i - 4],
+                        wanted[7 * (pose.size() * t + j) + i], i < 4 ? 5e-4 : 2e-3)
+                << entry.name << ' ' << tiers;
+      }
     }
   }
 }

@@ -10,6 +10,7 @@
 #include "core/codec/encode/encoder.h"
 #include "core/codec/format/container.h"
 #include "core/codec/format/format_error.h"
+#include "core/codec/format/section_writer.h"
 #include "core/codec/format/source_section.h"
 #include "tests/support/opened_clip.h"
 #include "tests/support/segmented_clip.h"
@@ -33,8 +34,9 @@ std::vector<std::vector<std::byte>> files() {
           write_container(with_ends.compressed)};
 }
 
-TierError unmeasured(const CompressedClip& clip) {
-  return {static_cast<float>(clip.bands_left_out), static_cast<float>(2 * clip.bands_left_out)};
+TierError unmeasured(std::span<const std::byte> file, int tiers) {
+  const int left_out = sections_of(file, tiers).bands_left_out();
+  return {static_cast<float>(left_out), static_cast<float>(2 * left_out)};
 }
 
 std::vector<std::byte> tiered(std::span<const std::byte> file) {
@@ -118,6 +120,14 @@ TEST(Tiers, KeepWhatIsSaidOfTheSource) {
   EXPECT_EQ(source_of(file_of_tiers(cut, 1)).cm_per_unit, 2.5);
 }
 
+TEST(Tiers, KeepOptionalSectionsThatAreUnknown) {
+  const std::vector<std::byte> note(40, std::byte{0x5A});
+  const std::vector<std::byte> cut = tiered(with_section(files().front(), "note", note));
+  const std::vector<std::byte> coarse = file_of_tiers(cut, 1);
+  EXPECT_FALSE(std::ranges::search(coarse, note).empty());
+  EXPECT_EQ(with_section(coarse, "note", std::nullopt), file_of_tiers(tiered(files().front()), 1));
+}
+
 TEST(Tiers, NeedEveryByteUpToTheirEnd) {
   const std::vector<std::byte> cut = tiered(files()[1]);
   const std::size_t first_tier = tier_of(cut, 0).bytes;
@@ -172,6 +182,26 @@ TEST(Tiers, AreRefusedWhereTheyDoNotFitTheFile) {
         EXPECT_TRUE(refuses(0) || refuses(1) || refuses(2)) << at << ' ' << bits;
       }
     }
+  }
+}
+
+TEST(Tiers, DamageIsToldWhereItIs) {
+  for (const auto& file : files()) {
+    const std::vector<std::byte> cut = tiered(file);
+    int refused = 0;
+    for (std::uint32_t t = 0; t + 1 < kTiers; ++t) {
+      const std::size_t section = tier_of(cut, t).bytes;  // FINE of the next tier
+      const std::size_t first = section + runtime::kSectionHead;
+      const std::size_t end = tier_of(cut, t + 1).bytes;
+      for (std::size_t at = first; at < end; ++at) {
+        const test::OpenedClip opened(with_byte(cut, section, at - first, 0x55));
+        if (opened.clip != nullptr) continue;  // it has other values
+        ++refused;
+        EXPECT_GE(opened.result.offset, at);
+        EXPECT_LE(opened.result.offset, cut.size());
+      }
+    }
+    EXPECT_GT(refused, 0);
   }
 }
 
