@@ -128,6 +128,33 @@ const page = {
     return { sampled, keyframes };
   },
 
+  /** Where the bones of a character are by a MocapressMixer at some instants, each with its wrap. */
+  async wrapped(characterUrl, motionUrl, names, instants) {
+    const character = await loadCharacter(characterUrl);
+    const motion = await new MocapressLoader().loadAsync(motionUrl);
+    const bones = bonesOf(character, names);
+    return instants.map(({ seconds, options }) => {
+      new MocapressMixer(character, motion.clip(), options).setTime(seconds).dispose();
+      return positionsOf(character, bones);
+    });
+  },
+
+  /** Plays a streamed clip by its first tier, then goes over to all: positions as shown, by the first tier and by all. */
+  async refined(characterUrl, bankUrl, name, names, frames, seconds) {
+    const character = await loadCharacter(characterUrl);
+    const bones = bonesOf(character, names);
+    const motion = await new MocapressLoader().streamAsync(bankUrl);
+    const coarse = await motion.load(name, 1);
+    const all = await motion.load(name);
+    const [shown, ofCoarse, ofAll] = [coarse, coarse, all].map((clip) => new MocapressMixer(character, clip));
+    const poses = [];
+    for (let frame = 0; frame < frames; ++frame) {
+      if (frame === 1) shown.refine(all, seconds);
+      poses.push([ofCoarse, ofAll, shown].map((mixer) => (mixer.update(1 / 60), positionsOf(character, bones))));
+    }
+    return poses;
+  },
+
   /** Weights of morph targets, by a MocapressMixer, and by three.js playing an AnimationClip. */
   async morphs(modelUrl, motionUrl, seconds) {
     const model = await loadCharacter(modelUrl);

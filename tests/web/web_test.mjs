@@ -7,7 +7,7 @@ import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFile
 import { createRequire } from 'node:module';
 import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
-import { extname, join, normalize } from 'node:path';
+import { basename, extname, join, normalize } from 'node:path';
 import { after, before, test } from 'node:test';
 import { gzipSync } from 'node:zlib';
 
@@ -96,6 +96,10 @@ before(async () => {
   mocapress('bank', 'make', join(files, 'packed.mcpk'), ...clips);
   mocapress('bank', 'make', join(files, 'cooked.mcpk'), ...clips, '--cooked');
   mocapress('bank', 'make', join(files, 'character.mcpk'), join(files, 'character.mcpr'), '--cooked');
+  mkdirSync(join(files, 'tiers'));
+  for (const clip of [character, join(source, 'resources/samples/human_run.amc'), join(source, 'resources/samples/human_walk.amc')])
+    mocapress('compress', clip, '-o', join(files, 'tiers', basename(clip).replace(/\.[^.]*$/, '.mcpr')), '--tiers', '3');
+  mocapress('bank', 'make', join(files, 'tiers.mcpk'), join(files, 'tiers'));
   browser = await chromium.launch({
     executablePath: process.env.WEB_CHROMIUM ?? '/usr/bin/chromium',
     args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
@@ -201,6 +205,94 @@ test('a bank on a server is loaded clip by clip, or whole where ranges are not k
     console.log(`${form}.mcpk: ${bytesSent} of ${bank.length} bytes for one of ${clips} clips`);
     assert.ok(bytesSent < bank.length / 2);
   }
+});
+
+test('a bank with tiers is loaded tier by tier, and a finer one is blended in', async () => {
+  const { joints } = native('character.mcpr', 2);
+  const names = joints.map((joint) => joint.name);
+  const frames = 30;
+  const poses = await inPage('refined', 'files/character.glb', 'files/tiers.mcpk', 'character', names, frames, 0.2);
+  const apart = poses.map(([coarse, all]) => largestDifference(coarse, all));
+  const off = poses.map(([, all, shown]) => shown.map((value, i) => value - all[i]));
+  assert.ok(Math.max(...apart) > 0.1, 'the first tier is coarse');
+  assert.ok(largestDifference(poses[0][0], poses[0][2]) < 1e-4, 'it is shown first');
+  for (let frame = 14; frame < frames; ++frame)
+    assert.ok(largestDifference(poses[frame][1], poses[frame][2]) < 1e-4, 'all tiers are shown at last');
+  for (let frame = 1; frame < 14; ++frame) {
+    const step = largestDifference(off[frame], off[frame - 1]);
+    const motionOfError = largestDifference(
+      poses[frame][0].map((value, i) => value - poses[frame][1][i]),
+      poses[frame - 1][0].map((value, i) => value - poses[frame - 1][1][i]),
+    );
+    assert.ok(step < Math.max(...apart) / 12 + motionOfError + 0.01, `nothing jumps at frame ${frame}: ${step} cm`);
+  }
+});
+
+test('each tier of a streamed bank is one more range, and all of them give the poses of the file', async () => {
+  const bank = readFileSync(join(files, 'tiers.mcpk'));
+  const mocapress = await createMocapress();
+  const streamed = await mocapress.streamBank(`http://127.0.0.1:${server.address().port}/files/tiers.mcpk`);
+  assert.equal(streamed.tiers, 3);
+  const expected = native('tiers/human_walk.mcpr', 60);
+  const posesOf = (clip) => expected.seconds.flatMap((second) => [...clip.sample(second)]);
+  assert.throws(() => streamed.openClip('human_walk'), /is not there yet/);
+  for (let tiers = 1; tiers <= 3; ++tiers) {
+    bytesSent = 0;
+    await Promise.all([streamed.load('human_walk', tiers), streamed.load('human_walk', tiers)]);
+    assert.ok(bytesSent > 0 && bytesSent < bank.length / 3, `tier ${tiers}: ${bytesSent} bytes`);
+    assert.equal(streamed.tiersLoaded('human_walk'), tiers);
+    const off = largestDifference(posesOf(streamed.openClip('human_walk')), expected.poses);
+    console.log(`tier ${tiers}: ${bytesSent} bytes, quaternions and cm up to ${off.toFixed(3)} off`);
+    assert.equal(off < 1e-3, tiers === 3);
+  }
+  assert.throws(() => streamed.openClip('human_walk', 4), /is not there yet/);
+  assert.equal(streamed.isLoaded('human_run'), false);
+});
+
+test('the example streams a bank of a hundred clips', () => {
+  const hundred = join(files, 'hundred');
+  mkdirSync(hundred);
+  for (let i = 0; i < 100; ++i)
+    copyFileSync(join(files, 'tiers', i % 2 ? 'human_run.mcpr' : 'human_walk.mcpr'), join(hundred, `clip${i}.mcpr`));
+  mocapress('bank', 'make', join(files, 'hundred.mcpk'), hundred);
+  const example = join(source, 'core/runtime/web/example/stream.mjs');
+  const printed = execFileSync(process.execPath, [example, WEB_PACKAGE, join(files, 'hundred.mcpk')]).toString();
+  console.log(printed);
+  const rows = printed.split('\n').filter((line) => line.includes('of 100 in tier'));
+  const [bytes, errors] = [2, 5].map((column) => rows.map((row) => parseFloat(row.split('|')[column])));
+  assert.equal(rows.length, 12);
+  for (let i = 1; i < rows.length; ++i) assert.ok(bytes[i] > bytes[i - 1]);
+  assert.ok(errors[3] > errors[7] && errors[7] > errors[11]);
+  assert.equal(errors[11], 0);
+  const [, atOnce, blended] = /jump by up to ([0-9.]+) cm; blended in within 0.2 s, by up to ([0-9.]+) cm/.exec(printed).map(Number);
+  assert.ok(blended < atOnce / 3, `${blended} cm after ${atOnce}`);
+});
+
+test('a mixer goes on after the end as its wrap says', async () => {
+  const { joints } = native('character.mcpr', 2);
+  const clip = (await createMocapress()).openClip(readFileSync(join(files, 'character.mcpr')));
+  const end = clip.duration;
+  const instants = [
+    [end + 0.3, { wrap: 'clamp' }, end],
+    [end + 0.3, { loop: false }, end],
+    [end + 0.3, { wrap: 'pingPong' }, end - 0.3],
+    [end + 0.3, { wrap: 'loopJump' }, 0.3],
+    [end + 0.7 / clip.sampleRate, { wrap: 'loopHold' }, end],
+  ];
+  if (clip.loopFrames === 0) instants.push([end + 0.3, {}, 0.3]);
+  const names = joints.map((joint) => joint.name);
+  const placed = await inPage(
+    'wrapped',
+    'files/character.glb',
+    'files/character.mcpr',
+    names,
+    instants.flatMap(([seconds, options, same]) => [
+      { seconds, options },
+      { seconds: same, options: { wrap: 'clamp' } },
+    ]),
+  );
+  for (let i = 0; i < instants.length; ++i)
+    assert.ok(largestDifference(placed[2 * i], placed[2 * i + 1]) < 1e-2, JSON.stringify(instants[i]));
 });
 
 test('a streamed bank that is damaged is refused, and so is a damaged clip', async () => {

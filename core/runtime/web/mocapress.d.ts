@@ -34,12 +34,18 @@ export class Bank {
   readonly names: string[];
   /** Cooked clips are sampled as they lie; those of packed banks are decoded when opened. */
   readonly isCooked: boolean;
-  /** Loads a clip of a streamed bank, so that it is safe to use; otherwise does nothing. Of packed
-      clips the structure is checked, not each bit: they have no checksum of their own. */
-  load(name: string): Promise<void>;
+  /** The tiers that the bank has: 1 unless its clips were compressed with `--tiers`. */
+  readonly tiers: number;
+  /** Loads the first tiers of a clip of a streamed bank that are not there yet, all by default, so
+      that it is safe to use; otherwise does nothing. Of packed clips the structure is checked, not
+      each bit: they have no checksum of their own. */
+  load(name: string, tiers?: number): Promise<void>;
+  /** The tiers of a clip that were loaded: `tiers` if the bank is not streamed. */
+  tiersLoaded(name: string): number;
+  /** Whether at least the first tier was loaded. */
   isLoaded(name: string): boolean;
-  /** A clip of a streamed bank must be loaded before. */
-  openClip(name: string): Clip;
+  /** Opens a clip by its first tiers, which were loaded before; by default all of these. */
+  openClip(name: string, tiers?: number): Clip;
   tags(name: string): string[];
   /** Frees the bank. Dispose of clips of a cooked bank before it. */
   dispose(): void;
@@ -124,6 +130,12 @@ export class Clip {
   /** Frees the clip and its players. */
   dispose(): void;
 }
+
+/**
+ * Blends a pose of Player.sample() towards another, in place: share 0 leaves it as it is, 1 makes it the other.
+ * Rotations go the shorter way.
+ */
+export function blendPose(pose: Float32Array, other: Float32Array, share: number): Float32Array;
 
 /** World positions of a pose with `stride` floats a joint. */
 export function worldPositions(joints: Joint[], pose: Float32Array, stride?: number): Float32Array;

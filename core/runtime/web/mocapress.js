@@ -80,12 +80,13 @@ export class Mocapress {
       const bank = exports.web_open_head(ofHead);
       if (bank === 0) throw lastError(exports);
       const [offset, bytes] = placeIn(exports, bank, exports.web_bank_clips(bank));
+      const size = exports.web_bank_bytes(bank);
       const shared = await fetchRange(offset, bytes);
       if (shared.length !== bytes) throw new MocapressError(`${url}: the server sends ${shared.length} bytes, not ${bytes}`);
-      memory = this.#allocate(offset + bytes);
+      memory = this.#allocate(size);
       write(exports, memory, head);
       write(exports, memory + offset, shared);
-      if (exports.web_open_shared(memory, offset + bytes) === 0) throw lastError(exports);
+      if (exports.web_open_shared(memory, size) === 0) throw lastError(exports);
       return new Bank(exports, memory, fetchRange);
     } catch (error) {
       exports.web_free(memory);
@@ -117,7 +118,7 @@ export class Bank {
   #numbers = new Map();
   #fetchRange;
   #loads = new Map();
-  #loaded = new Set();
+  #tiersLoaded = new Map();
 
   constructor(exports, bank, fetchRange) {
     this.#exports = exports;
@@ -127,24 +128,32 @@ export class Bank {
       this.#numbers.set(textAt(exports, exports.web_bank_name(bank, i)), i);
     this.names = [...this.#numbers.keys()];
     this.isCooked = exports.web_bank_is_cooked(bank) !== 0;
+    this.tiers = exports.web_bank_tiers(bank);
   }
 
-  async load(name) {
+  async load(name, tiers = this.tiers) {
     const number = this.#number(name);
-    if (this.isLoaded(name)) return;
-    if (!this.#loads.has(number))
-      this.#loads.set(number, this.#load(number).finally(() => this.#loads.delete(number)));
-    await this.#loads.get(number);
+    while (this.tiersLoaded(name) < Math.min(tiers, this.tiers)) {
+      if (!this.#loads.has(number))
+        this.#loads.set(number, this.#loadNext(number).finally(() => this.#loads.delete(number)));
+      await this.#loads.get(number);
+    }
+  }
+
+  tiersLoaded(name) {
+    const number = this.#number(name);
+    return this.#fetchRange ? (this.#tiersLoaded.get(number) ?? 0) : this.tiers;
   }
 
   isLoaded(name) {
-    return !this.#fetchRange || this.#loaded.has(this.#number(name));
+    return this.tiersLoaded(name) > 0;
   }
 
-  openClip(name) {
-    if (!this.isLoaded(name)) throw new MocapressError(`the clip ${name} is not there yet: load() gets it`);
+  openClip(name, tiers = this.tiersLoaded(name)) {
+    if (!(tiers > 0 && tiers <= this.tiersLoaded(name)))
+      throw new MocapressError(`the clip ${name} is not there yet: load() gets it`);
     const open = this.isCooked ? this.#exports.web_open_cooked : decoderOf(this.#exports, 'web_open_packed');
-    return new Clip(this.#exports, open(this.#bank, this.#number(name)), name);
+    return new Clip(this.#exports, open(this.#bank, this.#number(name), tiers), name);
   }
 
   tags(name) {
@@ -160,14 +169,18 @@ export class Bank {
     this.#bank = 0;
   }
 
-  async #load(number) {
-    const [offset, bytes] = placeIn(this.#exports, this.#bank, number);
-    const clip = await this.#fetchRange(offset, bytes);
-    if (this.#bank === 0) throw new MocapressError('the bank was disposed of');
-    if (clip.length !== bytes) throw new MocapressError('the bank on the server is not the same any more');
-    write(this.#exports, this.#bank + offset, clip);
+  /** Loads a clip's next tier. */
+  async #loadNext(number) {
+    const tier = this.#tiersLoaded.get(number) ?? 0;
+    const [offset, bytes] = placeIn(this.#exports, this.#bank, number, tier);
+    if (bytes > 0) {
+      const part = await this.#fetchRange(offset, bytes);
+      if (this.#bank === 0) throw new MocapressError('the bank was disposed of');
+      if (part.length !== bytes) throw new MocapressError('the bank on the server is not the same any more');
+      write(this.#exports, this.#bank + offset, part);
+    }
     if (this.#exports.web_check(this.#bank, number) === 0) throw lastError(this.#exports);
-    this.#loaded.add(number);
+    this.#tiersLoaded.set(number, tier + 1);
   }
 
   #number(name) {
@@ -319,6 +332,19 @@ export class Player {
   }
 }
 
+export function blendPose(pose, other, share) {
+  for (let at = 0; at < pose.length; at += 8) {
+    let dot = 0;
+    for (let i = at; i < at + 4; ++i) dot += pose[i] * other[i];
+    const kept = dot < 0 ? share - 1 : 1 - share;
+    const rotation = [0, 1, 2, 3].map((i) => kept * pose[at + i] + share * other[at + i]);
+    const length = Math.hypot(...rotation);
+    for (let i = 0; i < 4; ++i) pose[at + i] = rotation[i] / length;
+    for (let i = at + 4; i < at + 7; ++i) pose[i] += share * (other[i] - pose[i]);
+  }
+  return pose;
+}
+
 export function worldPositions(joints, pose, stride = 7) {
   const rotations = new Float64Array(4 * joints.length);
   const positions = new Float32Array(3 * joints.length);
@@ -362,8 +388,8 @@ function rangesOf(url, { headers, ...options } = {}) {
   };
 }
 
-function placeIn(exports, bank, number) {
-  const place = exports.web_place(bank, number);
+function placeIn(exports, bank, number, tier = 0) {
+  const place = exports.web_place(bank, number, tier);
   if (place === 0) throw lastError(exports);
   return new Float64Array(exports.memory.buffer, place, 2);
 }

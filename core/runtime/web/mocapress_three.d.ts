@@ -3,7 +3,7 @@
 // motion was made for, or has its bones with the same rest poses. `scale` is in units of the scene for a centimetre;
 // 0.01, the default, is for glTF's metres.
 import type { AnimationClip, Loader, LoadingManager, Object3D, Skeleton } from 'three';
-import type { Clip } from './mocapress.js';
+import type { Clip, Wrap } from './mocapress.js';
 
 export interface ScaleOptions {
   scale?: number;
@@ -31,8 +31,11 @@ export class MocapressMotion {
   private constructor();
   readonly names: string[];
   clip(name?: string): Clip;
-  /** The clip, after it was loaded from the server if the bank is streamed. */
-  load(name?: string): Promise<Clip>;
+  /**
+   * The clip, after it was loaded from the server if the bank is streamed: all of it, or its first tiers. The clip of
+   * finer tiers is another one, for MocapressMixer.refine().
+   */
+  load(name?: string, tiers?: number): Promise<Clip>;
   /** The clip as keyframes: for the bones of `root`, or for bones named as its joints. */
   animation(name?: string, root?: Object3D, options?: ScaleOptions): AnimationClip;
   /** All clips as keyframes, made anew at each call. For large banks, ask for single ones. */
@@ -44,8 +47,10 @@ export class MocapressMotion {
 }
 
 export interface MixerOptions extends ScaleOptions {
-  /** Begins again after the end; loops go on in the next cycle. True by default. */
+  /** Begins again after the end: 'loop' for a clip that is a loop, 'loopJump' for others. True by default. */
   loop?: boolean;
+  /** What comes after the end, in place of `loop`; 'loop' is for clips with `loopFrames`. */
+  wrap?: Wrap;
   bandsLeftOut?: number;
   timeScale?: number;
 }
@@ -57,8 +62,13 @@ export class MocapressMixer {
   readonly clip: Clip;
   readonly time: number;
   timeScale: number;
-  loop: boolean;
+  wrap: Wrap;
   bandsLeftOut: number;
+  /**
+   * Goes over to a finer clip of the same motion, whose poses are blended in within some seconds of update(), 0.2 by
+   * default, so that nothing jumps. The coarser clip has to stay until then.
+   */
+  refine(clip: Clip, seconds?: number): this;
   /** Goes on by so many seconds times `timeScale`, and poses the character. */
   update(seconds: number): this;
   setTime(seconds: number): this;

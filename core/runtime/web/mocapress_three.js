@@ -14,7 +14,7 @@ import {
   Vector3,
   VectorKeyframeTrack,
 } from 'three';
-import { createMocapress, MocapressError } from './mocapress.js';
+import { blendPose, createMocapress, MocapressError } from './mocapress.js';
 
 const metresPerCm = 0.01;
 
@@ -65,6 +65,7 @@ export class MocapressLoader extends Loader {
 export class MocapressMotion {
   #bank;
   #clips = new Map();
+  #coarser = []; // clips that were opened before their finer tiers were loaded
 
   constructor(opened, isBank) {
     this.#bank = isBank ? opened : undefined;
@@ -80,8 +81,13 @@ export class MocapressMotion {
     return this.#clips.get(name);
   }
 
-  async load(name = this.names[0]) {
-    await this.#bank?.load(name);
+  async load(name = this.names[0], tiers = undefined) {
+    const before = this.#bank?.tiersLoaded(name);
+    await this.#bank?.load(name, tiers);
+    if (this.#clips.has(name) && before < this.#bank?.tiersLoaded(name)) {
+      this.#coarser.push(this.#clips.get(name));
+      this.#clips.delete(name);
+    }
     return this.clip(name);
   }
 
@@ -107,40 +113,48 @@ export class MocapressMotion {
   }
 
   dispose() {
-    for (const clip of this.#clips.values()) clip.dispose();
+    for (const clip of [...this.#clips.values(), ...this.#coarser]) clip.dispose();
     this.#clips.clear();
+    this.#coarser = [];
     this.#bank?.dispose();
   }
 }
 
 export class MocapressMixer {
-  #player;
+  #layers; // players with their shares; usually one, more while a finer clip is blended in
   #joints;
   #weights;
 
-  constructor(root, clip, { scale, loop = true, bandsLeftOut = 0, timeScale = 1 } = {}) {
+  constructor(root, clip, { scale, loop = true, wrap, bandsLeftOut = 0, timeScale = 1 } = {}) {
     this.root = root;
     this.clip = clip;
     this.time = 0;
     this.timeScale = timeScale;
-    this.loop = loop;
+    this.wrap = wrap ?? (!loop ? 'clamp' : clip.loopFrames > 0 ? 'loop' : 'loopJump');
     this.bandsLeftOut = bandsLeftOut;
     this.#joints = bindJoints(root, clip.joints, scale);
     this.#weights = bindWeights(root, clip.tracks);
-    this.#player = clip.createPlayer();
+    this.#layers = [{ player: clip.createPlayer(), share: 1, seconds: 0 }];
+  }
+
+  refine(clip, seconds = 0.2) {
+    this.clip = clip;
+    this.#layers.push({ player: clip.createPlayer(), share: 0, seconds });
+    return this;
   }
 
   update(seconds) {
+    for (const layer of this.#layers) layer.share = layer.seconds > 0 ? Math.min(layer.share + seconds / layer.seconds, 1) : 1;
+    const finest = this.#layers.findLastIndex((layer) => layer.share === 1);
+    for (const { player } of this.#layers.splice(0, finest)) player.dispose();
     return this.setTime(this.time + seconds * this.timeScale);
   }
 
   setTime(seconds) {
     this.time = seconds;
-    const { clip } = this;
-    const goesOn = this.loop && clip.loopFrames > 0;
-    const cycle = goesOn ? clip.loopFrames / clip.sampleRate : clip.duration;
-    const instant = this.loop && cycle > 0 ? seconds - Math.floor(seconds / cycle) * cycle : seconds;
-    const pose = this.#player.sample(instant, { loop: goesOn, bandsLeftOut: this.bandsLeftOut });
+    const { clip, wrap, bandsLeftOut } = this;
+    const [pose, ...finer] = this.#layers.map(({ player }) => player.sample(seconds, { wrap, bandsLeftOut }));
+    finer.forEach((other, i) => blendPose(pose, other, this.#layers[i + 1].share));
     for (const { number, bone, before, place } of this.#joints) {
       const at = 8 * number;
       bone.quaternion.set(pose[at + 1], pose[at + 2], pose[at + 3], pose[at]);
@@ -148,15 +162,15 @@ export class MocapressMixer {
       bone.position.set(pose[at + 4], pose[at + 5], pose[at + 6]).applyMatrix4(place);
     }
     if (this.#weights.length > 0) {
-      const ends = Math.min(Math.max(instant, 0), clip.duration);
-      const values = clip.sampleTracks(ends);
+      const values = clip.sampleTracks(seconds, { wrap });
       for (const { number, mesh, target } of this.#weights) mesh.morphTargetInfluences[target] = values[number];
     }
     return this;
   }
 
   dispose() {
-    this.#player.dispose();
+    for (const { player } of this.#layers) player.dispose();
+    this.#layers = [];
   }
 }
 

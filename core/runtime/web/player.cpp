@@ -270,19 +270,20 @@ MOCAPRESS_EXPORT const mcpk_bank* web_open_head(const void* memory) {
   return succeeded(mcpk_open(memory, SIZE_MAX, 0, &bank)) ? bank : nullptr;
 }
 
-/// Opens a bank whose clips are not there yet.
+/// Opens a bank whose clips are not there yet, in memory for the whole bank.
 MOCAPRESS_EXPORT const mcpk_bank* web_open_shared(const void* memory, std::size_t size) {
   const mcpk_bank* bank = nullptr;
   return succeeded(mcpk_open(memory, size, 2, &bank)) ? bank : nullptr;
 }
 
-/// Returns two numbers: the place of a clip and its bytes; for the number after the last clip,
-/// those of the data after all clips.
-MOCAPRESS_EXPORT const double* web_place(const mcpk_bank* bank, std::uint32_t number) {
+/// Returns two numbers: the place of a clip's part of a tier and its bytes; in tier 0 for the number
+/// after the last clip, those of the data after all clips.
+MOCAPRESS_EXPORT const double* web_place(const mcpk_bank* bank, std::uint32_t number,
+                                         std::uint32_t tier) {
   static double place[2];
   std::uint64_t offset = 0;
   std::uint64_t bytes = 0;
-  if (!succeeded(mcpk_place(bank, number, &offset, &bytes))) return nullptr;
+  if (!succeeded(mcpk_tier_place(bank, number, tier, &offset, &bytes))) return nullptr;
   place[0] = static_cast<double>(offset);
   place[1] = static_cast<double>(bytes);
   return place;
@@ -291,6 +292,17 @@ MOCAPRESS_EXPORT const double* web_place(const mcpk_bank* bank, std::uint32_t nu
 /// Verifies a clip that was loaded later. Returns 0 on failure.
 MOCAPRESS_EXPORT int web_check(const mcpk_bank* bank, std::uint32_t number) {
   return succeeded(mcpk_check(bank, number)) ? 1 : 0;
+}
+
+MOCAPRESS_EXPORT double web_bank_bytes(const mcpk_bank* bank) {
+  return static_cast<double>(mcpk_describe(bank).bytes);
+}
+
+/// Those that the bank still has.
+MOCAPRESS_EXPORT std::uint32_t web_bank_tiers(const mcpk_bank* bank) {
+  std::uint32_t present = 0;
+  mcpk_tiers(bank, &present);
+  return present;
 }
 
 MOCAPRESS_EXPORT std::uint32_t web_bank_clips(const mcpk_bank* bank) {
@@ -328,11 +340,15 @@ MOCAPRESS_EXPORT Clip* web_open(const void* file, std::size_t size) {
   });
 }
 
-MOCAPRESS_EXPORT Clip* web_open_packed(const mcpk_bank* bank, std::uint32_t number) {
+/// Opens the first tiers of a clip.
+MOCAPRESS_EXPORT Clip* web_open_packed(const mcpk_bank* bank, std::uint32_t number,
+                                       std::uint32_t tiers) {
+  mcpr_limits limits = mcpr_default_limits();
+  limits.tiers = tiers;
   return made<Clip>([&](Clip& clip) {
-    return clip.open([&](mcpr_info* info) { return mcpk_inspect(bank, number, nullptr, info); },
+    return clip.open([&](mcpr_info* info) { return mcpk_inspect(bank, number, &limits, info); },
                      [&](void* scratch, std::size_t bytes, std::size_t* resident_bytes) {
-                       return mcpk_read(bank, number, nullptr, scratch, bytes, resident_bytes);
+                       return mcpk_read(bank, number, &limits, scratch, bytes, resident_bytes);
                      });
   });
 }
