@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Files of every released version stay readable: see README.md beside this file.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstring>
 #include <filesystem>
@@ -200,6 +201,54 @@ TEST(GoldenTiers, StayTheSame) {
   EXPECT_TRUE(golden_tiers() == file);
 }
 
+/// A packed bank of clips without tiers and with them.
+void write_tiers_bank(const std::filesystem::path& path, bool has_segments) {
+  BankWriter bank(path, runtime::BankForm::Packed);
+  const InternItem intern = [&](runtime::BankItem kind, std::span<const std::byte> bytes) {
+    return bank.intern(kind, bytes);
+  };
+  const auto add = [&](const char* name, const std::vector<std::byte>& file) {
+    const PackedClip clip = pack_clip(file);
+    bank.add(name, intern_outline(clip, intern), clip.bytes, {}, clip.pieces);
+  };
+  const auto unmeasured = [](std::span<const std::byte>, int) { return TierError{1, 2}; };
+  add("v1_ends", with_tiers(read_bytes(golden("v1_ends.mcpr")), 2, unmeasured));
+  add("v1_joints", read_bytes(golden("v1_joints.mcpr")));
+  if (has_segments) add("v1_tiers", read_bytes(golden("v1_tiers.mcpr")));
+  bank.finish({});
+}
+
+/// A bank whose finest tier was cut off.
+void write_stripped_bank(const std::filesystem::path& path) {
+  const auto whole = std::filesystem::path(testing::TempDir()) /
+                     ("golden_whole_bank" + std::to_string(getpid()) + ".mcpk");
+  write_tiers_bank(whole, false);
+  strip_bank(whole, path, 1);
+  std::filesystem::remove(whole);
+}
+
+TEST(GoldenTiersBank, StaysTheSameAndSoDoesACutOne) {
+  const auto now = std::filesystem::path(testing::TempDir()) /
+                   ("golden_tiers_bank" + std::to_string(getpid()) + ".mcpk");
+  write_tiers_bank(now, true);
+  EXPECT_TRUE(read_bytes(now) == read_bytes(golden("v1_tiers.mcpk")));
+  write_stripped_bank(now);
+  EXPECT_TRUE(read_bytes(now) == read_bytes(golden("v1_stripped.mcpk")));
+  std::filesystem::remove(now);
+}
+
+TEST(GoldenTiersBank, Version1PlaysToTheSameBits) {
+  const BankFile whole(golden("v1_tiers.mcpk"));
+  ASSERT_EQ(whole.clips(), 3U);
+  EXPECT_TRUE(whole.extract(whole.entry(2)) == read_bytes(golden("v1_tiers.mcpr")));
+  const BankFile stripped(golden("v1_stripped.mcpk"));
+  ASSERT_EQ(stripped.clips(), 2U);
+  EXPECT_TRUE(played(stripped.extract(stripped.entry(0))) ==
+              read_bytes(golden("v1_coarse_expected.f32")));
+  EXPECT_TRUE(played(stripped.extract(stripped.entry(1))) ==
+              read_bytes(golden("v1_joints_expected.f32")));
+}
+
 const SourceFormat kGoldenSource{.kind = SourceFormat::Kind::Bvh,
                                  .cm_per_unit = 2.54,
                                  .up = UpAxis::Z,
@@ -335,6 +384,10 @@ TEST(GoldenBytes, DISABLED_AreWrittenAnew) {
   write_expected("v1_correction_expected.csv", golden_corrected_clip());
   make_bank(golden("v1_bank.mcpk"), find_bank_sources(files_of_bank()), {});
   write_learned_bank(golden("v1_learned.mcpk"));
+  write_tiers_bank(golden("v1_tiers.mcpk"), true);
+  write_stripped_bank(golden("v1_stripped.mcpk"));
+  const BankFile stripped(golden("v1_stripped.mcpk"));
+  write_bytes(golden("v1_coarse_expected.f32"), played(stripped.extract(stripped.entry(0))));
 }
 
 }  // namespace

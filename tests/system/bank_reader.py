@@ -5,8 +5,8 @@
 Slow and without limits: for tests only. Clips are decoded by format_reader.py.
 
 Usage: bank_reader.py FORMAT.md BANK.mcpk NAME=EXPECTED.f32...
-       compares the channels of clips with 32-bit floats, frame after frame (equal to the bit); the
-       bank has these clips and no others
+       compares the channels of clips with 32-bit floats, frame after frame (equal to the bit), of
+       those tiers that the bank has; the bank has these clips and no others
 """
 import struct
 import sys
@@ -26,22 +26,46 @@ class Bank:
         head = Cursor(data[:HEAD])
         if head.take(4) != b"MCPK" or head.read("HH") != (2, 0):
             refuse("not a packed bank of version 2")
-        size, index, index_size, items, items_size, _, _ = head.read("7Q")
+        size, index, index_size, items, items_size, tables, tables_size = head.read("7Q")
         self.count, *counts = head.read("6I")
-        index_crc, items_crc, _, head_crc = head.read("4I")
+        index_crc, items_crc, tables_crc, head_crc = head.read("4I")
         if size != len(data) or zlib.crc32(data[: HEAD - 4]) != head_crc:
             refuse("another head than was written")
         self.index = data[index : index + index_size]
         items = data[items : items + items_size]
-        if zlib.crc32(self.index) != index_crc or zlib.crc32(items) != items_crc:
-            refuse("a checksum differs")
+        self.tables = data[tables : tables + tables_size]
+        for region, crc in (self.index, index_crc), (items, items_crc), (self.tables, tables_crc):
+            if zlib.crc32(region) != crc:
+                refuse("a checksum differs")
         begins = struct.unpack_from(f"<{sum(counts) + 1}I", items)
         found = [items[a:b] for a, b in zip(begins, begins[1:])]
         self.parts, self.outlines = found[: counts[0]], found[counts[0] : counts[0] + counts[1]]
+        self.tiers = self.read_tiers(tables + tables_size)
+
+    def read_tiers(self, end):
+        """The pieces of all clips, of each tier but the first that the bank has."""
+        if not self.tables:
+            return []
+        cursor = Cursor(self.tables)
+        heads = [cursor.read("QQI") for _ in range(cursor.read("I") - 1)]
+        tiers = []
+        for place, size, crc in heads:
+            begins = cursor.read(f"{self.count + 1}I")
+            if place != end or begins[0] != 0 or begins[-1] != size:
+                refuse("tiers that do not follow each other")
+            end += size
+            if end > len(self.data):
+                continue  # the bank was cut
+            if zlib.crc32(self.data[place:end]) != crc:
+                refuse("a checksum of a tier differs")
+            tiers.append([self.data[place + a : place + b] for a, b in zip(begins, begins[1:])])
+        if cursor.rest() or len(self.data) not in [end] + [place for place, _, _ in heads]:
+            refuse("bytes after the tables, or after the last tier")
+        return tiers
 
     def entries(self):
-        """Name, bytes and outline of each clip."""
-        last = b""
+        """Name, bytes and outline of each clip, and its pieces of the tiers but the first."""
+        last, clip = b"", 0
         blocks = Cursor(self.index)
         heads = [blocks.read("QII") for _ in range(-(-self.count // CLIPS_OF_BLOCK))]
         for block, (begin, first, checksum) in enumerate(heads):
@@ -63,12 +87,14 @@ class Bank:
                     outline = number(cursor)
                 if head & 128:
                     number(cursor)  # of its tags
-                yield name.decode(), self.data[place : place + size], self.outlines[outline]
+                pieces = [tier[clip] for tier in self.tiers]
+                yield name.decode(), self.data[place : place + size], self.outlines[outline], pieces
                 place += size
+                clip += 1
             if zlib.crc32(self.data[begin:place]) != checksum:
                 refuse("a checksum of clips differs")
 
-    def sections(self, clip, outline):
+    def sections(self, clip, outline, pieces):
         """The sections of a packed clip, and what says its orders."""
         cursor, outline = Cursor(clip), Cursor(outline)
         count, orders_size = outline.read("HH")
@@ -98,6 +124,11 @@ class Bank:
         sections["CLIP"] = (
             description[:8] + struct.pack("<I", frames) + description[12:-8] + errors
         )
+        tiers = sections["TIER"][0] if "TIER" in sections else 1
+        if tiers > 1:
+            sections["FINE"] = pieces[: tiers - 1]
+        if any(pieces[tiers - 1 :]):
+            refuse("a piece of a tier that the clip does not have")
         return sections, orders
 
 
@@ -119,8 +150,8 @@ def main():
     wanted = dict(one.split("=", 1) for one in wanted)
     bank = Bank(open(path, "rb").read())
     wrong = 0
-    for name, bytes_of_clip, outline in bank.entries():
-        sections, orders = bank.sections(bytes_of_clip, outline)
+    for name, bytes_of_clip, outline, pieces in bank.entries():
+        sections, orders = bank.sections(bytes_of_clip, outline, pieces)
         clip = Clip(sections, tables, lambda joints: set_orders(joints, orders))
         expected, _ = expected_rows(wanted.pop(name), len(clip.rows[0]))
         same = [list(row) for row in expected] == [list(row) for row in clip.rows]

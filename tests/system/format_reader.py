@@ -435,7 +435,7 @@ def grouped_number(cursor):
 class Stream:
     """Decodes the quantised values of a stream."""
 
-    def __init__(self, data, length, pairs, tables, learned=None):
+    def __init__(self, data, length, pairs, tables, learned=None, left_out=0):
         cursor = Cursor(data)
         self.scale = struct.unpack("<f", struct.pack("<I", cursor.read("H") << 16))[0]
         if not (0 < self.scale < math.inf):
@@ -460,7 +460,7 @@ class Stream:
             self.learn(Cursor(learned))
         self.exponents = []
         self.values = [[0] * length for _ in pairs]
-        self.run()
+        self.run(left_out)
         self.bits.expect_end()
 
     def learn(self, cursor):
@@ -538,7 +538,7 @@ class Stream:
         v = self.number(kind, a, b, c, d)
         return (v + 1) // 2 if v % 2 else -(v // 2)
 
-    def run(self):
+    def run(self, left_out):
         self.read_exponents()
         for s in range(len(self.pairs)):
             self.read_coarse(s)
@@ -547,7 +547,7 @@ class Stream:
         self.predictions = [Prediction() for _ in self.pairs]
         self.rests = [Rest() for _ in self.pairs]
         before = []
-        for b in range(1, self.bands.count):
+        for b in range(1, self.bands.count - left_out):
             size = self.bands.size(b) + 2
             # [i + 1]
             self.restless = [
@@ -1322,6 +1322,8 @@ def sections_of(data):
         sections[tag] = sections.get(tag, []) + [payload] if tag == "FINE" else payload
     if file.rest():
         refuse("bytes after the last section")
+    if "TIER" in sections and len(sections.get("FINE", [])) + 1 != sections["TIER"][0]:
+        refuse("a tier is missing")
     return sections
 
 
@@ -1342,7 +1344,17 @@ class Clip:
             self.effectors = [cursor.read("HH") for _ in range(count)]
         if "AXES" in self.sections:
             read_axes(self.sections["AXES"], self.joints)
+        self.left_out = self.bands_left_out()
         self.rows = self.decode()
+
+    def bands_left_out(self):
+        """The finest bands that the tiers lack which are there."""
+        count, *tiers = self.sections.get("TIER", [1])
+        there = len(self.sections.get("FINE", []))
+        if there >= count:
+            refuse("a tier too many")
+        size = len(tiers) // count  # of a tier, without its place in a file if it is in a bank
+        return tiers[size * there + size - 5] if size else 0
 
     def decode(self):
         limits = limits_of(self.joints, len(self.effectors), self.coding)
@@ -1356,7 +1368,7 @@ class Clip:
                 correct(limbs, self.solver, row[: self.channels], row[self.channels :])
                 for row in rows
             ]
-        if "ENDS" in self.sections:
+        if "ENDS" in self.sections and not self.left_out:
             self.add_ends(rows)
         return rows
 
@@ -1377,8 +1389,6 @@ class Clip:
     def decode_streams(self, limits):
         pairs = neighbours(self.joints, len(self.effectors))
         pieces = [self.sections["MOTN"]] + self.sections.get("FINE", [])
-        if len(pieces) != (self.sections["TIER"][0] if "TIER" in self.sections else 1):
-            refuse("a tier is missing")
         length, overlap, sizes = self.frames, 0, [[len(piece)] for piece in pieces]
         if "SEGS" in self.sections:
             cursor = Cursor(self.sections["SEGS"])
@@ -1390,7 +1400,9 @@ class Clip:
             first = k * (length - overlap)
             frames = min(length, self.frames - first)
             coded = b"".join(piece.take(size) for piece, size in zip(pieces, of_pieces))
-            stream = Stream(coded, frames, pairs, self.tables, self.sections.get("PRIO"))
+            stream = Stream(
+                coded, frames, pairs, self.tables, self.sections.get("PRIO"), self.left_out
+            )
             self.steps.append(stream.steps())
             samples = [
                 inverse_transform(values, step, self.basis, limit)

@@ -146,7 +146,8 @@ TEST_F(BankTiersTest, AStrippedBankIsCookedAsFarAsItGoes) {
   std::uintmax_t smaller = 0;
   for (int tiers = 1; tiers <= kTiers; ++tiers) {
     const fs::path path = folder_ / "cooked.mcpk";
-    make_bank(path, find_bank_sources({stripped(tiers)}), {.form = runtime::BankForm::Cooked});
+    make_bank(path, find_bank_sources({stripped(tiers)}),
+              {.form = runtime::BankForm::Cooked, .ik = {.apply = false}});
     EXPECT_GT(fs::file_size(path), smaller);
     smaller = fs::file_size(path);
     const BankFile cooked(path);
@@ -155,7 +156,7 @@ TEST_F(BankTiersTest, AStrippedBankIsCookedAsFarAsItGoes) {
       const mcpr_limits limits = limits_of(tiers_of(entry.name, tiers));
       const test::OpenedClip opened(file(entry.name), &limits);
       const std::vector<float> wanted =
-          opened.frames({.output = MCPR_LOCAL, .apply_ik = 1}, 0, opened.info.frames);
+          opened.frames({.output = MCPR_LOCAL}, 0, opened.info.frames);
       std::vector<mcpr_transform> pose(opened.info.joints);
       for (std::uint32_t t = 0; t < opened.info.frames; t += 37) {
         const mcpr_sample_request request{};
