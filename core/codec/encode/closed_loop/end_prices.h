@@ -48,7 +48,7 @@ class EndPrices {
   /// Updates the prices. `energies` are the squared errors of the first and last kSeen frames,
   /// `usual` that of as many frames elsewhere. cm^2
   void observe(const std::array<double, 2>& energies, double usual) {
-    constexpr double kLeast = 0.03;
+    constexpr double kLeast = 0.01;
     constexpr double kFollow = 0.75;  // fitted to study and training clips: ADAPTIVE.md
     for (std::size_t end = 0; end < energies.size(); ++end)
       if (energies[end] > 0)
