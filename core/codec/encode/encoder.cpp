@@ -12,7 +12,7 @@
 #include "core/codec/encode/analysis/clip_analysis.h"
 #include "core/codec/encode/search/goal.h"
 #include "core/codec/encode/segmented_encode.h"
-#include "core/codec/encode/targeted_encode.h"
+#include "core/codec/encode/split_encode.h"
 #include "core/codec/encode/trial_coder.h"
 #include "core/codec/format/room.h"
 #include "core/feet/feet.h"
@@ -133,6 +133,15 @@ ClipShape shape_for(const Motion& motion, const EncodeSettings& settings) {
         static_cast<int>(settings.correction->joints.empty() ? find_feet(motion.skeleton).size()
                                                              : settings.correction->joints.size());
   return shape;
+}
+
+/// Encodes to the target; the closed loop encodes long clips segment by segment.
+Trial encode_to_target(const ClipAnalysis& analysis, const EncodeSettings& settings,
+                       const Observer<EncodeProgress>& observer) {
+  const SegmentLayout layout = even_segments(analysis.motion().clip.frames(), settings.segments);
+  if (settings.method == Method::ClosedLoop && layout.count() > 1)
+    return encode_in_segments(analysis, settings, layout, observer);
+  return SplitEncode(analysis, settings, observer).run();
 }
 
 }  // namespace

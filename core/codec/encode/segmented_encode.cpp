@@ -8,7 +8,7 @@
 #include "core/codec/encode/mend/end_fit.h"
 #include "core/codec/encode/search/goal.h"
 #include "core/codec/encode/search/scale_search.h"
-#include "core/codec/encode/targeted_encode.h"
+#include "core/codec/encode/split_encode.h"
 #include "core/codec/encode/trial_coder.h"
 #include "core/metrics/rate.h"
 
@@ -77,7 +77,8 @@ class SegmentedEncode {
   double find_split() const {
     const int segment = most_contacts();
     const ClipAnalysis analysis(motion_of(segment));
-    return find_correction_split(analysis, settings_for(segment));
+    const EncodeSettings settings = settings_for(segment);
+    return SplitEncode(analysis, settings, {}).split();
   }
 
   int most_contacts() const {
@@ -119,14 +120,14 @@ class SegmentedEncode {
       const Eigen::VectorXd weights = frame_weights.size() > 0
                                           ? frame_weights.segment(part.first, part.frames).eval()
                                           : frame_weights;
-      ScaleTrial coded = encode_at_scale(part.analysis, settings, scale,
-                                         part.should_continue ? work : ClosedLoopWork::Rounding,
-                                         weights, observer);
-      finest_scale_ = std::max(finest_scale_, coded.finest_scale);
+      SplitEncode encode(part.analysis, settings, observer);
+      Trial coded = encode.loop().run_at(
+          scale, part.should_continue ? work : ClosedLoopWork::Rounding, weights);
+      finest_scale_ = std::max(finest_scale_, encode.coder().loop().finest_scale());
       // Without sweeps the observer has not been called yet.
       if (work != ClosedLoopWork::Sweeps && part.should_continue)
-        coded.trial.complete = observer(EncodeProgress{.iteration = part.index + 1});
-      return std::move(coded.trial);
+        coded.complete = observer(EncodeProgress{.iteration = part.index + 1});
+      return coded;
     });
     if (trial.complete && work != ClosedLoopWork::Rounding) finish_ends(trial);
     weigh(work, trial);
@@ -149,8 +150,9 @@ class SegmentedEncode {
     Trial coarser = encode_all(trial.scale, [&](const Part& part, const EncodeSettings& settings,
                                                 const Observer<EncodeProgress>& observer) {
       if (!part.should_continue) return Trial{.complete = false};
-      return coarsen_to_bound(part.analysis, settings, coded.next(),
-                              bound_cm.segment(part.first, part.frames), observer);
+      return SplitEncode(part.analysis, settings, observer)
+          .loop()
+          .coarsen({.coded = coded.next()}, bound_cm.segment(part.first, part.frames));
     });
     if (!coarser.complete) return coarser;
     finish_ends(coarser);

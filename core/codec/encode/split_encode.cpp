@@ -26,7 +26,15 @@ SplitEncode::SplitEncode(const ClipAnalysis& analysis, const EncodeSettings& set
       loop_(coder_, passes_, leaves_split_open(settings)) {}
 
 Trial SplitEncode::run() {
-  if (!leaves_split_open(settings_)) return run_with(settings_.method, settings_.effort);
+  Trial trial = leaves_split_open(settings_) ? run_with_split()
+                                             : run_with(settings_.method, settings_.effort);
+  if (trial.complete) check(trial);
+  trial.correction_ratio = coder_.correction_ratio();
+  trial.slide_without_cm = slide_without_cm_;
+  return trial;
+}
+
+Trial SplitEncode::run_with_split() {
   Trial trial = find_split();
   if (!trial.complete || (split_method() == settings_.method && split_effort() == settings_.effort))
     return trial;

@@ -13,23 +13,23 @@ namespace mocapress {
 /// motion and correction.
 class SplitEncode {
  public:
+  /// Throws Error for an impossible correction.
   SplitEncode(const ClipAnalysis& analysis, const EncodeSettings& settings,
               const Observer<EncodeProgress>& observer);
   SplitEncode(const SplitEncode&) = delete;  // its parts refer to one another
 
+  /// Encodes to the target. Throws TargetMissed if that is out of reach; a draft promises nothing.
   Trial run();
 
   /// The r_IK that suits the target best.
   double split();
 
-  /// Throws TargetMissed unless the trial meets the target; a draft promises nothing.
-  void check(const Trial& trial) const;
-
   LoopEncode& loop() { return loop_; }
   TrialCoder& coder() { return coder_; }
-  std::optional<double> slide_without_cm() const { return slide_without_cm_; }
 
  private:
+  void check(const Trial& trial) const;
+  Trial run_with_split();
   Trial run_with(Method method, Effort effort);
   Trial find_split();
   Method split_method() const;
