@@ -8,10 +8,22 @@ namespace {
 
 constexpr CapsuleDetail kTrailDetail{8, 3};
 
+Mesh meshOf(Figure::Look look) {
+  if (look == Figure::Look::Shadow) return groundMesh();
+  return capsuleMesh(look == Figure::Look::Trail ? kTrailDetail : CapsuleDetail());
+}
+
+ShaderMaterial* materialOf(Figure::Look look, Qt3DCore::QNode* parent) {
+  if (look == Figure::Look::Shadow)
+    return new ShaderMaterial("shadow", {{"shade", translucent()}}, parent);
+  return new ShaderMaterial("figure", look == Figure::Look::Solid ? solidPasses() : ghostPasses(),
+                            parent);
+}
+
 }  // namespace
 
 Figure::Figure(Look look, QNode* parent) : QEntity(parent) {
-  mesh_ = makeRenderer(capsuleMesh(look == Look::Trail ? kTrailDetail : CapsuleDetail()), this);
+  mesh_ = makeRenderer(meshOf(look), this);
   Qt3DCore::QGeometry* geometry = mesh_->geometry();
   capsules_ = new Qt3DCore::QBuffer(geometry);
   capsules_->setUsage(Qt3DCore::QBuffer::DynamicDraw);
@@ -24,8 +36,7 @@ Figure::Figure(Look look, QNode* parent) : QEntity(parent) {
   perInstance("startTint", 4, offsetof(Capsule, start_tint));
   perInstance("endTint", 4, offsetof(Capsule, end_tint));
 
-  material_ =
-      new ShaderMaterial("figure", look == Look::Solid ? solidPasses() : ghostPasses(), this);
+  material_ = materialOf(look, this);
   setGhost(look != Look::Solid);
   setBehind(0);
   setThickness(1);

@@ -12,11 +12,13 @@
 
 namespace mocapress {
 
-/// One figure in the scene, drawn as instances of a capsule mesh. A new pose replaces one buffer.
+/// One figure in the scene, drawn as instances of one mesh. A new pose replaces one buffer.
 class Figure : public Qt3DCore::QEntity {
  public:
-  /// A trail is a ghost of many capsules, each with fewer triangles.
-  enum class Look { Solid, Ghost, Trail };
+  /// A trail is a ghost of many capsules, each with fewer triangles. A shadow lies on the ground,
+  /// y = 0: one soft spot a capsule, dark and sharp under what stands, faint and wide under what is
+  /// high.
+  enum class Look { Solid, Ghost, Trail, Shadow };
 
   Figure(Look look, QNode* parent);
 

@@ -126,8 +126,8 @@ Scene::Scene(OpenGl open_gl) {
   shell_ = new Figure(Figure::Look::Ghost, root);
   body_skin_ = new SkinFigure(false, root);
   shell_skin_ = new SkinFigure(true, root);
-  body_shadow_ = new Shadow(root);
-  shell_shadow_ = new Shadow(root);
+  body_shadow_ = new Figure(Figure::Look::Shadow, root);
+  shell_shadow_ = new Figure(Figure::Look::Shadow, root);
   body_path_ = new Figure(Figure::Look::Solid, root);
   shell_path_ = new Figure(Figure::Look::Solid, root);
   trails_ = new Figure(Figure::Look::Solid, root);

@@ -12,7 +12,6 @@
 #include "widgets/viewport/overlay.h"
 #include "widgets/viewport/ring.h"
 #include "widgets/viewport/shader_material.h"
-#include "widgets/viewport/shadow.h"
 #include "widgets/viewport/skin_figure.h"
 #include "widgets/viewport/view_arrangement.h"
 
@@ -56,8 +55,8 @@ class Scene : public Qt3DExtras::Qt3DWindow {
   Figure& shell() { return *shell_; }
   SkinFigure& bodySkin() { return *body_skin_; }
   SkinFigure& shellSkin() { return *shell_skin_; }
-  Shadow& bodyShadow() { return *body_shadow_; }
-  Shadow& shellShadow() { return *shell_shadow_; }
+  Figure& bodyShadow() { return *body_shadow_; }
+  Figure& shellShadow() { return *shell_shadow_; }
   Figure& bodyPath() { return *body_path_; }
   Figure& shellPath() { return *shell_path_; }
   Ring& bodyRing() { return *body_ring_; }
@@ -96,8 +95,8 @@ class Scene : public Qt3DExtras::Qt3DWindow {
   Figure* shell_;
   SkinFigure* body_skin_;
   SkinFigure* shell_skin_;
-  Shadow* body_shadow_;
-  Shadow* shell_shadow_;
+  Figure* body_shadow_;
+  Figure* shell_shadow_;
   Figure* body_path_;
   Figure* shell_path_;
   Ring* body_ring_;

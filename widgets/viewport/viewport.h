@@ -28,7 +28,6 @@ namespace mocapress {
 class Figure;
 class Ring;
 class Scene;
-class Shadow;
 class SkinFigure;
 
 /// A note on a frame, in the picture.
@@ -150,7 +149,7 @@ class Viewport : public QWidget {
   struct Parts {
     Figure& figure;
     SkinFigure& skin;
-    Shadow& shadow;
+    Figure& shadow;
     Figure& path;
     Ring& ring;
   };
