@@ -14,6 +14,7 @@
 #include "core/runtime/pose/cooked_check.h"
 #include "core/runtime/pose/pose_crowd.h"
 #include "core/runtime/pose/pose_cursor.h"
+#include "core/runtime/pose/pose_packing.h"
 #include "core/runtime/pose/pose_sampler.h"
 #include "core/runtime/pose/pose_selection.h"
 
@@ -66,14 +67,9 @@ mcpr_result check_joints(const mcpr_cooked& clip, const std::uint16_t* joints,
              : refused("a joint that the clip does not have, or one twice");
 }
 
-std::uint32_t joints_of(const mcpr_cooked& clip, const mcpr_sample_request& request) {
-  if (request.selection != nullptr) return request.selection->joint_count;
-  return request.joints == nullptr ? clip.joints : request.joint_count;
-}
-
 mcpr_result check_sample_request(const mcpr_cooked* clip, const mcpr_sample_request* request) {
   if (!is_cooked(clip)) return refused("no cooked clip");
-  if (request == nullptr || request->layout < MCPR_TRANSFORMS || request->layout > MCPR_MATRICES ||
+  if (request == nullptr || request->layout < MCPR_TRANSFORMS || request->layout > MCPR_WRITER ||
       request->unit < MCPR_FRAMES || request->unit > MCPR_SECONDS ||
       poses_of(request->path) == nullptr)
     return refused("unsupported layout, unit or path");
@@ -92,7 +88,7 @@ mcpr_result check_sample_request(const mcpr_cooked* clip, const mcpr_sample_requ
     const mcpr_result result = check_joints(*clip, request->joints, request->joint_count);
     if (failed(result)) return result;
   }
-  if (request->parents != nullptr && !are_parents(request->parents, joints_of(*clip, *request)))
+  if (request->parents != nullptr && !are_parents(request->parents, sampled_joints(*clip, *request)))
     return refused("a parent that does not come before its joint");
   if (request->stepped == nullptr && request->stepped_count != 0)
     return refused("no list of stepped joints");
@@ -119,12 +115,21 @@ mcpr_result check_scratch_of(const mcpr_cooked& clip, const mcpr_sample_request&
                                     "too little scratch memory");
 }
 
-mcpr_result sample_checked(const mcpr_cooked* clip, const mcpr_sample_request* request, double time,
-                           float* out, mcpr_cursor* cursor) {
-  const mcpr_result result = check_sample_request(clip, request);
-  if (failed(result)) return result;
-  if (!std::isfinite(frame_of(*clip, request->unit, time)) || out == nullptr)
+/// Checks where and when a character of a checked request is posed.
+mcpr_result check_instant(const mcpr_cooked& clip, const mcpr_sample_request& request, double time,
+                          const void* out) {
+  if (!std::isfinite(frame_of(clip, request.unit, time)) || out == nullptr)
     return refused("no finite instant, or no output");
+  if (request.layout == MCPR_WRITER && static_cast<const mcpr_writer*>(out)->write == nullptr)
+    return refused("a writer without a function");
+  return kOk;
+}
+
+mcpr_result sample_checked(const mcpr_cooked* clip, const mcpr_sample_request* request, double time,
+                           void* out, mcpr_cursor* cursor) {
+  mcpr_result result = check_sample_request(clip, request);
+  if (!failed(result)) result = check_instant(*clip, *request, time, out);
+  if (failed(result)) return result;
   if (const mcpr_result scratch = check_scratch_of(*clip, *request); failed(scratch))
     return scratch;
   sample(*clip, *poses_of(request->path), place_in_clip(*clip, *request, time), *request, out,
@@ -141,9 +146,8 @@ mcpr_result check_crowd(const mcpr_crowd_request* request, const mcpr_character*
     const mcpr_character& character = characters[i];
     const mcpr_sample_request one = request_of(*request, character);
     mcpr_result result = check_sample_request(character.clip, &one);
-    if (!failed(result) && (!std::isfinite(frame_of(*character.clip, one.unit, character.time)) ||
-                            character.out == nullptr))
-      result = refused("no finite instant, or no output");
+    if (!failed(result))
+      result = check_instant(*character.clip, one, character.time, character.out);
     if (!failed(result)) continue;
     result.offset = i;
     return result;
@@ -320,7 +324,7 @@ mcpr_cooked_info mcpr_cooked_describe(const mcpr_cooked* cooked) {
 
 size_t mcpr_sample_values(const mcpr_cooked* cooked, const mcpr_sample_request* request) {
   if (runtime::failed(runtime::check_sample_request(cooked, request))) return 0;
-  return runtime::joints_of(*cooked, *request) * runtime::values_of_joint(request->layout);
+  return runtime::values_of_pose(request->layout, runtime::sampled_joints(*cooked, *request));
 }
 
 size_t mcpr_sample_scratch_bytes(const mcpr_cooked* cooked, const mcpr_sample_request* request) {
@@ -381,7 +385,7 @@ mcpr_result mcpr_make_selection(const mcpr_cooked* cooked, const uint16_t* joint
 }
 
 mcpr_result mcpr_sample(const mcpr_cooked* cooked, const mcpr_sample_request* request, double time,
-                        float* out) {
+                        void* out) {
   return runtime::sample_checked(cooked, request, time, out, nullptr);
 }
 
@@ -401,7 +405,7 @@ mcpr_result mcpr_make_cursor(const mcpr_cooked* cooked, void* memory, size_t siz
 }
 
 mcpr_result mcpr_sample_next(mcpr_cursor* cursor, const mcpr_sample_request* request, double time,
-                             float* out) {
+                             void* out) {
   if (cursor == nullptr) return runtime::refused("no cursor");
   return runtime::sample_checked(cursor->clip, request, time, out, cursor);
 }

@@ -375,8 +375,23 @@ typedef enum mcpr_layout {
   MCPR_TRANSFORMS = 0, /* one mcpr_transform per joint: 8 floats */
   MCPR_ARRAYS = 1,     /* seven arrays, each with one float per joint: rotation w, x, y, z, then
                           translation x, y, z */
-  MCPR_MATRICES = 2 /* 12 floats per joint: a 3 x 4 matrix [rotation | translation], row by row */
+  MCPR_MATRICES = 2, /* 12 floats per joint: a 3 x 4 matrix [rotation | translation], row by row */
+  MCPR_FOURS = 3,    /* four joints at a time, as ozz-animation's SoaTransform: 40 floats, one per
+                        joint of translation x, y, z, of the rotation's four numbers in the order of
+                        the convention, and of scale x, y, z, which is 1. Places after the last
+                        joint have no translation and no rotation */
+  MCPR_HALVES = 4,   /* mcpr_transform in half floats (IEEE 754 binary16, rounded to nearest): 8
+                        uint16_t per joint. A length of 1000 is rounded to 0.5: ask for metres */
+  MCPR_WRITER = 5    /* the output is an mcpr_writer, which gets joint after joint */
 } mcpr_layout;
+
+/* Receives a pose joint by joint, for an engine that keeps poses in a form of its own. `write` gets
+ * the joint's place in the output, counted up from 0, and its transform, which is valid during the
+ * call only. It must not throw. */
+typedef struct mcpr_writer {
+  void (*write)(void* context, uint32_t joint, const mcpr_transform* transform);
+  void* context;
+} mcpr_writer;
 
 /* The axes, unit and order of numbers that an engine wants. All zero: the clip's own, as the top of
  * this file tells. */
@@ -447,12 +462,14 @@ MCPR_API mcpr_result mcpr_make_selection(const mcpr_cooked* cooked, const uint16
                                          uint32_t joint_count, void* memory, size_t size,
                                          const mcpr_selection** selection);
 
-/* Returns the number of floats that one sampled pose takes; 0 if the request is not possible. */
+/* Returns the number of floats, 4 bytes each, that one sampled pose takes; 0 if the request is not
+ * possible. */
 MCPR_API size_t mcpr_sample_values(const mcpr_cooked* cooked, const mcpr_sample_request* request);
 
 /* Returns the bytes of scratch memory that sampling needs: 0 for a clip of up to 1,100 columns,
  * which are its moving channels and a few more, so for about 350 joints that turn about three axes.
- * A list of joints and stepped joints count, too. A larger clip needs 64 KiB at most. */
+ * A list of joints and stepped joints count, too, and so do the transforms from which the last
+ * three layouts are made. A larger clip needs 192 KiB at most. */
 MCPR_API size_t mcpr_sample_scratch_bytes(const mcpr_cooked* cooked,
                                           const mcpr_sample_request* request);
 
@@ -463,7 +480,7 @@ MCPR_API size_t mcpr_sample_scratch_bytes(const mcpr_cooked* cooked,
  * cm of mcpr_decode_moment (with an IK correction: at frames), and all paths give the same bits.
  * Fails with MCPR_ARGUMENT for MCPR_LOOP if the clip is not a loop. */
 MCPR_API mcpr_result mcpr_sample(const mcpr_cooked* cooked, const mcpr_sample_request* request,
-                                 double time, float* out);
+                                 double time, void* out);
 
 /* A cursor caches some frames of a clip around the last instant, which makes playing forwards or
  * backwards faster. Each player needs its own cursor; a clip may have any number. Instants may be
@@ -481,7 +498,7 @@ MCPR_API mcpr_result mcpr_make_cursor(const mcpr_cooked* cooked, void* memory, s
 
 /* Samples the cursor's clip as mcpr_sample does, using and updating the cached frames. */
 MCPR_API mcpr_result mcpr_sample_next(mcpr_cursor* cursor, const mcpr_sample_request* request,
-                                      double time, float* out);
+                                      double time, void* out);
 
 /* ---------------------------------------------------------------- a crowd */
 
@@ -490,7 +507,7 @@ typedef struct mcpr_character {
   const mcpr_cooked* clip;
   const mcpr_selection* selection; /* a selection of the clip's joints; null: all */
   double time;                     /* the instant, in the unit of the request */
-  float* out;                      /* room for the pose: mcpr_sample_values() floats */
+  void* out; /* room for the pose: mcpr_sample_values() floats; or its writer */
   mcpr_wrap wrap;
   uint32_t bands_left_out; /* this and those below: as in mcpr_sample_request */
   const int16_t* parents;
@@ -519,7 +536,7 @@ MCPR_API size_t mcpr_sort_crowd_scratch_bytes(uint32_t count);
 MCPR_API mcpr_result mcpr_sort_crowd(const mcpr_crowd_request* request, mcpr_character* characters,
                                      uint32_t count, void* scratch, size_t scratch_size);
 
-/* Returns the bytes of scratch memory that mcpr_sample_crowd needs: about 190 KB for any number of
+/* Returns the bytes of scratch memory that mcpr_sample_crowd needs: about 320 KB for any number of
  * characters. */
 MCPR_API size_t mcpr_crowd_scratch_bytes(void);
 

@@ -96,13 +96,15 @@ class Player {
 
   /// Writes mcpr_sample_values() floats. Finds the scratch memory that very large clips need.
   mcpr_result sample(mcpr_sample_request request, double time, std::span<float> out) {
-    if (out.size() < mcpr_sample_values(clip_, &request))
+    if (request.layout == MCPR_WRITER || out.size() < mcpr_sample_values(clip_, &request))
       return {MCPR_MEMORY, 0, "the pose has no room for all values"};
-    const std::size_t bytes = mcpr_sample_scratch_bytes(clip_, &request);
-    if (bytes > scratch_bytes_) scratch_ = allocate(scratch_bytes_ = bytes);
-    request.scratch = scratch_.get();
-    request.scratch_size = scratch_bytes_;
-    return mcpr_sample_next(cursor_, &request, time, out.data());
+    return sample_into(out.data(), request, time);
+  }
+
+  /// Gives one transform after the other to the writer.
+  mcpr_result sample(mcpr_sample_request request, double time, mcpr_writer& writer) {
+    request.layout = MCPR_WRITER;
+    return sample_into(&writer, request, time);
   }
 
   /// Writes the local transform of each joint at an instant. Fails if `pose` has fewer transforms
@@ -117,6 +119,14 @@ class Player {
   }
 
  private:
+  mcpr_result sample_into(void* out, mcpr_sample_request& request, double time) {
+    const std::size_t bytes = mcpr_sample_scratch_bytes(clip_, &request);
+    if (bytes > scratch_bytes_) scratch_ = allocate(scratch_bytes_ = bytes);
+    request.scratch = scratch_.get();
+    request.scratch_size = scratch_bytes_;
+    return mcpr_sample_next(cursor_, &request, time, out);
+  }
+
   const mcpr_cooked* clip_ = nullptr;
   mcpr_cursor* cursor_ = nullptr;
   Owned<void> memory_;   // the cursor

@@ -180,7 +180,7 @@ void print_sampled(const std::string& name, const mcpr_cooked* cooked) {
       parents.push_back(static_cast<std::int16_t>(static_cast<int>(j) / 2 - (j == 0 ? 1 : 0)));
     if (info.joints > 1) parents[1] = 0;
     for (int engine = MCPR_MOCAPRESS; engine <= MCPR_BLENDER; ++engine)
-      for (int layout = MCPR_TRANSFORMS; layout <= MCPR_MATRICES; ++layout) {
+      for (int layout = MCPR_TRANSFORMS; layout <= MCPR_HALVES; ++layout) {
         mcpr_convention convention;
         check(name, mcpr_convention_of(static_cast<mcpr_engine>(engine), &convention));
         mcpr_sample_request request{};

@@ -152,9 +152,9 @@ void sample(const mcpr_cooked* cooked) {
     return mcpr_make_selection(cooked, &first_joint, 1, selection_memory.data(),
                                selection_memory.size(), &selection);
   });
-  std::vector<float> out(std::size_t{12} * info.joints);
+  std::vector<float> out(std::size_t{12} * info.joints + 40);
   for (const mcpr_path path : paths()) {
-    for (int layout = MCPR_TRANSFORMS; layout <= MCPR_MATRICES; ++layout)
+    for (int layout = MCPR_TRANSFORMS; layout <= MCPR_WRITER; ++layout)
       for (int listed = 0; listed <= 1; ++listed) {
         mcpr_convention convention{};
         mcpr_convention_of(MCPR_UNITY, &convention);
@@ -171,9 +171,11 @@ void sample(const mcpr_cooked* cooked) {
         }
         size_by("mcpr_sample_values", [&] { return mcpr_sample_values(cooked, &request); });
         for (double frame = 0.3; frame < info.frames; frame += last / 40) {
-          measure("mcpr_sample", [&] { return mcpr_sample(cooked, &request, frame, out.data()); });
+          mcpr_writer writer{[](void*, std::uint32_t, const mcpr_transform*) {}, nullptr};
+          void* const to = layout == MCPR_WRITER ? static_cast<void*>(&writer) : out.data();
+          measure("mcpr_sample", [&] { return mcpr_sample(cooked, &request, frame, to); });
           measure("mcpr_sample_next",
-                  [&] { return mcpr_sample_next(cursor, &request, frame, out.data()); });
+                  [&] { return mcpr_sample_next(cursor, &request, frame, to); });
         }
         mcpr_transform moved;
         for (double frame = 0.3; frame < info.frames; frame += last / 10)

@@ -16,6 +16,7 @@
 #include "core/runtime/pose/conventions.h"
 #include "core/runtime/pose/instant_weights.h"
 #include "core/runtime/pose/pose_cursor.h"
+#include "core/runtime/pose/pose_packing.h"
 #include "core/runtime/pose/pose_selection.h"
 
 namespace mocapress::runtime {
@@ -432,9 +433,9 @@ PlaceInClip place_in_clip(const mcpr_cooked& clip, const mcpr_sample_request& re
   return clip.wrapping(request.wrap).place(frame_of(clip, request.unit, time));
 }
 
-std::size_t values_of_joint(mcpr_layout layout) {
-  if (layout == MCPR_TRANSFORMS) return 8;
-  return layout == MCPR_ARRAYS ? 7 : 12;
+std::uint32_t sampled_joints(const mcpr_cooked& clip, const mcpr_sample_request& request) {
+  if (request.selection != nullptr) return request.selection->joint_count;
+  return request.joints == nullptr ? clip.joints : request.joint_count;
 }
 
 namespace {
@@ -442,7 +443,7 @@ namespace {
 /// Memory for sampling all clips but those with thousands of columns or joints. It is on the stack;
 /// a call takes at most 16 KiB of stack.
 constexpr std::size_t kRoomOnStack = 7680;
-static_assert(kRoomOnStack >= sizeof(std::int16_t) * mcpr_cursor::kFewestNumbers);
+static_assert(sizeof(PoseWork) >= sizeof(std::int16_t) * mcpr_cursor::kFewestNumbers);
 
 /// A selection for one call.
 mcpr_selection* take_selection(Memory& memory, const mcpr_cooked& clip) {
@@ -498,6 +499,21 @@ void sample_in(void* room, std::size_t size, const mcpr_cooked& clip, const Pose
     runtime::convert(*request.convention, request.layout, joints, out);
 }
 
+/// Samples transforms, which the packed layouts are made from.
+void sample_packed(void* room, std::size_t size, const mcpr_cooked& clip,
+                   const PoseKernels& kernels, const PlaceInClip& place,
+                   const mcpr_sample_request& request, void* out, mcpr_cursor* cursor) {
+  const std::uint32_t joints = sampled_joints(clip, request);
+  Memory memory(room, size);
+  auto* const pose = memory.take<mcpr_transform>(joints);
+  const auto taken = static_cast<std::size_t>(memory.used());
+  mcpr_sample_request unpacked = request;
+  unpacked.layout = MCPR_TRANSFORMS;
+  sample_in(static_cast<std::byte*>(room) + taken, size - taken, clip, kernels, place, unpacked,
+            pose->rotation, cursor);
+  pack(request, pose, joints, out);
+}
+
 }  // namespace
 
 /// Upper bound for a selection of any clip.
@@ -506,11 +522,12 @@ constexpr std::size_t kMostOfSelection =
     sizeof(RotorPlaces) * (kMostJoints / kGroup) + sizeof(GroupRange) * (kMostColumns / kGroup) +
     4 * kAlignment;
 static_assert(sizeof(PoseWork) + sizeof(float) * kMostColumns + 2 * kMostOfSelection +
-                  2 * kAlignment <=
+                  sizeof(mcpr_transform) * kMostJoints + 3 * kAlignment <=
               kMostScratchOfPose);
 
 std::size_t scratch_of(const mcpr_cooked& clip, const mcpr_sample_request& request) {
   Memory memory;
+  if (is_packed(request.layout)) memory.take<mcpr_transform>(sampled_joints(clip, request));
   take_work(memory);
   take_columns(memory, clip);
   if (request.joints != nullptr) take_selection(memory, clip);
@@ -519,12 +536,16 @@ std::size_t scratch_of(const mcpr_cooked& clip, const mcpr_sample_request& reque
 }
 
 void sample(const mcpr_cooked& clip, const PoseKernels& kernels, const PlaceInClip& place,
-            const mcpr_sample_request& request, float* out, mcpr_cursor* cursor) {
-  if (scratch_of(clip, request) > 0)
-    return sample_in(request.scratch, request.scratch_size, clip, kernels, place, request, out,
-                     cursor);
+            const mcpr_sample_request& request, void* out, mcpr_cursor* cursor) {
+  const auto sample_with = [&](void* room, std::size_t size) {
+    if (is_packed(request.layout))
+      sample_packed(room, size, clip, kernels, place, request, out, cursor);
+    else
+      sample_in(room, size, clip, kernels, place, request, static_cast<float*>(out), cursor);
+  };
+  if (scratch_of(clip, request) > 0) return sample_with(request.scratch, request.scratch_size);
   alignas(kAlignment) std::byte room[kRoomOnStack];
-  sample_in(room, sizeof room, clip, kernels, place, request, out, cursor);
+  sample_with(room, sizeof room);
 }
 
 }  // namespace mocapress::runtime

@@ -37,19 +37,19 @@ inline bool is_liftable(const SegmentLayout::Stretch& stretch, const BetweenFram
   return stretch.shared < 0 && (instant.share == 0 || stretch.frames > 1);
 }
 
-/// Floats per joint in a layout.
-std::size_t values_of_joint(mcpr_layout layout);
+/// Number of joints in a request's output.
+std::uint32_t sampled_joints(const mcpr_cooked& clip, const mcpr_sample_request& request);
 
 /// Bytes of scratch memory that a request needs; 0: it does without.
 std::size_t scratch_of(const mcpr_cooked& clip, const mcpr_sample_request& request);
 
 /// No request needs more: columns of the largest clip, a list of all of its joints, others that
-/// step.
-inline constexpr std::size_t kMostScratchOfPose = std::size_t{64} << 10;
+/// step, transforms of all.
+inline constexpr std::size_t kMostScratchOfPose = std::size_t{192} << 10;
 
 /// Writes all joints of the clip to `out`, or those of the request's list. `cursor` belongs to the
 /// clip, or is null. The request has the scratch memory that it needs.
 void sample(const mcpr_cooked& clip, const PoseKernels& kernels, const PlaceInClip& place,
-            const mcpr_sample_request& request, float* out, mcpr_cursor* cursor = nullptr);
+            const mcpr_sample_request& request, void* out, mcpr_cursor* cursor = nullptr);
 
 }  // namespace mocapress::runtime

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -94,6 +97,98 @@ TEST_F(Conventions, QuaternionsAndMatricesOfEveryEngineAreTheSameRotations) {
       for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(m[4 * i + 3], q[4 + i]);
     }
   }
+}
+
+TEST_F(Conventions, VectorsOfFourHoldTheTransformsAndARestBehindTheLast) {
+  const std::uint16_t joints[] = {2, 0, 1, 4, 3, 5};  // one vector, and half of another
+  for (const mcpr_engine engine : {MCPR_MOCAPRESS, MCPR_UNREAL}) {
+    const mcpr_convention convention = of(engine);
+    mcpr_sample_request request{.joints = joints, .joint_count = 6, .convention = &convention};
+    const std::vector<float> pose = cooked_.sample(request, 31.3);
+    request.layout = MCPR_FOURS;
+    const std::vector<float> fours = cooked_.sample(request, 31.3);
+    ASSERT_EQ(fours.size(), 80U);
+    const auto at = [&](std::size_t vector, std::size_t joint) {
+      return fours[40 * (joint / 4) + 4 * vector + joint % 4];
+    };
+    for (std::size_t j = 0; j < 8; ++j) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_EQ(at(k, j), j < 6 ? pose[8 * j + 4 + k] : 0);
+        EXPECT_EQ(at(7 + k, j), 1);
+      }
+      for (std::size_t k = 0; k < 4; ++k)
+        EXPECT_EQ(at(3 + k, j), j < 6                                     ? pose[8 * j + k]
+                                : k == (convention.w_last != 0 ? 3U : 0U) ? 1
+                                                                          : 0);
+    }
+  }
+}
+
+/// The number that a half float stands for.
+double number_of(std::uint16_t half) {
+  const int exponent = half >> 10 & 31;
+  const double fraction = half & 1023;
+  const double size =
+      exponent == 0 ? std::ldexp(fraction, -24) : std::ldexp(1024 + fraction, exponent - 25);
+  return half >> 15 != 0 ? -size : size;
+}
+
+TEST_F(Conventions, HalvesAreTheNearestToTheTransforms) {
+  for (const double frame : {0.0, 12.7, 60.2}) {
+    const std::vector<float> pose = cooked_.sample({}, frame);
+    const std::vector<float> packed = cooked_.sample({.layout = MCPR_HALVES}, frame);
+    ASSERT_EQ(2 * packed.size(), pose.size());
+    std::vector<std::uint16_t> halves(pose.size());
+    std::memcpy(halves.data(), packed.data(), sizeof(float) * packed.size());
+    for (std::size_t i = 0; i < pose.size(); ++i) {
+      const auto value = static_cast<double>(pose[i]);
+      const double error = std::abs(number_of(halves[i]) - value);
+      for (const int neighbour : {-1, 1})
+        EXPECT_LE(error, std::abs(number_of(static_cast<std::uint16_t>(
+                                      (halves[i] & 0x7FFF) == 0 ? 1 : halves[i] + neighbour)) -
+                                  value))
+            << value;
+    }
+  }
+}
+
+TEST_F(Conventions, HalvesTooLargeAreInfinite) {
+  const mcpr_convention convention{.length = 1e6F};
+  const std::vector<float> pose =
+      cooked_.sample({.layout = MCPR_HALVES, .convention = &convention}, 31.3);
+  std::uint16_t halves[8];
+  std::memcpy(halves, pose.data(), sizeof halves);
+  EXPECT_EQ(halves[5] & 0x7FFF, 0x7C00) << "the height of the root";
+  EXPECT_EQ(halves[7], 0);
+}
+
+TEST_F(Conventions, AWriterGetsEveryJointInTurn) {
+  std::vector<mcpr_transform> written;
+  mcpr_writer writer{[](void* context, std::uint32_t joint, const mcpr_transform* transform) {
+                       auto& all = *static_cast<std::vector<mcpr_transform>*>(context);
+                       EXPECT_EQ(joint, all.size());
+                       all.push_back(*transform);
+                     },
+                     &written};
+  const mcpr_convention convention = of(MCPR_UNITY);
+  mcpr_sample_request request{.convention = &convention, .parents = parents_.data()};
+  const std::vector<float> pose = cooked_.sample(request, 31.3);
+  request.layout = MCPR_WRITER;
+  ASSERT_EQ(mcpr_sample(cooked_.clip, &request, 31.3, &writer).status, MCPR_OK);
+  ASSERT_EQ(8 * written.size(), pose.size());
+  EXPECT_EQ(std::memcmp(written.data(), pose.data(), sizeof(float) * pose.size()), 0);
+
+  written.clear();
+  const mcpr_character character{
+      .clip = cooked_.clip, .time = 31.3, .out = &writer, .parents = parents_.data()};
+  const mcpr_crowd_request crowd{.layout = MCPR_WRITER, .convention = &convention};
+  const AlignedBytes scratch(mcpr_crowd_scratch_bytes());
+  ASSERT_EQ(mcpr_sample_crowd(&crowd, &character, 1, scratch.data(), scratch.size()).status,
+            MCPR_OK);
+  EXPECT_EQ(std::memcmp(written.data(), pose.data(), sizeof(float) * pose.size()), 0);
+
+  writer.write = nullptr;
+  EXPECT_EQ(mcpr_sample(cooked_.clip, &request, 31.3, &writer).status, MCPR_ARGUMENT);
 }
 
 TEST_F(Conventions, PositionsAreInTheEnginesAxesAndUnit) {

@@ -395,7 +395,7 @@ TEST_F(CookedPaths, RefuseImpossibleRequests) {
   const std::vector<std::uint16_t> beyond = {1000};
   for (const mcpr_sample_request& request :
        {mcpr_sample_request{.wrap = MCPR_LOOP},
-        mcpr_sample_request{.layout = static_cast<mcpr_layout>(3)},
+        mcpr_sample_request{.layout = static_cast<mcpr_layout>(MCPR_WRITER + 1)},
         mcpr_sample_request{.joints = twice.data(), .joint_count = 2},
         mcpr_sample_request{.joints = beyond.data(), .joint_count = 1}})
     EXPECT_EQ(mcpr_sample_values(cooked_.clip, &request), 0u);

@@ -215,8 +215,8 @@ TEST_F(PoseCrowd, SortsByClipAndInstantWithoutLosingAny) {
   std::vector<Member> all = members(3000, false, 5, request);
   std::vector<mcpr_character> characters = characters_of(all);
   ASSERT_EQ(sort(request, characters).status, MCPR_OK);
-  std::vector<const float*> before;
-  std::vector<const float*> after;
+  std::vector<const void*> before;
+  std::vector<const void*> after;
   for (const Member& member : all) before.push_back(member.out.data());
   for (std::size_t i = 0; i < characters.size(); ++i) {
     after.push_back(characters[i].out);
