@@ -211,7 +211,7 @@ inline void put_quaternions(const std::uint16_t* places, int joints, const Float
 
 #define MOCAPRESS_POSES four_poses_of
 #define MOCAPRESS_POSES_TARGET
-#define MOCAPRESS_POSES_INLINE inline
+#define MOCAPRESS_POSES_INLINE MOCAPRESS_ALWAYS_INLINE
 #include "core/runtime/pose/pose_kernels_of.inc"
 
 namespace mocapress::runtime {

@@ -60,10 +60,10 @@ inline Ints4 operator^(Ints4 a, Ints4 b) {
   return {_mm_xor_si128(a.lanes, b.lanes)};
 }
 inline Ints4 operator<<(Ints4 a, int bits) {
-  return {_mm_sll_epi32(a.lanes, _mm_cvtsi32_si128(bits))};
+  return {_mm_slli_epi32(a.lanes, bits)};
 }
 inline Ints4 operator>>(Ints4 a, int bits) {
-  return {_mm_sra_epi32(a.lanes, _mm_cvtsi32_si128(bits))};
+  return {_mm_srai_epi32(a.lanes, bits)};
 }
 inline Ints4 bits_of(Floats4 a) {
   return {_mm_castps_si128(a.lanes)};
@@ -113,7 +113,7 @@ struct Words8 {
   /// Each two words as one number; the first is its lower half.
   Ints4 pairs() const { return {lanes}; }
   Words8 masked(std::int16_t mask) const { return {_mm_and_si128(lanes, _mm_set1_epi16(mask))}; }
-  Words8 shifted_down(int bits) const { return {_mm_srl_epi16(lanes, _mm_cvtsi32_si128(bits))}; }
+  Words8 shifted_down(int bits) const { return {_mm_srli_epi16(lanes, bits)}; }
 };
 
 /// The words of a and b in turns: the first four of each, and the last four.
