@@ -159,6 +159,10 @@ std::size_t AclClip::bytes() const {
   return parts_->compressed->get_size();
 }
 
+std::span<const std::byte> AclClip::block() const {
+  return {reinterpret_cast<const std::byte*>(parts_->compressed), bytes()};
+}
+
 double AclClip::encode_seconds() const {
   return parts_->encode_seconds;
 }
@@ -208,6 +212,17 @@ AclPlayer::AclPlayer(const AclClip& clip) : state_(std::make_unique<State>()) {
 
 AclPlayer::AclPlayer(AclPlayer&&) noexcept = default;
 AclPlayer::~AclPlayer() = default;
+
+AclPlayer::AclPlayer(const std::byte* block, std::size_t joints)
+    : state_(std::make_unique<State>()) {
+  state_->writer.joints.resize(joints);
+  open(block);
+}
+
+void AclPlayer::open(const std::byte* block) {
+  if (!state_->context.initialize(*reinterpret_cast<const acl::compressed_tracks*>(block)))
+    throw Error("ACL: cannot open what it wrote");
+}
 
 void AclPlayer::sample(float seconds) {
   state_->context.seek(seconds, acl::sample_rounding_policy::none);

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <memory>
+#include <span>
 
 #include "core/motion/clip.h"
 
@@ -19,6 +20,9 @@ class AclClip {
   ~AclClip();
 
   std::size_t bytes() const;
+
+  /// The compressed clip, whole and without pointers.
+  std::span<const std::byte> block() const;
 
   /// Time to compress the transforms, including ACL's pre-processing.
   double encode_seconds() const;
@@ -49,7 +53,13 @@ class AclPlayer {
   AclPlayer(AclPlayer&&) noexcept;
   ~AclPlayer();
 
+  /// A player of a block(), which outlives it and is aligned to 16 bytes.
+  explicit AclPlayer(const std::byte* block, std::size_t joints);
+
   void sample(float seconds);
+
+  /// Goes over to another clip with as many joints.
+  void open(const std::byte* block);
 
  private:
   struct State;

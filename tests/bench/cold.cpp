@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+// Times poses at random instants of clips that are not in the caches, as in a game, beside ACL.
+// Cuts pieces of half a second to two seconds out of the clips, compresses each by ACL at precision
+// 0.1 cm and by ours at equal shell RMS, and copies them until there are 10,000 in memory: ours in
+// one cooked bank, ACL's blocks one after the other. Each pass samples every clip once, in an order
+// at random; both take turns in one run. Medians of 25 poses at a time are printed.
+// warm: the first 20 clips only, again and again. between: what the other clips take of the caches
+// lies between two poses of one clip. flushed: all clips were flushed from all caches before.
+// ACL has one context that goes over to each clip, or one for each clip, whichever is faster; ours
+// needs none. By SSE2, ours has the instructions that ACL is compiled for.
+// Usage: mocapress-cold CLIP|FOLDER... [--pieces N] [--clips N] [--rounds N]
+#include <immintrin.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/bank/bank.h"
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/base/random.h"
+#include "core/codec/encode/encoder.h"
+#include "core/codec/format/container.h"
+#include "core/formats/motion_file.h"
+#include "core/metrics/distortion.h"
+#include "core/motion/body_tracks.h"
+#include "core/runtime/own_memory.h"
+#include "tests/bench/acl_peer.h"
+#include "tests/bench/study_clips.h"
+
+namespace mocapress {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kPrecision = 0.1;  // cm, for ACL
+constexpr std::size_t kWarmClips = 20;
+constexpr std::size_t kTogether = 25;  // poses timed together, so that few are interrupted
+
+struct Cold {
+  std::vector<fs::path> clips;
+  std::size_t pieces = 250;
+  std::size_t copies = 10000;  // clips in memory
+  int rounds = 15;
+
+  void run() const;
+};
+
+/// Frames out of a motion that is loaded, about as long as a game's clips.
+Motion piece_of(const Motion& whole, Random& random) {
+  Motion piece = whole;
+  const auto frames = static_cast<std::uint64_t>(whole.clip.frames());
+  const auto most = static_cast<std::uint64_t>(2 * whole.clip.sample_rate_hz);
+  const std::uint64_t count = std::min(frames, most / 4 + random.below(most - most / 4));
+  const auto first = static_cast<Eigen::Index>(random.below(frames - count + 1));
+  piece.clip.channels =
+      whole.clip.channels.middleRows(first, static_cast<Eigen::Index>(count)).eval();
+  return piece;
+}
+
+void flush(const std::byte* bytes, std::size_t size) {
+  constexpr std::size_t kLine = 64;
+  for (std::size_t i = 0; i < size; i += kLine) _mm_clflush(bytes + i);
+  _mm_mfence();
+}
+
+void Cold::run() const {
+  const fs::path folder = fs::temp_directory_path() / "mocapress-cold";
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  Random random(47);
+  std::vector<Motion> wholes;
+  for (const fs::path& path : clips) wholes.push_back(read_motion(path).motion);
+  std::vector<std::unique_ptr<AclClip>> theirs;
+  std::vector<float> durations;
+  std::size_t joints = 0;
+  std::size_t coded = 0;
+  for (std::size_t i = 0; i < pieces; ++i) {
+    const Motion motion = piece_of(wholes[i % wholes.size()], random);
+    const Encoder encoder(motion);
+    theirs.push_back(std::make_unique<AclClip>(motion, kPrecision));
+    const Eigen::MatrixXd tracks = theirs.back()->tracks(motion.skeleton);
+    const double shell_rms = measure(motion.skeleton, encoder.original_body(), tracks).shell.rms;
+    const Encoding encoding = encoder.encode({.method = Method::ClosedLoop,
+                                              .weighting = Weighting::Shell,
+                                              .target = {Target::Kind::Error, shell_rms}});
+    coded += encoding.compressed.motion_bytes();
+    write_bytes(folder / (std::to_string(i) + ".mcpr"), write_container(encoding.compressed));
+    durations.push_back(
+        static_cast<float>((motion.clip.frames() - 1) / motion.clip.sample_rate_hz));
+    joints = std::max(joints, static_cast<std::size_t>(motion.skeleton.joint_count()));
+  }
+  std::vector<BankSource> sources;
+  for (std::size_t c = 0; c < copies; ++c) {
+    char name[24];
+    std::snprintf(name, sizeof name, "%06zu", c);
+    sources.push_back({name, folder / (std::to_string(c % pieces) + ".mcpr"), {}});
+  }
+  make_bank(folder / "cooked.mcpk", sources,
+            {.form = runtime::BankForm::Cooked, .tags = {}, .texts = {}});
+  const MappedFile file(folder / "cooked.mcpk");
+  const AlignedBytes memory(file.bytes().size());
+  std::memcpy(memory.data(), file.bytes().data(), file.bytes().size());
+  const mcpk_bank* bank = nullptr;
+  if (mcpk_open(memory.data(), memory.size(), 1, &bank).status != MCPR_OK)
+    throw Error("the bank cannot be opened");
+  std::vector<const mcpr_cooked*> ours(copies);
+  for (std::uint32_t c = 0; c < copies; ++c) mcpk_cooked(bank, c, &ours[c]);
+
+  constexpr std::size_t kAclAlignment = 16;
+  std::vector<std::size_t> places;
+  std::size_t acl_bytes = 0;
+  for (std::size_t c = 0; c < copies; ++c) {
+    places.push_back(acl_bytes);
+    acl_bytes += (theirs[c % pieces]->bytes() + kAclAlignment - 1) / kAclAlignment * kAclAlignment;
+  }
+  const AlignedBytes acl(acl_bytes);
+  auto* const blocks = static_cast<std::byte*>(acl.data());
+  for (std::size_t c = 0; c < copies; ++c)
+    std::ranges::copy(theirs[c % pieces]->block(), blocks + places[c]);
+  std::vector<AclPlayer> players;
+  for (std::size_t c = 0; c < copies; ++c) players.emplace_back(blocks + places[c], joints);
+  AclPlayer player(blocks, joints);
+
+  std::printf(
+      "%zu clips of %zu pieces of %zu clips; bytes a clip: coded %zu, cooked %zu, ACL %zu\n",
+      copies, pieces, wholes.size(), coded / pieces, memory.size() / copies, acl_bytes / copies);
+  std::vector<float> out(8 * joints);
+  struct Instant {
+    std::size_t clip;
+    float seconds;
+  };
+  std::vector<Instant> instants;
+  enum State { kWarm, kBetween, kFlushed };
+  const char* const names[] = {"warm", "between", "flushed"};
+  for (const State state : {kWarm, kBetween, kFlushed}) {
+    const auto time = [&](std::vector<double>& to, const auto& sample) {
+      if (state == kFlushed) {
+        flush(static_cast<const std::byte*>(memory.data()), memory.size());
+        flush(blocks, acl_bytes);
+      }
+      for (std::size_t i = 0; i + kTogether <= instants.size(); i += kTogether) {
+        const auto start = std::chrono::steady_clock::now();
+        for (std::size_t k = i; k < i + kTogether; ++k) sample(instants[k]);
+        const std::chrono::duration<double, std::micro> took =
+            std::chrono::steady_clock::now() - start;
+        to.push_back(took.count() / static_cast<double>(kTogether));
+      }
+    };
+    const auto by = [&](mcpr_path path, std::vector<double>& to) {
+      time(to, [&](const Instant& at) {
+        const mcpr_sample_request request{.unit = MCPR_SECONDS, .path = path};
+        mcpr_sample(ours[at.clip], &request, static_cast<double>(at.seconds), out.data());
+      });
+    };
+    std::vector<double> took[4];
+    for (int round = 0; round < rounds; ++round) {
+      instants.clear();
+      for (std::size_t c = 0; c < copies; ++c) {
+        const std::size_t clip = state == kWarm ? c % kWarmClips : c;
+        instants.push_back({clip, durations[clip % pieces] * static_cast<float>(random.unit())});
+      }
+      for (std::size_t i = copies; i-- > 1;) std::swap(instants[i], instants[random.below(i + 1)]);
+      time(took[0], [&](const Instant& at) {
+        player.open(blocks + places[at.clip]);
+        player.sample(at.seconds);
+      });
+      time(took[1], [&](const Instant& at) { players[at.clip].sample(at.seconds); });
+      by(MCPR_PATH_BEST, took[2]);
+      by(MCPR_PATH_SSE2, took[3]);
+    }
+    double median[4];
+    for (int i = 0; i < 4; ++i) {
+      const auto middle = took[i].begin() + std::ssize(took[i]) / 2;
+      std::ranges::nth_element(took[i], middle);
+      median[i] = *middle;
+    }
+    const double best = std::min(median[0], median[1]);
+    std::printf(
+        "%-8s us a pose: ACL %.3f (one context), %.3f (one a clip); ours %.3f, SSE2 %.3f; "
+        "of ACL's time %.3f, SSE2 %.3f\n",
+        names[state], median[0], median[1], median[2], median[3], median[2] / best,
+        median[3] / best);
+  }
+}
+
+}  // namespace
+}  // namespace mocapress
+
+int main(int count, char** arguments) {
+  mocapress::Cold cold;
+  for (int a = 1; a < count; ++a) {
+    const std::string word = arguments[a];
+    const auto number = [&] { return a + 1 < count ? std::atoi(arguments[++a]) : 0; };
+    if (word == "--pieces")
+      cold.pieces = static_cast<std::size_t>(number());
+    else if (word == "--clips")
+      cold.copies = static_cast<std::size_t>(number());
+    else if (word == "--rounds")
+      cold.rounds = number();
+    else
+      for (const auto& clip : mocapress::clips_of(word)) cold.clips.push_back(clip);
+  }
+  if (cold.clips.empty() || cold.rounds < 1 || cold.pieces < 1 ||
+      cold.copies < std::max(cold.pieces, mocapress::kWarmClips)) {
+    std::fprintf(stderr, "mocapress-cold CLIP|FOLDER... [--pieces N] [--clips N] [--rounds N]\n");
+    return 2;
+  }
+  try {
+    cold.run();
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "mocapress-cold: %s\n", error.what());
+    return 1;
+  }
+}
