@@ -90,7 +90,90 @@ std::vector<mcpr_path> paths() {
   return found;
 }
 
+/// For calls that return a plain number or a string.
+template <typename Call>
+void use(const char* name, const Call& call) {
+  size_by(name, [&] {
+    static_cast<void>(call());
+    return std::size_t{0};
+  });
+}
+
+/// An engine's skeleton with the names and parents of a clip.
+struct Rig {
+  std::vector<std::string> names;
+  std::vector<const char*> texts;
+  std::vector<std::int16_t> parents;
+  std::vector<std::int16_t> map;
+  mcpr_map_gaps gaps{};
+
+  void add(const mcpr_joint& joint) {
+    names.emplace_back(joint.name);
+    parents.push_back(static_cast<std::int16_t>(joint.parent));
+  }
+  mcpr_skeleton skeleton() {
+    texts.clear();
+    for (const std::string& name : names) texts.push_back(name.c_str());
+    map.resize(names.size());
+    return {static_cast<std::uint32_t>(names.size()), texts.data(), parents.data()};
+  }
+};
+
+void describe(const mcpr_clip* clip) {
+  mcpr_clip_info info{};
+  use("mcpr_clip_describe", [&] { return info = mcpr_clip_describe(clip), 0; });
+  Rig rig;
+  for (std::uint32_t j = 0; j < info.joints; ++j) {
+    mcpr_joint joint;
+    measure("mcpr_clip_joint", [&] { return mcpr_clip_joint(clip, j, &joint); });
+    rig.add(joint);
+  }
+  use("mcpr_find_joint", [&] { return mcpr_find_joint(clip, rig.names.back().c_str()); });
+  use("mcpr_skeleton_hash", [&] { return mcpr_skeleton_hash(clip); });
+  const mcpr_skeleton skeleton = rig.skeleton();
+  measure("mcpr_map_joints",
+          [&] { return mcpr_map_joints(clip, &skeleton, rig.map.data(), &rig.gaps); });
+}
+
+/// Poses that are blended, mirrored and put onto another skeleton.
+void blend(const mcpr_cooked* cooked) {
+  mcpr_convention convention{};
+  measure("mcpr_convention_of", [&] { return mcpr_convention_of(MCPR_UNREAL, &convention); });
+  const std::uint32_t joints = mcpr_cooked_describe(cooked).joints;
+  mcpr_sample_request request{};
+  request.convention = &convention;
+  std::vector<mcpr_transform> pose(joints), other(joints), out(joints);
+  measure("mcpr_sample", [&] { return mcpr_sample(cooked, &request, 0, pose.data()); });
+  measure("mcpr_sample", [&] { return mcpr_sample(cooked, &request, 1e9, other.data()); });
+  const mcpr_pose_form form{joints, &convention};
+  const mcpr_weighted_pose both[] = {{pose.data(), 0.4F, nullptr}, {other.data(), 0.6F, nullptr}};
+  measure("mcpr_blend", [&] { return mcpr_blend(&form, both, 2, out.data()); });
+  measure("mcpr_blend_layer", [&] { return mcpr_blend_layer(&form, &both[1], out.data()); });
+  measure("mcpr_pose_difference",
+          [&] { return mcpr_pose_difference(&form, pose.data(), other.data(), out.data()); });
+  measure("mcpr_blend_additive", [&] { return mcpr_blend_additive(&form, both, out.data()); });
+  mcpr_transform ground;
+  measure("mcpr_split_root", [&] { return mcpr_split_root(&convention, &out[0], &ground); });
+  std::vector<std::int16_t> parents, map;
+  std::vector<std::uint16_t> partners;
+  for (std::uint32_t j = 0; j < joints; ++j) {
+    parents.push_back(static_cast<std::int16_t>(static_cast<int>(j) - 1));
+    partners.push_back(static_cast<std::uint16_t>(j));
+    map.push_back(static_cast<std::int16_t>(j));
+  }
+  std::vector<mcpr_mirror_joint> mirror(joints);
+  measure("mcpr_make_mirror", [&] {
+    return mcpr_make_mirror(&form, pose.data(), parents.data(), partners.data(), 0, mirror.data());
+  });
+  measure("mcpr_mirror_pose",
+          [&] { return mcpr_mirror_pose(&form, mirror.data(), 0, pose.data(), out.data()); });
+  measure("mcpr_remap_pose", [&] {
+    return mcpr_remap_pose(map.data(), joints, other.data(), pose.data(), joints, out.data());
+  });
+}
+
 void decode(const mcpr_clip* clip) {
+  describe(clip);
   const mcpr_clip_info info = mcpr_clip_describe(clip);
   for (const mcpr_path path : paths())
     for (int output = MCPR_CHANNELS; output <= MCPR_POSITIONS; ++output) {
@@ -105,7 +188,9 @@ void decode(const mcpr_clip* clip) {
       }
       Block scratch(
           size_by("mcpr_scratch_bytes", [&] { return mcpr_scratch_bytes(clip, &request); }));
-      std::vector<float> out(info.frames * mcpr_frame_values(clip, &request));
+      std::vector<float> out(info.frames * size_by("mcpr_frame_values", [&] {
+                               return mcpr_frame_values(clip, &request);
+                             }));
       measure("mcpr_decode_frames", [&] {
         return mcpr_decode_frames(clip, &request, 0, info.frames, out.data(), scratch.data(),
                                   scratch.size());
@@ -120,7 +205,16 @@ void decode(const mcpr_clip* clip) {
 }
 
 void play(const mcpr_tracks* tracks) {
+  use("mcpr_track_count", [&] { return mcpr_track_count(tracks); });
   if (mcpr_track_count(tracks) == 0) return;
+  mcpr_track track;
+  measure("mcpr_track_describe", [&] { return mcpr_track_describe(tracks, 0, &track); });
+  use("mcpr_find_track",
+      [&] { return mcpr_find_track(tracks, track.kind, track.node, track.name); });
+  use("mcpr_track_values", [&] {
+    const mcpr_track_request all{};
+    return mcpr_track_values(tracks, &all);
+  });
   mcpr_track_request request{};
   request.wrap = MCPR_PING_PONG;
   Block scratch(size_by("mcpr_track_scratch_bytes",
@@ -138,15 +232,19 @@ void play(const mcpr_tracks* tracks) {
 }
 
 void sample(const mcpr_cooked* cooked) {
-  const mcpr_cooked_info info = mcpr_cooked_describe(cooked);
+  mcpr_cooked_info info{};
+  use("mcpr_cooked_describe", [&] { return info = mcpr_cooked_describe(cooked), 0; });
   const std::uint16_t first_joint = 0;
   const double last = info.frames - 1.0;
+  use("mcpr_cooked_tracks", [&] { return mcpr_cooked_tracks(cooked); });
   play(mcpr_cooked_tracks(cooked));
-  Block memory(mcpr_cursor_bytes(cooked));
+  blend(cooked);
+  Block memory(size_by("mcpr_cursor_bytes", [&] { return mcpr_cursor_bytes(cooked); }));
   mcpr_cursor* cursor = nullptr;
   measure("mcpr_make_cursor",
           [&] { return mcpr_make_cursor(cooked, memory.data(), memory.size(), &cursor); });
-  Block selection_memory(mcpr_selection_bytes(cooked, 1));
+  Block selection_memory(
+      size_by("mcpr_selection_bytes", [&] { return mcpr_selection_bytes(cooked, 1); }));
   const mcpr_selection* selection = nullptr;
   measure("mcpr_make_selection", [&] {
     return mcpr_make_selection(cooked, &first_joint, 1, selection_memory.data(),
@@ -170,6 +268,8 @@ void sample(const mcpr_cooked* cooked) {
           request.joint_count = 1;
         }
         size_by("mcpr_sample_values", [&] { return mcpr_sample_values(cooked, &request); });
+        size_by("mcpr_sample_scratch_bytes",
+                [&] { return mcpr_sample_scratch_bytes(cooked, &request); });
         for (double frame = 0.3; frame < info.frames; frame += last / 40) {
           mcpr_writer writer{[](void*, std::uint32_t, const mcpr_transform*) {}, nullptr};
           void* const to = layout == MCPR_WRITER ? static_cast<void*>(&writer) : out.data();
@@ -178,9 +278,13 @@ void sample(const mcpr_cooked* cooked) {
                   [&] { return mcpr_sample_next(cursor, &request, frame, to); });
         }
         mcpr_transform moved;
-        for (double frame = 0.3; frame < info.frames; frame += last / 10)
+        for (double frame = 0.3; frame < info.frames; frame += last / 10) {
           measure("mcpr_sample_motion",
                   [&] { return mcpr_sample_motion(cooked, &request, 0, frame, 3 * last, &moved); });
+          measure("mcpr_sample_ground_motion", [&] {
+            return mcpr_sample_ground_motion(cooked, &request, 0, frame, 3 * last, &moved);
+          });
+        }
       }
     std::vector<std::vector<float>> poses(64, out);
     std::vector<mcpr_character> all(64);
@@ -194,8 +298,9 @@ void sample(const mcpr_cooked* cooked) {
     }
     mcpr_crowd_request request{};
     request.path = path;
-    Block sorting(mcpr_sort_crowd_scratch_bytes(64));
-    Block scratch(mcpr_crowd_scratch_bytes());
+    Block sorting(size_by("mcpr_sort_crowd_scratch_bytes",
+                          [&] { return mcpr_sort_crowd_scratch_bytes(64); }));
+    Block scratch(size_by("mcpr_crowd_scratch_bytes", [] { return mcpr_crowd_scratch_bytes(); }));
     measure("mcpr_sort_crowd", [&] {
       return mcpr_sort_crowd(&request, all.data(), 64, sorting.data(), sorting.size());
     });
@@ -212,11 +317,13 @@ void use(Block& scratch, std::size_t bytes) {
     return mcpr_build(scratch.data(), scratch.size(), resident.data(), bytes, &clip);
   });
   decode(clip);
+  use("mcpr_clip_tracks", [&] { return mcpr_clip_tracks(clip); });
   play(mcpr_clip_tracks(clip));
   for (const float ik_error : {0.0F, 0.5F}) {
     mcpr_cook_options options{};
     options.apply_ik = 1;
     options.ik_error = ik_error;
+    options.skeleton = 1;
     Block space(size_by("mcpr_cook_scratch_bytes",
                         [&] { return mcpr_cook_scratch_bytes(clip, &options); }));
     std::size_t size = 0;
@@ -228,11 +335,44 @@ void use(Block& scratch, std::size_t bytes) {
       return mcpr_cook(clip, &options, space.data(), space.size(), memory.data(), size, &cooked);
     });
     measure("mcpr_open_cooked", [&] { return mcpr_open_cooked(memory.data(), size, 1, &cooked); });
+    Rig rig;
+    for (std::uint32_t j = 0; j < mcpr_cooked_describe(cooked).joints; ++j) {
+      mcpr_joint joint;
+      measure("mcpr_cooked_joint", [&] { return mcpr_cooked_joint(cooked, j, &joint); });
+      rig.add(joint);
+    }
+    use("mcpr_cooked_skeleton_hash", [&] { return mcpr_cooked_skeleton_hash(cooked); });
+    const mcpr_skeleton skeleton = rig.skeleton();
+    measure("mcpr_map_cooked_joints",
+            [&] { return mcpr_map_cooked_joints(cooked, &skeleton, rig.map.data(), &rig.gaps); });
     sample(cooked);
   }
 }
 
+/// The calls that allocate by themselves.
+void load(Block& file) {
+  const mcpr_allocator allocator{[](void*, std::size_t size, std::size_t alignment) {
+                                   return std::aligned_alloc(
+                                       alignment, (size + alignment - 1) / alignment * alignment);
+                                 },
+                                 [](void*, void* memory) { std::free(memory); }, nullptr};
+  const mcpr_clip* clip = nullptr;
+  measure("mcpr_load",
+          [&] { return mcpr_load(file.data(), file.size(), nullptr, &allocator, &clip); });
+  std::free(const_cast<mcpr_clip*>(clip));
+  const mcpr_cooked* cooked = nullptr;
+  mcpr_cook_options options{};
+  options.apply_ik = 1;
+  measure("mcpr_load_cooked", [&] {
+    return mcpr_load_cooked(file.data(), file.size(), nullptr, &options, &allocator, &cooked);
+  });
+  std::free(const_cast<mcpr_cooked*>(cooked));
+  mcpr_tier tier;
+  use("mcpr_tier_of", [&] { return mcpr_tier_of(file.data(), file.size(), 0, &tier).status; });
+}
+
 void use_file(Block& file) {
+  load(file);
   mcpr_info info{};
   measure("mcpr_inspect", [&] { return mcpr_inspect(file.data(), file.size(), nullptr, &info); });
   Block scratch(info.read_bytes);
@@ -247,15 +387,35 @@ void use_bank(Block& file) {
   const mcpk_bank* bank = nullptr;
   measure("mcpk_open", [&] { return mcpk_open(file.data(), file.size(), 1, &bank); });
   char name[MCPK_NAME_BYTES];
-  for (std::uint32_t clip = 0; clip < mcpk_describe(bank).clips; ++clip) {
+  mcpk_info head{};
+  use("mcpk_describe", [&] { return head = mcpk_describe(bank), 0; });
+  use("mcpk_key", [&] { return mcpk_key(bank, 0); });
+  use("mcpk_value", [&] { return mcpk_value(bank, 0); });
+  use("mcpk_tiers", [&] { return mcpk_tiers(bank, nullptr); });
+  for (std::uint32_t clip = 0; clip < head.clips; ++clip) {
+    std::uint64_t offset = 0;
+    std::uint64_t size = 0;
+    measure("mcpk_place", [&] { return mcpk_place(bank, clip, &offset, &size); });
+    use("mcpk_tier_place", [&] { return mcpk_tier_place(bank, clip, 1, &offset, &size).status; });
+    use("mcpk_tag", [&] { return mcpk_tag(bank, clip, 0); });
+    use("mcpk_skeleton", [&] { return mcpk_skeleton(bank, clip); });
     size_by("mcpk_name", [&] { return mcpk_name(bank, clip, name); });
     size_by("mcpk_find", [&] { return static_cast<std::size_t>(mcpk_find(bank, name)); });
     measure("mcpk_check", [&] { return mcpk_check(bank, clip); });
-    if (mcpk_describe(bank).is_cooked != 0) {
+    if (head.is_cooked != 0) {
       const mcpr_cooked* cooked = nullptr;
       measure("mcpk_cooked", [&] { return mcpk_cooked(bank, clip, &cooked); });
-      mcpr_joint joint;
-      measure("mcpk_joint", [&] { return mcpk_joint(bank, clip, 0, &joint); });
+      Rig rig;
+      for (std::uint32_t j = 0; j < mcpr_cooked_describe(cooked).joints; ++j) {
+        mcpr_joint joint;
+        measure("mcpk_joint", [&] { return mcpk_joint(bank, clip, j, &joint); });
+        rig.add(joint);
+      }
+      use("mcpk_find_joint", [&] { return mcpk_find_joint(bank, clip, rig.names[0].c_str()); });
+      use("mcpk_skeleton_hash", [&] { return mcpk_skeleton_hash(bank, clip); });
+      const mcpr_skeleton skeleton = rig.skeleton();
+      measure("mcpk_map_joints",
+              [&] { return mcpk_map_joints(bank, clip, &skeleton, rig.map.data(), &rig.gaps); });
       sample(cooked);
       continue;
     }
@@ -272,6 +432,9 @@ void use_bank(Block& file) {
 }  // namespace
 
 int main(int count, char** arguments) {
+  use("mcpr_default_limits", [] { return mcpr_default_limits().frames; });
+  use("mcpr_status_message", [] { return mcpr_status_message(MCPR_DAMAGED); });
+  use("mcpr_path_exists", [] { return mcpr_path_exists(MCPR_PATH_AVX2); });
   for (int i = 1; i < count; ++i) {
     std::ifstream stream(arguments[i], std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
