@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -13,8 +14,10 @@
 #include "app/cli/report.h"
 #include "app/cli/terminal.h"
 #include "core/base/file.h"
+#include "core/base/number_text.h"
 #include "core/base/utf8_path.h"
 #include "core/codec/decode/track_decoding.h"
+#include "core/codec/format/byte_costs.h"
 #include "core/codec/format/container.h"
 #include "core/codec/format/source_section.h"
 #include "core/codec/methods/compared_file.h"
@@ -108,43 +111,88 @@ Json describe_tiers(std::span<const std::byte> file) {
   return described;
 }
 
-Json describe_compressed(const std::string& path) {
+/// The bytes by joint and by second, and what else is in the file.
+Json describe_bytes(std::span<const std::byte> file, const CompressedClip& clip) {
+  const int second = std::max(1, static_cast<int>(std::lround(clip.sample_rate_hz)));
+  const ByteCosts costs = byte_costs(file, second);
+  const Eigen::RowVectorXd of_joints = costs.by_joint();
+  const Eigen::VectorXd of_seconds = costs.by_slice();
+  Json described = {{"frames_per_second", second}};
+  described["joints"] = Json::array();
+  for (int j = 0; j < clip.skeleton.joint_count(); ++j)
+    described["joints"].push_back(
+        {{"joint", clip.skeleton.joint(j).name}, {"bytes", of_joints(j)}});
+  described["seconds"] = std::vector(of_seconds.begin(), of_seconds.end());
+  described["rest"] = Json::array();
+  for (const ByteCosts::Part& part : costs.rest)
+    described["rest"].push_back({{"part", part.name}, {"bytes", part.bytes}});
+  return described;
+}
+
+/// A table with the dearest joints first.
+void print_bytes(const Json& bytes) {
+  const auto row = [](const std::string& name, const Json& value) {
+    std::printf("    %-24s %10s\n", printable(name).c_str(),
+                fixed_text(value.get<double>(), 1).c_str());
+  };
+  std::vector<std::pair<double, std::string>> joints;
+  for (const Json& one : bytes["joints"])
+    joints.emplace_back(one["bytes"].get<double>(), one["joint"].get<std::string>());
+  std::stable_sort(joints.begin(), joints.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::printf("  bytes by joint\n");
+  for (const auto& [cost, name] : joints) row(name, cost);
+  std::printf("  bytes by second\n");
+  for (std::size_t s = 0; s < bytes["seconds"].size(); ++s)
+    row(std::to_string(s) + " s", bytes["seconds"][s]);
+  std::printf("  bytes of no joint\n");
+  for (const Json& one : bytes["rest"]) row(one["part"].get<std::string>(), one["bytes"]);
+}
+
+Json describe_compressed(const std::string& path, bool with_bytes) {
   const OpenedMcpr opened = open_mcpr(utf8_path(path));
   const std::vector<std::byte> bytes = read_bytes(utf8_path(path));
   const CompressedClip& clip = opened.compressed;
   const auto of_wavelets = [&](const Json& value) { return opened.of_wavelets ? value : Json(); };
   const int channels = clip.skeleton.channel_count();
   const double raw = 4.0 * clip.frames * channels;
-  return {{"input", path},
-          {"joints", clip.skeleton.joint_count()},
-          {"channels", channels},
-          {"frames", clip.frames},
-          {"sample_rate_hz", clip.sample_rate_hz},
-          {"seconds", clip.frames / clip.sample_rate_hz},
-          {"loop", name(clip.loop)},
-          {"raw_bytes", raw},
-          {"motion_bytes", clip.motion_bytes()},
-          {"file_bytes", bytes.size()},
-          {"ratio", raw / static_cast<double>(std::max<std::size_t>(clip.motion_bytes(), 1))},
-          {"method", opened.method},
-          {"basis", of_wavelets(name(clip.basis))},
-          {"coding", of_wavelets(name(clip.coding))},
-          {"segments", of_wavelets(clip.segment_layout().count())},
-          {"tiers", describe_tiers(bytes)},
-          {"weighting", name(clip.provenance.weighting)},
-          {"seed", of_wavelets(clip.provenance.seed)},
-          {"eps_x_cm", clip.provenance.eps_cm},
-          {"max_error_cm", clip.provenance.max_error_cm},
-          {"source", describe(load_source(utf8_path(path)))},
-          {"tracks", describe_tracks(tracks_of(bytes))},
-          {"track_bytes", track_bytes_of(bytes)},
-          {"bvh_names", describe_bvh_names(clip.skeleton)}};
+  Json described = {
+      {"input", path},
+      {"joints", clip.skeleton.joint_count()},
+      {"channels", channels},
+      {"frames", clip.frames},
+      {"sample_rate_hz", clip.sample_rate_hz},
+      {"seconds", clip.frames / clip.sample_rate_hz},
+      {"loop", name(clip.loop)},
+      {"raw_bytes", raw},
+      {"motion_bytes", clip.motion_bytes()},
+      {"file_bytes", bytes.size()},
+      {"ratio", raw / static_cast<double>(std::max<std::size_t>(clip.motion_bytes(), 1))},
+      {"method", opened.method},
+      {"basis", of_wavelets(name(clip.basis))},
+      {"coding", of_wavelets(name(clip.coding))},
+      {"segments", of_wavelets(clip.segment_layout().count())},
+      {"tiers", describe_tiers(bytes)},
+      {"weighting", name(clip.provenance.weighting)},
+      {"seed", of_wavelets(clip.provenance.seed)},
+      {"eps_x_cm", clip.provenance.eps_cm},
+      {"max_error_cm", clip.provenance.max_error_cm},
+      {"source", describe(load_source(utf8_path(path)))},
+      {"tracks", describe_tracks(tracks_of(bytes))},
+      {"track_bytes", track_bytes_of(bytes)},
+      {"bvh_names", describe_bvh_names(clip.skeleton)}};
+  if (with_bytes) described["bytes"] = describe_bytes(bytes, clip);
+  return described;
 }
 
 void print_lines(const Json& description) {
   std::printf("%s\n", printable(description["input"].get<std::string>()).c_str());
   for (const auto& [key, value] : description.items()) {
     if (key == "input" || key == "warnings" || key == "bvh_names") continue;
+    if (key == "bytes") {
+      print_bytes(value);
+      continue;
+    }
     if (key == "tiers") {
       for (const Json& tier : value)
         std::printf("  %-16s %s bytes, eps_x %s cm\n", "tier", dumped(tier["file_bytes"]).c_str(),
@@ -166,6 +214,7 @@ void add_info(CLI::App& app) {
   struct Info {
     std::vector<std::string> files;
     MotionInput source;
+    bool bytes = false;
     bool json = false;
   };
   CLI::App* command = app.add_subcommand("info", "Describe the contents of files");
@@ -174,12 +223,14 @@ void add_info(CLI::App& app) {
       ->required()
       ->type_name("FILE...");
   call->source.add_options(*command);
+  command->add_flag("--bytes", call->bytes,
+                    "Divide the bytes of .mcpr files by joint and by second");
   command->add_flag("--json", call->json, "Print a JSON array, one object a file");
   command->callback([call] {
     Json all = Json::array();
     for (const std::string& path : call->files) {
       if (is_mcpr(path)) {
-        all.push_back(describe_compressed(path));
+        all.push_back(describe_compressed(path, call->bytes));
       } else {
         all.push_back(describe_motion(path, call->source.read_file(path)));
       }

@@ -83,7 +83,8 @@ struct ValueSources {
 /// refuse(), called when a number that was read is out of bounds; and failed(): when true, nothing
 /// that was read is of use. Values that are read replace those in `coded`, which must be zeros
 /// before. A `Bits` with note(BitSources, bool) or note(ValueSources) is told what each bit or
-/// value was predicted from.
+/// value was predicted from. A `Bits` with about(signal, band, value) is told whose bits follow,
+/// with a value of -1 for those of a whole band or signal.
 template <typename Bits>
 class CoefficientCoder {
  public:
@@ -231,6 +232,10 @@ class CoefficientCoder {
     }
   }
 
+  void about(int signal, int band, int value) {
+    if constexpr (requires { bits_.about(signal, band, value); }) bits_.about(signal, band, value);
+  }
+
   /// Half octaves of v > 0, rounded down.
   static int half_octaves_of(float v) {
     return static_cast<int>(bit_pattern<std::uint32_t>(v) >> 22) - 2 * 127;
@@ -328,6 +333,7 @@ void CoefficientCoder<Bits>::code_step_exponents() {
     const int model = mirrored ? neighbours.mirror : s - 1;
     const int expected = model < 0 ? 0 : coded_.step_exponent[model];
     std::int32_t& step_exponent = coded_.step_exponent[s];
+    about(s, 0, -1);
     before = code_signed(step_exponent - expected, mirrored ? 1 : 0,
                          {neighbours.sibling == s - 1 ? 1 : 0, std::min(std::abs(before), 15),
                           8 + std::clamp(before, -7, 7), 0});
@@ -355,6 +361,7 @@ void CoefficientCoder<Bits>::code_coarse(int s) {
     const int kind = (i == 0 ? 2 : 3) + (s < 3 ? 2 : 0);
     const int second = i == 0 ? size(neighbours.sibling, 0) : i == 1 ? 0 : size(s, i - 1);
     std::int32_t& value = own[i];
+    about(s, 0, i);
     value = before + code_signed(value - before, kind,
                                  {size(neighbours.mirror, i), second, size(s - 1, i), step_depth});
     if (std::abs(value) > kMostSteps) bits_.refuse();
@@ -364,6 +371,7 @@ void CoefficientCoder<Bits>::code_coarse(int s) {
 /// True if a signal has anything but zeros in a band.
 template <typename Bits>
 bool CoefficientCoder<Bits>::code_significance(int b, int s, int density) {
+  about(s, b, -1);
   const Band& band = bands_[b];
   const SignalNeighbours& neighbours = neighbours_[s];
   const int level = std::min(bands_.count - 1 - b, kLevels - 1);
@@ -421,6 +429,7 @@ void CoefficientCoder<Bits>::code_band(int b, int s) {
   const Columns band = columns_of(b, s, density);
   recent_ = 0;
   for (int i = 0; i < band.size && !bits_.failed(); ++i) {
+    about(s, b, i);
     const Around around = band.around(i);
     const ExpectedScale scale = expected_scale(band, i, around);
     const Predicted predicted = predict(band, i, around, scale.inverse);

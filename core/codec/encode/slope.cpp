@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "core/codec/encode/slope.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/metrics/rate.h"
+#include "core/motion/body_part.h"
+
+namespace mocapress {
+namespace {
+
+/// The joints beside some others.
+std::vector<int> rest_of(const Skeleton& skeleton, const std::vector<int>& joints) {
+  std::vector<int> rest;
+  for (int j = 0; j < skeleton.joint_count(); ++j)
+    if (std::find(joints.begin(), joints.end(), j) == joints.end()) rest.push_back(j);
+  return rest;
+}
+
+/// Raises what is promised of body parts that have any of the joints.
+void raise_promises(const Skeleton& skeleton, const std::vector<int>& joints, double times,
+                    Promises& promises) {
+  constexpr std::pair<BodyPart, std::optional<double> Promises::*> kOfParts[] = {
+      {BodyPart::Head, &Promises::head_degrees},
+      {BodyPart::Hands, &Promises::hand_degrees},
+      {BodyPart::Fingers, &Promises::finger_degrees}};
+  for (const auto& [part, promise] : kOfParts) {
+    const std::vector<int> of_part = joints_of(skeleton, part);
+    const bool concerned = std::any_of(of_part.begin(), of_part.end(), [&](int joint) {
+      return std::find(joints.begin(), joints.end(), joint) != joints.end();
+    });
+    if (concerned && promises.*promise) *(promises.*promise) *= times;
+  }
+}
+
+/// A target of the kind that was asked for, which the encoding meets.
+Target target_met(Target::Kind kind, const Clip& clip, const Standing& standing) {
+  switch (kind) {
+    case Target::Kind::Ratio:
+    case Target::Kind::CoefficientRatio:
+      return {Target::Kind::Ratio,
+              compression_ratio(clip, static_cast<std::size_t>(standing.bytes))};
+    case Target::Kind::Size:
+      return {Target::Kind::Size, standing.bytes};
+    default:
+      return {Target::Kind::Error, standing.eps_cm};
+  }
+}
+
+Standing encoded(const Encoder& encoder, const EncodeSettings& settings,
+                 const Observer<EncodeProgress>& observer) {
+  const Encoding encoding = encoder.encode(settings, observer);
+  return standing_of(encoder.motion().skeleton, encoding.distortion, settings.weighting,
+                     encoding.compressed.motion_bytes());
+}
+
+}  // namespace
+
+double Standing::cm_of(const std::vector<int>& joints) const {
+  if (joints.empty()) return 0;
+  double squares = 0;
+  for (const int joint : joints) squares += joints_cm(joint) * joints_cm(joint);
+  return std::sqrt(squares / static_cast<double>(joints.size()));
+}
+
+Standing standing_of(const Skeleton& skeleton, const Distortion& distortion, Weighting weighting,
+                     std::size_t motion_bytes) {
+  Standing standing{static_cast<double>(motion_bytes), distortion.eps(weighting),
+                    Eigen::ArrayXd::Zero(skeleton.joint_count())};
+  const std::vector<Landmark> points = landmarks(skeleton);
+  Eigen::ArrayXd counts = Eigen::ArrayXd::Zero(skeleton.joint_count());
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const auto column = distortion.distances.col(static_cast<Eigen::Index>(p)).cast<double>();
+    standing.joints_cm(points[p].joint) += column.squaredNorm();
+    counts(points[p].joint) += static_cast<double>(column.size());
+  }
+  standing.joints_cm = (standing.joints_cm / counts.max(1)).sqrt();
+  return standing;
+}
+
+Slope relax(const Encoder& encoder, const EncodeSettings& settings, const Standing& now,
+            const std::vector<int>& joints, double times,
+            const Observer<EncodeProgress>& observer) {
+  const Skeleton& skeleton = encoder.motion().skeleton;
+  Slope slope{settings, {}};
+  slope.settings.figures_only = slope.settings.size_will_do = false;
+  std::vector<double>& weights = slope.settings.importance.joints;
+  weights.resize(static_cast<std::size_t>(skeleton.joint_count()), 1);
+  for (const int joint : joints) weights[static_cast<std::size_t>(joint)] /= times * times;
+  raise_promises(skeleton, joints, times, slope.settings.promises);
+
+  slope.settings.target = {Target::Kind::Error, now.eps_cm};
+  EncodeSettings draft = slope.settings;
+  draft.effort = Effort::Draft;
+  const std::vector<int> others = rest_of(skeleton, joints);
+  const double nearer = encoded(encoder, draft, observer).cm_of(others);
+  if (nearer > 0) slope.settings.target.value *= std::clamp(now.cm_of(others) / nearer, 1.0, times);
+  slope.standing = encoded(encoder, slope.settings, observer);
+  slope.settings.target =
+      settings.target.kind == Target::Kind::Error
+          ? slope.settings.target
+          : target_met(settings.target.kind, encoder.motion().clip, slope.standing);
+  return slope;
+}
+
+Slope resize(const Encoder& encoder, const EncodeSettings& settings, const Standing& now,
+             double times, const Observer<EncodeProgress>& observer) {
+  Slope slope{settings, {}};
+  slope.settings.figures_only = slope.settings.size_will_do = false;
+  slope.settings.target = {Target::Kind::Size, std::floor(now.bytes * times)};
+  slope.standing = encoded(encoder, slope.settings, observer);
+  slope.settings.target = target_met(settings.target.kind, encoder.motion().clip, slope.standing);
+  return slope;
+}
+
+}  // namespace mocapress
