@@ -56,6 +56,7 @@ struct Compress {
   CorrectionArguments correction;
   ContactInput contacts;
   ImportanceArguments importance;
+  SightArguments sight;
   int tiers = 1;
   bool json = false;
 
@@ -64,6 +65,7 @@ struct Compress {
     Settings asked = settings;
     if (!correction.ratio.empty()) asked.correction = correction.settings();
     asked.importance = importance.named();
+    asked.limits = sight.read(asked.limits);
     if (effort != Effort::Draft) asked.effort = effort;
     return asked;
   }
@@ -125,7 +127,9 @@ struct Compress {
     made.file = with_tiers(made.file, tiers, [&](std::span<const std::byte> mcpr, int first) {
       return tier_error(encoder.wavelets(), mcpr, first, options.weighting);
     });
-    Verification found = write(made.file, encoder.wavelets(), *options.contacts);
+    Verification found =
+        write(made.file, encoder.wavelets(),
+              {.contacts = *options.contacts, .motion = !review.empty(), .limits = options.limits});
     made.decoded = std::move(found.decoded);
     const Report report{
         .input = input,
@@ -165,8 +169,7 @@ struct Compress {
 
   /// Writes the file and measures it as read back from the disk, before it replaces an older one.
   Verification write(const std::vector<std::byte>& file, const Encoder& original,
-                     const std::vector<ContactSpan>& spans) const {
-    const VerificationRequest request{.contacts = spans, .motion = !review.empty()};
+                     const VerificationRequest& request) const {
     if (output.empty() || writes_stream()) {
       Verification found = verify(file, original, request);
       if (writes_stream())
@@ -218,6 +221,7 @@ void add_compress(CLI::App& app) {
   call->correction.add_options(*command);
   call->contacts.add_options(*command);
   call->importance.add_options(*command);
+  call->sight.add_options(*command);
   add_range_option(*command, call->settings.ranges);
   command
       ->add_option("--effort", call->effort,

@@ -6,6 +6,7 @@
 #include "app/cli/contacts.h"
 #include "app/cli/motion_input.h"
 #include "app/cli/report.h"
+#include "app/cli/sight_arguments.h"
 #include "core/base/file.h"
 #include "core/base/utf8_path.h"
 #include "core/codec/methods/compared_file.h"
@@ -19,6 +20,7 @@ struct Measure {
   std::string compressed;
   MotionInput source;
   ContactInput contact_input;
+  SightArguments sight;
   bool json = false;
 
   void run() const {
@@ -52,7 +54,8 @@ struct Measure {
   Comparison compared(const Motion& motion, const Clip& decoded,
                       const std::vector<ContactSpan>& contacts) const {
     try {
-      return compare(motion, body_tracks(motion.skeleton, motion.clip), decoded, contacts);
+      return compare(motion, body_tracks(motion.skeleton, motion.clip), decoded, contacts,
+                     sight.read());
     } catch (const Error& error) {
       throw InputError(compressed, 0, 0, error.what());
     }
@@ -74,6 +77,7 @@ void add_measure(CLI::App& app) {
   call->source.add_character_option(*command);
   call->source.add_tracks_option(*command);
   call->contact_input.add_options(*command);
+  call->sight.add_options(*command);
   command->add_flag("--json", call->json, "Print one JSON object");
   command->callback([call] { call->run(); });
 }

@@ -161,11 +161,11 @@ void add_target_options(CLI::App& command, const std::string& title,
   targets
       ->add_option_function<Sight>(
           "--target",
-          [choose](const Sight&) {
-            choose({Target::Kind::Visibility, 1});
+          [choose](const Sight& sight) {
+            choose({Target::Kind::Visibility, sight == Sight::Borderline ? noticed::kVisible : 1});
           },
-          "Smallest file whose errors people do not notice")
-      ->transform(one_of({Sight::NotVisible}));
+          "Smallest file whose errors people do not notice, or hardly do")
+      ->transform(one_of({Sight::NotVisible, Sight::Borderline}));
 }
 
 void PresetArguments::add_options(CLI::App& command) {
@@ -187,6 +187,7 @@ void PresetArguments::add_options(CLI::App& command) {
                      [this](const Target& asked) { target = asked; });
   correction.add_options(command);
   importance.add_options(command);
+  sight.add_options(command);
   command
       .add_option("--effort", effort,
                   "Search effort of the closed loop: best is a little smaller and slower [default]")
@@ -219,6 +220,7 @@ Settings PresetArguments::read() const {
   if (seed) read.seed = *seed;
   if (!correction.ratio.empty()) read.correction = correction.settings();
   if (!importance.words.empty()) read.importance = importance.named();
+  read.limits = sight.read(read.limits);
   if (effort) read.effort = *effort;
   if (ends) read.ends = *ends;
   if (loop) read.loop = *loop;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/sight_arguments.h"
 #include "core/codec/encode/options/importance.h"
 #include "core/mocapress/settings.h"
 
@@ -56,8 +57,9 @@ struct PresetArguments {
   std::optional<Effort> effort;
   std::optional<Ends> ends;
   std::optional<Loop> loop;
-  ImportanceArguments importance;      // replaces the preset's importances if any is named
+  ImportanceArguments importance;  // replaces the preset's importances if any is named
   CorrectionArguments correction;
+  SightArguments sight;
 
   void add_options(CLI::App& command);
 

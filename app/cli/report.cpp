@@ -34,6 +34,7 @@ void print(const Visibility& seen, const Skeleton& skeleton) {
   std::cerr << "  visibility: "
             << (seen.sight() == Sight::NotVisible ? "not visible" : name(seen.sight()))
             << (why.empty() ? "" : ": ") << why << '\n'
+            << "  not noticed beyond " << significant_text(seen.unnoticed_from_m, 2) << " m\n"
             << "  velocity error " << fixed_text(seen.velocity_error, 2) << " cm/s (RMS)";
   if (seen.jitter_ratio)
     std::cerr << ", jitter " << fixed_text(*seen.jitter_ratio, 2) << " of the original's";

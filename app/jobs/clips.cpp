@@ -9,7 +9,6 @@
 
 #include "core/base/file.h"
 #include "core/base/staged_file.h"
-#include "core/report/review_clip.h"
 #include "core/batch/verification.h"
 #include "core/codec/decode/decoder.h"
 #include "core/codec/format/container.h"
@@ -17,6 +16,7 @@
 #include "core/metrics/rate.h"
 #include "core/motion/forward_kinematics.h"
 #include "core/motion/skin_points.h"
+#include "core/report/review_clip.h"
 #include "core/report/review_page.h"
 
 namespace mocapress {
@@ -60,7 +60,7 @@ void complete(DecodedClip& decoded) {
 }
 
 void findArtifacts(DecodedClip& decoded, const Encoder& encoder,
-                   const std::vector<ContactSpan>& contacts) {
+                   const std::vector<ContactSpan>& contacts, const SightLimits& limits = {}) {
   const auto measure = [&](const Eigen::MatrixXd& tracks) {
     return measure_footskate(contacts, encoder.original_tracks(), tracks,
                              decoded.clip.sample_rate_hz);
@@ -69,7 +69,7 @@ void findArtifacts(DecodedClip& decoded, const Encoder& encoder,
   if (!decoded.visibility)
     decoded.visibility = measure_visibility(encoder.motion().skeleton, encoder.original_body(),
                                             body_tracks(encoder.motion().skeleton, decoded.clip),
-                                            decoded.clip.sample_rate_hz, contacts);
+                                            decoded.clip.sample_rate_hz, contacts, limits);
   decoded.glitches = find_glitches(encoder.original_tracks(), *decoded.tracks);
   if (decoded.uncorrected_tracks)
     decoded.uncorrected_footskate = measure(*decoded.uncorrected_tracks);
@@ -119,7 +119,8 @@ DecodedPtr decodedClip(Encoding encoding, const Encoder& encoder, const EncodeSe
   decoded.complete = encoding.complete;
   decoded.effort = options.effort;
   complete(decoded);
-  findArtifacts(decoded, encoder, options.contacts ? *options.contacts : encoder.contacts());
+  findArtifacts(decoded, encoder, options.contacts ? *options.contacts : encoder.contacts(),
+                options.limits);
   return std::make_shared<const DecodedClip>(std::move(decoded));
 }
 

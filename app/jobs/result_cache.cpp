@@ -25,6 +25,11 @@ std::string settingsKey(const EncodeSettings& options) {
   }
   for (const PromiseKey& promise : kPromiseKeys)
     key << ' ' << (options.promises.*promise.bound).value_or(0);
+  if (options.limits != SightLimits()) {
+    key << " limits " << options.limits.distance_m;
+    for (const CueLimit& limit : options.limits.of_cues)
+      key << ' ' << limit.least << ' ' << limit.share;
+  }
   if (const auto& correction = options.correction) {
     key << " ik " << static_cast<int>(correction->solver) << ' ' << static_cast<int>(correction->at)
         << ' ' << correction->ratio.value_or(0);

@@ -224,8 +224,8 @@ class Export {
     const bool asks_for_motion =
         std::any_of(batch_.formats.begin(), batch_.formats.end(),
                     [](OutputFormat format) { return format != OutputFormat::Mcpr; });
-    Verification found =
-        mocapress::verify(bytes, clip.encoder().wavelets(), {contacts, asks_for_motion});
+    Verification found = mocapress::verify(bytes, clip.encoder().wavelets(),
+                                           {contacts, asks_for_motion, preset_.limits});
     row_.verified_by = found.by;
     made.distortion = std::move(found.distortion);
     made.footskate = std::move(found.footskate);

@@ -65,7 +65,7 @@ class Verifier {
                                in_blocks ? Detail::Figures : Detail::Distances);
     FootskateMeter footskate(request_.contacts, motion_.clip.sample_rate_hz);
     VisibilityMeter visibility(motion_.skeleton, motion_.clip.frames(), motion_.clip.sample_rate_hz,
-                               request_.contacts);
+                               request_.contacts, request_.limits);
     const Eigen::Index on_bones = 3 * std::ssize(landmarks(motion_.skeleton));
     PosePoints wanted;
     PosePoints found;

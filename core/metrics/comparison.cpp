@@ -24,13 +24,14 @@ void require_same_shape(const Clip& original, const Clip& decoded) {
 }
 
 Comparison compare(const Motion& original, const Eigen::MatrixXd& original_body,
-                   const Clip& decoded, const std::vector<ContactSpan>& contacts) {
+                   const Clip& decoded, const std::vector<ContactSpan>& contacts,
+                   const SightLimits& limits) {
   require_same_shape(original.clip, decoded);
   const Eigen::MatrixXd body = body_tracks(original.skeleton, decoded);
   const double rate = original.clip.sample_rate_hz;
   return {measure(original.skeleton, original_body, body),
           measure_footskate(contacts, original_body, body, rate),
-          measure_visibility(original.skeleton, original_body, body, rate, contacts)};
+          measure_visibility(original.skeleton, original_body, body, rate, contacts, limits)};
 }
 
 }  // namespace mocapress

@@ -25,6 +25,7 @@ void require_same_shape(const Clip& original, const Clip& decoded);
 /// `original_body` is body_tracks() of the original, `contacts` are those of its feet. Throws like
 /// require_same_shape().
 Comparison compare(const Motion& original, const Eigen::MatrixXd& original_body,
-                   const Clip& decoded, const std::vector<ContactSpan>& contacts);
+                   const Clip& decoded, const std::vector<ContactSpan>& contacts,
+                   const SightLimits& limits = {});
 
 }  // namespace mocapress

@@ -47,10 +47,6 @@ Eigen::VectorXd shares(const Skeleton& skeleton) {
   return Eigen::VectorXd::Constant(shares.size(), 1.0 / static_cast<double>(shares.size()));
 }
 
-double noticed_velocity(double speed) {
-  return std::max(noticed::kLeastVelocity, noticed::kShareOfSpeed * speed);
-}
-
 void raise(std::optional<double>& most, double value) {
   most = std::max(most.value_or(0), value);
 }
@@ -69,25 +65,6 @@ std::string_view name(Sight sight) {
   return "";
 }
 
-std::string_view name(Cue cue) {
-  constexpr std::string_view kNames[] = {"velocity", "place",  "jitter", "slide", "lift",
-                                         "floor",    "flight", "head",   "hand"};
-  return kNames[static_cast<std::size_t>(cue)];
-}
-
-std::string_view unit(Cue cue) {
-  switch (cue) {
-    case Cue::Velocity:
-    case Cue::Flight:
-      return "cm/s";
-    case Cue::Head:
-    case Cue::Hand:
-      return "degrees";
-    default:
-      return "cm";
-  }
-}
-
 std::string reason(const WorstSight& worst, const Skeleton& skeleton) {
   if (worst.value == 0) return "";
   const std::string of_unit = ' ' + std::string(unit(worst.cue));
@@ -98,7 +75,8 @@ std::string reason(const WorstSight& worst, const Skeleton& skeleton) {
 
 Seen seen_in(const Visibility& visibility, const Skeleton& skeleton) {
   const WorstSight& worst = visibility.worst();
-  return {worst.times_noticed(), visibility.visible_share, reason(worst, skeleton)};
+  return {worst.times_noticed(), visibility.visible_share, reason(worst, skeleton),
+          visibility.unnoticed_from_m};
 }
 
 const WorstSight& Visibility::worst() const {
@@ -139,10 +117,11 @@ Eigen::ArrayXd SightTable::by_joint() const {
 
 VisibilityMeter::VisibilityMeter(const Skeleton& skeleton, int frames, double sample_rate_hz,
                                  const std::vector<ContactSpan>& contacts,
-                                 const Jitter* original_jitter)
+                                 const SightLimits& limits, const Jitter* original_jitter)
     : skeleton_(skeleton),
       frames_(frames),
       sample_rate_hz_(sample_rate_hz),
+      limits_(limits),
       points_(landmarks(skeleton)),
       shares_(shares(skeleton)),
       reaches_(reaches(skeleton, points_)),
@@ -235,7 +214,7 @@ void VisibilityMeter::finish_window() {
     raise(is_head ? seen_.worst_head : seen_.worst_hand, degrees);
     see(seen_, window_,
         {is_head ? Cue::Head : Cue::Hand, is_head ? heads_[head] : hands_[head - heads_.size()],
-         middle_of(window_), degrees, is_head ? noticed::kHead : noticed::kHand});
+         middle_of(window_), degrees});
   }
   squared_turns_.setZero();
   ++window_;
@@ -247,7 +226,7 @@ void VisibilityMeter::compare_places(const Both& now) {
     const double off = (now.decoded.points.col(p) - now.original.points.col(p) - body).norm();
     see(seen_, window_,
         {Cue::Place, points_[static_cast<std::size_t>(p)].joint, middle_of(window_), off,
-         std::max(noticed::kLeastPlace, noticed::kShareOfReach * reaches_(p))});
+         reaches_(p)});
   }
 }
 
@@ -261,7 +240,7 @@ void VisibilityMeter::compare_velocities(const Both& first, const Both& before, 
     squared_velocities_ += error * error;
     ++velocities_;
     seen_.worst_velocity_error = std::max(seen_.worst_velocity_error, error);
-    const WorstSight what = {Cue::Velocity, joint, frame, error, noticed_velocity(way / seconds)};
+    const Deviation what = {Cue::Velocity, joint, frame, error, way / seconds};
     for (int window = std::max(window_ - 2, 0); window <= window_; ++window)
       see(seen_, window, what);
   };
@@ -302,17 +281,18 @@ void VisibilityMeter::compare_flight(const Both& first, const Both& before, cons
   const Eigen::Vector2d level(error.x(), error.z());
   const double speed = along.norm();
   const double added = speed > kWay ? level.dot(along) / speed : level.norm();
-  const double least = noticed::kFlightOfVelocity * noticed_velocity(speed);
-  const auto compare = [&](double value, double noticed_from) {
+  const auto compare = [&](double value, double easier) {
     raise(seen_.flight_error, value);
     for (int window = window_ - 2; window <= window_; ++window)
-      see(seen_, window, {Cue::Flight, 0, middle_of(window_ - 1), value, noticed_from});
+      see(seen_, window, {Cue::Flight, 0, middle_of(window_ - 1), value, speed, easier});
   };
-  compare(std::abs(added), added > 0 ? least : noticed::kFlightEasier * least);
-  compare(std::abs(error.y()), noticed::kFlightEasier * least);
+  compare(std::abs(added), added > 0 ? 1 : noticed::kFlightEasier);
+  compare(std::abs(error.y()), noticed::kFlightEasier);
 }
 
-void VisibilityMeter::see(Visibility& seen, int window, WorstSight what) {
+void VisibilityMeter::see(Visibility& seen, int window, const Deviation& error) const {
+  const WorstSight what = {error.cue, error.joint, error.frame, error.value,
+                           error.easier * limits_.noticed_from(error.cue, error.own)};
   const auto times = static_cast<float>(what.times_noticed());
   float& most = seen.table.times_noticed(window, what.joint);
   if (times > most) {
@@ -322,6 +302,9 @@ void VisibilityMeter::see(Visibility& seen, int window, WorstSight what) {
   }
   WorstSight& worst = seen.worst_of[static_cast<std::size_t>(what.cue)];
   if (what.times_noticed() > worst.times_noticed()) worst = what;
+  seen.unnoticed_from_m =
+      std::max(seen.unnoticed_from_m,
+               limits_.unnoticed_from(error.cue, error.own, error.value / error.easier));
 }
 
 void VisibilityMeter::see_jitter(Visibility& seen) const {
@@ -340,8 +323,8 @@ void VisibilityMeter::see_jitter(Visibility& seen) const {
       const double own = mean(original_jitter());
       const double added = mean(decoded_jitter_) - own;
       if (added <= 0) continue;
-      const WorstSight what = {Cue::Jitter, j, seen.table.first_frame(window), std::sqrt(added),
-                               std::max(noticed::kJitter, noticed::kJitterShare * std::sqrt(own))};
+      const Deviation what = {Cue::Jitter, j, seen.table.first_frame(window), std::sqrt(added),
+                              std::sqrt(own)};
       see(seen, before, what);
       see(seen, window, what);
     }
@@ -358,8 +341,8 @@ void VisibilityMeter::see_contacts(Visibility& seen) const {
     const int frame = (span.first_frame + span.last_frame) / 2;
     for (int window = seen.table.window_of(span.first_frame);
          window <= seen.table.window_of(span.last_frame); ++window) {
-      see(seen, window, {Cue::Slide, joint, frame, contact.slide_cm, noticed::kSlide});
-      see(seen, window, {Cue::Lift, joint, frame, contact.lift_cm, noticed::kLift});
+      see(seen, window, {Cue::Slide, joint, frame, contact.slide_cm});
+      see(seen, window, {Cue::Lift, joint, frame, contact.lift_cm});
     }
   }
 }
@@ -370,7 +353,7 @@ void VisibilityMeter::see_floor(Visibility& seen) const {
       const double depth = static_cast<float>(floor_) - lowest_(window, j);
       if (depth <= 0) continue;
       seen.floor_depth = std::max(seen.floor_depth, depth);
-      see(seen, window, {Cue::Floor, j, middle_of(window), depth, noticed::kDepth});
+      see(seen, window, {Cue::Floor, j, middle_of(window), depth});
     }
 }
 
@@ -397,9 +380,9 @@ Jitter jitter_of(const Skeleton& skeleton, const TrackRows& tracks, double sampl
 
 Visibility measure_visibility(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
                               const Eigen::MatrixXd& decoded_tracks, double sample_rate_hz,
-                              const std::vector<ContactSpan>& contacts) {
+                              const std::vector<ContactSpan>& contacts, const SightLimits& limits) {
   VisibilityMeter meter(skeleton, static_cast<int>(original_tracks.rows()), sample_rate_hz,
-                        contacts);
+                        contacts, limits);
   meter.add(0, original_tracks, decoded_tracks);
   return meter.visibility();
 }

@@ -1,16 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Based on:
-// B. De Bruyn and G. A. Orban, "Human velocity and direction discrimination measured with random
-// dot patterns", 1988: speeds that differ by 7 % are told apart, from 4 degrees a second on;
-// P. S. A. Reitsma and N. S. Pollard, "Perceptual metrics for character animation: sensitivity to
-// errors in ballistic motion", 2003: errors along the ground are seen sooner than vertical ones,
-// added acceleration sooner than removed one (their own figures were not at hand);
-// M. Prazak, L. Hoyet and C. O'Sullivan, "Perceptual evaluation of footskate cleanup", 2011: feet
-// that slide by less than 2.1 cm are noticed in most conditions;
-// J. Harrison, R. A. Rensink and M. van de Panne, "Obscuring length changes during animated
-// motion", 2004: limbs that change by 3 % of their length are noticed where viewers look;
-// H. R. Wilson, F. Wilkinson, L. M. Lin and M. Castillo, "Perception of head orientation", 2000:
-// heads 1.9 degrees apart are told apart.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,6 +11,7 @@
 
 #include "core/metrics/jitter.h"
 #include "core/metrics/moved_contacts.h"
+#include "core/metrics/sight_limits.h"
 #include "core/motion/landmarks.h"
 
 namespace mocapress {
@@ -33,48 +22,13 @@ enum class Sight { NotVisible, Borderline, Visible };
 /// "not-visible", "borderline", "visible".
 std::string_view name(Sight sight);
 
-/// The cue by which an error is seen.
-enum class Cue : std::uint8_t {
-  Velocity,  // a joint moves about the body, or the body through the world, at another velocity
-  Place,     // a joint is elsewhere relative to the body, as if limbs had other lengths
-  Jitter,    // a joint trembles more than in the original
-  Slide,     // a standing foot slides
-  Lift,      // a standing foot floats
-  Floor,     // a joint is below the floor
-  Flight,    // an airborne body follows another path
-  Head,      // the head is turned
-  Hand,      // a hand is turned
-};
-
-inline constexpr std::size_t kCues = 9;
-
-/// "velocity", "place", "jitter", "slide", "lift", "floor", "flight", "head", "hand".
-std::string_view name(Cue cue);
-
-/// "cm/s", "cm" or "degrees".
-std::string_view unit(Cue cue);
-
-/// Thresholds above which errors are noticed. Places are compared in means over kWindowSeconds:
-/// anything shorter is seen as trembling, if at all. Velocities are compared in means over two such
-/// windows. The viewer is five metres from the figure (our choice), so that 1 cm is 7 minutes of
-/// arc. "Ours" marks thresholds that no study gives.
+/// The rest of how errors are judged, beside SightLimits. Places are compared in means over
+/// kWindowSeconds: anything shorter is seen as trembling, if at all. Velocities are compared in
+/// means over two such windows.
 namespace noticed {
 inline constexpr double kWindowSeconds = 0.1;  // ours
-inline constexpr double kShareOfSpeed = 0.07;  // De Bruyn and Orban
-inline constexpr double kLeastVelocity = 2.4;  // cm/s: their 7 % of 4 degrees/s at five metres
-inline constexpr double kShareOfReach = 0.03;  // Harrison et al., share of the way from the root
-inline constexpr double kLeastPlace = 1;       // cm, ours
-inline constexpr double kSlide = 1.05;  // cm: half the distance at which Prazak et al. saw it
-inline constexpr double kLift = 1;      // cm, ours
-inline constexpr double kDepth = 1;     // cm, ours
-// Factor on the velocity threshold in the air: ours.
-inline constexpr double kFlightOfVelocity = 0.5;
 // Factor for slower or vertical flight: Reitsma and Pollard; its use: ours.
 inline constexpr double kFlightEasier = 2;
-inline constexpr double kHead = 1.9;       // degrees, Wilson et al.
-inline constexpr double kHand = 3.8;       // degrees, ours: twice the head's
-inline constexpr double kJitter = 0.1;     // cm RMS, ours: seven tenths of a minute of arc
-inline constexpr double kJitterShare = 1;  // share of the original's own jitter, ours
 inline constexpr double kVisible = 2;  // factor above noticed from which errors are visible, ours
 }  // namespace noticed
 
@@ -131,7 +85,8 @@ struct Visibility {
   std::optional<double> flight_error;     // cm/s; unset: the body is never in the air
   std::optional<double> worst_head;       // degrees; unset: no joint has such a name
   std::optional<double> worst_hand;
-  double visible_share = 0;  // share of the frames
+  double visible_share = 0;     // share of the frames
+  double unnoticed_from_m = 0;  // distance of the viewer from which nothing is noticed
   SightTable table;
 
   const WorstSight& worst() const;
@@ -144,9 +99,10 @@ std::string reason(const WorstSight& worst, const Skeleton& skeleton);
 
 /// The verdict without the table.
 struct Seen {
-  double times_noticed = 0;  // the worst error's
-  double visible_share = 0;  // share of the frames
-  std::string reason;        // the text from reason()
+  double times_noticed = 0;     // the worst error's
+  double visible_share = 0;     // share of the frames
+  std::string reason;           // the text from reason()
+  double unnoticed_from_m = 0;  // distance from which nothing is noticed
 
   Sight sight() const { return sight_of(times_noticed); }
   bool operator==(const Seen&) const = default;
@@ -161,7 +117,7 @@ class VisibilityMeter {
   /// Takes clips of `frames` frames and the contacts of the original's feet. `original_jitter`, if
   /// known, is jitter_of() of the original and must outlive this.
   VisibilityMeter(const Skeleton& skeleton, int frames, double sample_rate_hz,
-                  const std::vector<ContactSpan>& contacts,
+                  const std::vector<ContactSpan>& contacts, const SightLimits& limits = {},
                   const Jitter* original_jitter = nullptr);
 
   /// Adds rows of body_tracks() of both clips, starting at first_frame.
@@ -188,7 +144,17 @@ class VisibilityMeter {
   void compare_velocities(const Both& first, const Both& before, const Both& now);
   void compare_flight(const Both& first, const Both& before, const Both& now);
   void add_turns(const TrackRows& original, const TrackRows& decoded);
-  static void see(Visibility& seen, int window, WorstSight what);
+
+  /// An error to be judged. `own` is what the limit is a share of; a limit counts `easier` times.
+  struct Deviation {
+    Cue cue;
+    int joint;
+    int frame;
+    double value;
+    double own = 0;
+    double easier = 1;
+  };
+  void see(Visibility& seen, int window, const Deviation& error) const;
   void see_jitter(Visibility& seen) const;
   void see_contacts(Visibility& seen) const;
   void see_floor(Visibility& seen) const;
@@ -198,6 +164,7 @@ class VisibilityMeter {
   Skeleton skeleton_;
   int frames_;
   double sample_rate_hz_;
+  SightLimits limits_;
   std::vector<Landmark> points_;
   Eigen::VectorXd shares_;   // each point's weight in the body's centre
   Eigen::VectorXd reaches_;  // cm from the root, along the bones
@@ -226,6 +193,7 @@ Jitter jitter_of(const Skeleton& skeleton, const TrackRows& tracks, double sampl
 /// The same for complete body_tracks().
 Visibility measure_visibility(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
                               const Eigen::MatrixXd& decoded_tracks, double sample_rate_hz,
-                              const std::vector<ContactSpan>& contacts);
+                              const std::vector<ContactSpan>& contacts,
+                              const SightLimits& limits = {});
 
 }  // namespace mocapress

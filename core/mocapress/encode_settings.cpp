@@ -34,6 +34,7 @@ EncodeSettings encode_settings(const Settings& settings, const Skeleton& skeleto
                          .importance = importance_for(settings.importance, skeleton),
                          .ranges = settings.ranges,
                          .promises = settings.promises,
+                         .limits = settings.limits,
                          .ends = settings.ends,
                          .loop = settings.loop};
   std::erase_if(of_clip.ranges, [](const ImportantRange& range) { return range.factor == 1; });

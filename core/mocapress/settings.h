@@ -18,6 +18,7 @@
 #include "core/codec/format/coded_ends.h"
 #include "core/codec/format/coding.h"
 #include "core/ik/correction_kind.h"
+#include "core/metrics/sight_limits.h"
 #include "core/motion/landmarks.h"
 #include "core/motion/loop.h"
 #include "core/motion/scalar_track.h"
@@ -57,6 +58,7 @@ struct Settings {
   Effort effort = Effort::Default;           // not Draft, which promises nothing
   NamedImportance importance;                // parts of the body that get more weight
   Promises promises;                         // further bounds, if the target is an error
+  SightLimits limits;                        // what is noticed, and from what distance
   Ends ends = Ends::Even;                    // what is promised of the first and the last pose
   std::optional<Loop> loop;                  // unset: the encoder finds whether the clip is one
   double track_error = kUsualTrackError;     // largest error of any value of a track
@@ -76,11 +78,10 @@ void check(const Settings& settings);
 ///    "target": {"kind": "error", "value": 0.5}, "seed": 1,
 ///    "ik": {"ratio": "auto", "effectors": [], "solver": "nearest-pose", "at": "every-frame"},
 ///    "effort": "best", "importance": {"feet": 4, "lwrist": 2, "contacts": 20},
-///    "promises": {"head_degrees": 2.5, "hand_degrees": 4, "finger_degrees": 6, "root_cm": 0.2,
-///    "root_degrees": 0.3}, "ends": "even",
-///    "loop": "none", "track_error": 0.001, "contacts": [{"joint": "lfoot", "first_frame": 10,
-///    "last_frame": 25}], "importance_ranges": [{"first_frame": 40, "last_frame": 80, "factor":
-///    2}]}
+///    "limits": {"distance_m": 2}, "promises": {"head_degrees": 2.5, "hand_degrees": 4,
+///    "finger_degrees": 6, "root_cm": 0.2, "root_degrees": 0.3}, "ends": "even", "loop": "none",
+///    "track_error": 0.001, "contacts": [{"joint": "lfoot", "first_frame": 10, "last_frame": 25}],
+///    "importance_ranges": [{"first_frame": 40, "last_frame": 80, "factor": 2}]}
 std::string settings_to_json(const Settings& settings);
 
 /// The inverse. Keys that are left out have the values of Settings{}; "ik": null is no correction.

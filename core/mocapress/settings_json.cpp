@@ -10,6 +10,7 @@
 #include "core/base/file.h"
 #include "core/base/path_kind.h"
 #include "core/base/utf8_path.h"
+#include "core/metrics/sight_limits_json.h"
 
 namespace mocapress {
 namespace {
@@ -207,6 +208,14 @@ Promises promises_from(const Json& json, const std::string& of) {
   return promises;
 }
 
+SightLimits limits_from(const Json& json, const std::string& of) {
+  try {
+    return mocapress::limits_from(json);
+  } catch (const Error& error) {
+    throw Error(of + ": \"limits\": " + error.what());
+  }
+}
+
 std::uint64_t seed_from(const Json& json, const Keys& keys) {
   if (!json.is_number_unsigned()) keys.refuse("seed", "is not a whole number");
   return json.get<std::uint64_t>();
@@ -240,6 +249,7 @@ Settings read_settings(const Json& json) {
     settings.importance = importance_from(*importance, keys);
   if (const Json* promises = keys.take("promises"))
     settings.promises = promises_from(*promises, of);
+  if (const Json* limits = keys.take("limits")) settings.limits = limits_from(*limits, of);
   if (const Json* contacts = keys.take(kContacts))
     settings.contacts = contacts_from(*contacts, keys, of);
   if (const Json* ranges = keys.take(kRanges)) settings.ranges = ranges_from(*ranges, keys, of);
@@ -260,6 +270,7 @@ Json to_json(const Settings& settings) {
   if (settings.effort != Effort::Default) json["effort"] = name(settings.effort);
   if (!settings.importance.is_even()) json["importance"] = to_json(settings.importance);
   if (settings.promises.any()) json["promises"] = to_json(settings.promises);
+  if (settings.limits != SightLimits()) json["limits"] = to_json(settings.limits, false);
   if (settings.ends != Ends::Even) json["ends"] = name(settings.ends);
   if (settings.loop) json["loop"] = name(*settings.loop);
   if (settings.track_error != kUsualTrackError) json["track_error"] = settings.track_error;

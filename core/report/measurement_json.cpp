@@ -11,7 +11,10 @@ namespace {
 std::optional<Seen> seen_of(const Json& json) {
   if (!json.contains("times_noticed") || json.at("times_noticed").is_null()) return std::nullopt;
   return Seen{json.at("times_noticed").get<double>(), json.at("visible_frames_share").get<double>(),
-              optional_at<std::string>(json, "visibility_reason").value_or("")};
+              optional_at<std::string>(json, "visibility_reason").value_or(""),
+              json.value("unnoticed_from_m", Json()).is_number()
+                  ? json.at("unnoticed_from_m").get<double>()
+                  : 0};
 }
 
 /// Reads the keys of add_body_figures(), except the places of the worst points. Throws the JSON

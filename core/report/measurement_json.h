@@ -53,6 +53,7 @@ void add_seen(const std::optional<Seen>& seen, const Add& add) {
   add("visibility", seen ? Json(name(seen->sight())) : Json());
   add("visibility_reason", seen ? text_or_null(seen->reason) : Json());
   add("times_noticed", seen ? Json(seen->times_noticed) : Json());
+  add("unnoticed_from_m", seen ? Json(seen->unnoticed_from_m) : Json());
   add("visible_frames_share", seen ? Json(seen->visible_share) : Json());
 }
 

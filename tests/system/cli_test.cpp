@@ -74,6 +74,7 @@ const std::set<std::string> kNumberKeys = {"sample_rate_hz",
                                            "worst_neighbours_cm",
                                            "worst_neighbours_cm_per_frame",
                                            "times_noticed",
+                                           "unnoticed_from_m",
                                            "visible_frames_share",
                                            "velocity_error_cm_per_s",
                                            "velocity_error_worst_cm_per_s",
@@ -636,6 +637,39 @@ TEST_F(Cli, SamplesCompress) {
     EXPECT_NEAR(report["ratio"].get<double>() / 25, 1, 0.02) << entry.path();
   }
   EXPECT_GE(clips, 3);
+}
+
+TEST_F(Cli, InfoDividesTheBytesOfAFile) {
+  const json report = compress({});
+  const json info = json::parse(mocapress({"info", packed_, "--bytes", "--json"}).out)[0];
+  const json& bytes = info["bytes"];
+  EXPECT_EQ(bytes["joints"].size(), report["joints"].get<std::size_t>());
+  double sum = 0;
+  for (const json& one : bytes["joints"]) sum += one["bytes"].get<double>();
+  double by_second = 0;
+  for (const json& one : bytes["seconds"]) by_second += one.get<double>();
+  EXPECT_NEAR(sum, by_second, 1e-6);
+  for (const json& one : bytes["rest"]) sum += one["bytes"].get<double>();
+  EXPECT_NEAR(sum, info["file_bytes"].get<double>(), 1e-6);
+  EXPECT_THAT(mocapress({"info", packed_, "--bytes"}).out, testing::HasSubstr("bytes by second"));
+  EXPECT_FALSE(json::parse(mocapress({"info", packed_, "--json"}).out)[0].contains("bytes"));
+}
+
+TEST_F(Cli, ViewersWhoAreNearerNoticeMore) {
+  compress({"--target-error", "2"});
+  const auto seen = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> all = {"measure", clip_, packed_, "--json"};
+    all.insert(all.end(), options.begin(), options.end());
+    return json_of(all)["times_noticed"].get<double>();
+  };
+  EXPECT_GT(seen({"--distance", "1"}), seen({}));
+  EXPECT_EQ(seen({"--distance", "5"}), seen({}));
+  const std::string blind = write("limits.json", R"({"distance_m": 100})");
+  EXPECT_LT(seen({"--limits", blind}), seen({}));
+  const Outcome bad = mocapress(
+      {"measure", clip_, packed_, "--limits", write("bad.json", R"({"hands": {"least": 1}})")});
+  EXPECT_EQ(bad.exit_code, 3);
+  EXPECT_THAT(bad.err, testing::HasSubstr("bad.json: \"hands\" is unknown"));
 }
 
 TEST_F(Cli, HelpAndVersionSucceed) {

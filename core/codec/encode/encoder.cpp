@@ -37,7 +37,7 @@ class Outcome {
                     keeps_all_ || !compressed.segments ? Detail::Distances : Detail::Figures),
         footskate_(contacts_for(analysis, settings), compressed.sample_rate_hz),
         visibility_(compressed.skeleton, compressed.frames, compressed.sample_rate_hz,
-                    contacts_for(analysis, settings),
+                    contacts_for(analysis, settings), settings.limits,
                     compressed.segments ? nullptr : &analysis.original_jitter()) {
     if (compressed.correction)
       knees_.emplace(compressed.skeleton, compressed.correction->effectors);

@@ -38,7 +38,7 @@ class SegmentedEncode {
         layout_(layout),
         observer_(observer),
         goal_(Original(motion_), settings.target, settings.weighting, contacts_,
-              frame_factors(settings.ranges, layout.frames)) {
+              frame_factors(settings.ranges, layout.frames), settings.limits) {
     if (settings_.target.kind == Target::Kind::Size)
       share_of_size_ = static_cast<double>(layout.length) / std::max(layout.frames, 1);
     if (settings_.correction && !settings_.correction->ratio)

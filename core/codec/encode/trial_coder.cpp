@@ -35,7 +35,8 @@ TrialCoder::TrialCoder(const ClipAnalysis& analysis, const EncodeSettings& setti
       coefficients_(analysis.coefficients(settings.basis)),
       contacts_(contacts_for(analysis, settings)),
       frame_factors_(frame_factors(settings.ranges, analysis.motion().clip.frames())),
-      goal_(original_of(analysis), settings.target, settings.weighting, contacts_, frame_factors_) {
+      goal_(original_of(analysis), settings.target, settings.weighting, contacts_, frame_factors_,
+            settings.limits) {
   const Motion& motion = analysis.motion();
   if (settings.correction) {
     correction_.emplace(motion.skeleton, analysis.original_tracks(), *settings.correction,

@@ -88,7 +88,8 @@ class DetailSearch {
         method_(method),
         coder_(coder),
         target_(settings.target),
-        goal_(std::move(original), settings.target, settings.weighting, std::move(contacts)) {}
+        goal_(std::move(original), settings.target, settings.weighting, std::move(contacts), {},
+              settings.limits) {}
 
   struct Trial {
     std::vector<std::byte> motion;
@@ -223,7 +224,8 @@ Encoding MethodEncoder::compress(const CompressionMethod& compression_method,
 
   Encoding encoding;
   encoding.decoded = search.decode(best.motion);
-  static_cast<Comparison&>(encoding) = compare(motion, body, encoding.decoded, contacts);
+  static_cast<Comparison&>(encoding) =
+      compare(motion, body, encoding.decoded, contacts, settings.limits);
   encoding.complete = complete;
   CompressedClip& clip = encoding.compressed;
   clip.skeleton = motion.skeleton;

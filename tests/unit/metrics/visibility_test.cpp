@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "core/motion/body_tracks.h"
@@ -182,8 +183,8 @@ TEST(Visibility, AllowsLargerErrorsOfFasterMovements) {
     const Clip decoded = moved(original, 0, [](double s) { return 6 * s; });
     return times(compare(skeleton, original, decoded), Cue::Velocity);
   };
-  EXPECT_NEAR(error(0), 6 / noticed::kLeastVelocity, 1e-6);
-  EXPECT_NEAR(error(200), 6 / (noticed::kShareOfSpeed * 200), 1e-6);
+  EXPECT_NEAR(error(0), 6 / SightLimits().of(Cue::Velocity).least, 1e-6);
+  EXPECT_NEAR(error(200), 6 / (SightLimits().of(Cue::Velocity).share * 200), 1e-6);
 }
 
 TEST(Visibility, BodyErrorsBelongToTheRootAndLimbErrorsToTheJoint) {
@@ -289,6 +290,116 @@ TEST(Visibility, IsTheSameInBlocks) {
     EXPECT_NEAR(seen.worst().times_noticed(), whole.worst().times_noticed(), 1e-5);
     EXPECT_NEAR(seen.contacts->worst_slide_cm, whole.contacts->worst_slide_cm, 1e-9);
   }
+}
+
+// The claims of studies, on motions made up here: they test the model, and no person saw them.
+
+/// A stick that swings a hand at the end of a bone: degrees at each time, about z.
+Eigen::MatrixXd swinging(const char* end, double rate, const std::function<double(double)>& turn,
+                         Skeleton& skeleton) {
+  skeleton = Skeleton();
+  skeleton.add(stick(end).joint(0));
+  Joint shoulder{.name = "shoulder", .parent = 0, .offset = {0, 140, 0}};
+  shoulder.channels = {ChannelKind::RotationZ};
+  skeleton.add(shoulder);
+  Joint hand{.name = end, .parent = 1, .offset = {60, 0, 0}};
+  hand.channels = {ChannelKind::RotationZ};
+  skeleton.add(hand);
+  skeleton.add({.name = "finger", .parent = 2, .offset = {8, 0, 0}});
+  Clip clip{rate, Eigen::MatrixXd::Zero(240, 5)};
+  for (int t = 0; t < 240; ++t) clip.channels(t, 3) = turn(t / rate) * std::numbers::pi / 180;
+  return body_tracks(skeleton, clip);
+}
+
+TEST(Visibility, AHandShiftedByATenthOfASecondIsNoticed) {  // Joerg et al. 2010
+  Skeleton skeleton;
+  const auto wave = [](double s) { return 30 * std::sin(2 * std::numbers::pi * s); };
+  const Eigen::MatrixXd original = swinging("RightHand", kRate, wave, skeleton);
+  const auto late = [&](double by) {
+    const Eigen::MatrixXd shifted = swinging(
+        "RightHand", kRate, [&](double s) { return wave(s - by); }, skeleton);
+    return measure_visibility(skeleton, original, shifted, kRate, {}).worst();
+  };
+  EXPECT_GT(late(0.1).times_noticed(), 1);
+  EXPECT_EQ(late(0.1).cue, Cue::Velocity);
+  EXPECT_LT(late(0.001).times_noticed(), 1);
+}
+
+TEST(Visibility, LimbsUpToThreePerCentLongerAreNotNoticedAndTwentyAre) {  // Harrison et al. 2004
+  Skeleton skeleton;
+  const auto still_arm = [](double) { return 0; };
+  const Eigen::MatrixXd original = swinging("RightHand", kRate, still_arm, skeleton);
+  const auto longer = [&](double share) {
+    Skeleton other;
+    for (const Joint& joint : skeleton.joints()) {
+      Joint longer = joint;
+      if (joint.parent > 0) longer.offset *= 1 + share;
+      other.add(longer);
+    }
+    const Clip clip{kRate, Eigen::MatrixXd::Zero(240, 5)};
+    return measure_visibility(skeleton, original, body_tracks(other, clip), kRate, {})
+        .worst()
+        .times_noticed();
+  };
+  // The model judges limbs as attended, so that it is on the safe side of unattended ones (20 %).
+  EXPECT_LE(longer(0.03), 1);
+  EXPECT_GT(longer(0.2), 1);
+}
+
+TEST(Visibility, TremblingHandsWeighAboveTurnedOnes) {  // Adkins et al. 2023
+  Skeleton skeleton;
+  const Eigen::MatrixXd original = swinging(
+      "RightHand", kRate, [](double) { return 0; }, skeleton);
+  const auto with_hand = [&](const std::function<double(double)>& degrees) {
+    Clip clip{kRate, Eigen::MatrixXd::Zero(240, 5)};
+    for (int t = 0; t < 240; ++t) clip.channels(t, 4) = degrees(t / kRate) * std::numbers::pi / 180;
+    return measure_visibility(skeleton, original, body_tracks(skeleton, clip), kRate, {});
+  };
+  constexpr double kDegrees = 3;  // RMS of both
+  const double turned = with_hand([](double) { return kDegrees; }).worst().times_noticed();
+  const double trembling =
+      with_hand([](double s) { return wobble(s, 15, kDegrees * std::numbers::sqrt2); })
+          .worst()
+          .times_noticed();
+  EXPECT_GT(trembling, 1.5 * turned);
+}
+
+TEST(Visibility, SlidesFromTwentyOneMillimetresOnAreVisible) {  // Prazak et al. 2011
+  const Skeleton skeleton = stick("top");
+  const auto slides = [&](double cm) {
+    const Clip decoded = moved(still(240), 0, [cm](double s) { return cm * s / 2; });
+    return sight_of(times(compare(skeleton, still(240), decoded, {{0, 0, 239}}), Cue::Slide));
+  };
+  EXPECT_EQ(slides(2.3), Sight::Visible);
+  EXPECT_NE(slides(1.6), Sight::Visible);
+}
+
+TEST(Visibility, FromTheUnnoticedDistanceOnNothingIsNoticed) {
+  const Motion motion = test::smooth_motion(130);
+  Clip other = motion.clip;
+  other.channels += 0.02 * test::smooth_motion(130, 3).clip.channels;
+  const auto from = [&](double metres) {
+    SightLimits limits;
+    limits.distance_m = metres;
+    return measure_visibility(motion.skeleton, body_tracks(motion.skeleton, motion.clip),
+                              body_tracks(motion.skeleton, other), kRate, {{3, 0, 40}}, limits);
+  };
+  const double metres = from(5).unnoticed_from_m;
+  EXPECT_GT(metres, 0);
+  EXPECT_NEAR(from(20).unnoticed_from_m, metres, 1e-9);  // whatever the viewer's distance
+  EXPECT_LE(from(metres).worst().times_noticed(), 1 + 1e-9);
+  EXPECT_GT(from(0.95 * metres).worst().times_noticed(), 1);
+  EXPECT_GT(from(2).worst().times_noticed(), from(4).worst().times_noticed());
+}
+
+TEST(Visibility, AViewersOwnLimitsReplaceTheBuiltInOnes) {
+  const Skeleton skeleton = stick("top");
+  SightLimits limits;
+  limits.of(Cue::Floor).least = 6;
+  const Clip lowered = moved(still(120), 1, [](double) { return -3; });
+  const Visibility seen = measure_visibility(skeleton, body_tracks(skeleton, still(120)),
+                                             body_tracks(skeleton, lowered), kRate, {}, limits);
+  EXPECT_NEAR(times(seen, Cue::Floor), 0.5, 1e-6);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "core/codec/format/compressed_clip.h"
 #include "core/feet/contact_spans.h"
 #include "core/ik/correction_kind.h"
+#include "core/metrics/sight_limits.h"
 #include "core/motion/landmarks.h"
 #include "core/motion/loop.h"
 
@@ -48,6 +49,7 @@ struct EncodeSettings {
   Importance importance;                             // used by annealing and the closed loop
   std::vector<ImportantRange> ranges;                // heeded by the closed loop
   Promises promises;                                 // kept beside a target that is an error
+  SightLimits limits;                                // what is noticed, and from what distance
   std::optional<EncodeCorrection> correction;        // its size counts in ratio and size
   std::optional<std::vector<ContactSpan>> contacts;  // edited ones; unset: Encoder::contacts()
   SegmentPlan segments;                              // of a closed loop

@@ -79,7 +79,7 @@ double Goal::most_noticed(const Visibility& seen) const {
 Visibility Goal::seen(const Comparison& compare) const {
   const Motion& motion = original_.motion();
   VisibilityMeter meter(motion.skeleton, motion.clip.frames(), motion.clip.sample_rate_hz,
-                        contacts_);
+                        contacts_, limits_);
   compare([&](int first, const TrackRows& original, const TrackRows& decoded) {
     meter.add(first, original, decoded);
   });

@@ -66,15 +66,17 @@ struct Trial {
 /// the number of coefficients.
 class Goal {
  public:
-  /// `contacts` of the feet count in visibility. Errors of each frame count `frame_factors` times:
-  /// see frame_factors(); empty for all alike.
+  /// `contacts` of the feet and `limits` count in visibility. Errors of each frame count
+  /// `frame_factors` times: see frame_factors(); empty for all alike.
   Goal(Original original, const Target& target, Weighting weighting,
-       std::vector<ContactSpan> contacts, Eigen::VectorXd frame_factors = {})
+       std::vector<ContactSpan> contacts, Eigen::VectorXd frame_factors = {},
+       const SightLimits& limits = {})
       : original_(std::move(original)),
         target_(target),
         weighting_(weighting),
         contacts_(std::move(contacts)),
-        frame_factors_(std::move(frame_factors)) {}
+        frame_factors_(std::move(frame_factors)),
+        limits_(limits) {}
 
   /// The target's quantity for a coded clip, which is decoded only if the target is an error.
   double achieved(const CompressedClip& compressed) const;
@@ -128,6 +130,7 @@ class Goal {
   Weighting weighting_;
   std::vector<ContactSpan> contacts_;
   Eigen::VectorXd frame_factors_;  // empty: all alike
+  SightLimits limits_;
 };
 
 }  // namespace mocapress
