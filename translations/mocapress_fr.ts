@@ -323,6 +323,14 @@
         <source>Copy a link that opens this clip, frame, joint and view</source>
         <translation>Copier un lien qui ouvre ce clip, cette image, cette articulation et cette vue</translation>
     </message>
+    <message>
+        <source>&amp;Blind Test…</source>
+        <translation>Test à l&apos;a&amp;veugle…</translation>
+    </message>
+    <message>
+        <source>Find out from which error on you tell the compressed clip from the original</source>
+        <translation>Trouver à partir de quelle erreur vous distinguez le clip compressé de l&apos;original</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::AnnealingPanel</name>
@@ -953,6 +961,245 @@
     </message>
 </context>
 <context>
+    <name>mocapress::BlindTestWindow</name>
+    <message>
+        <source>Blind Test</source>
+        <translation>Test à l&apos;aveugle</translation>
+    </message>
+    <message>
+        <source>Viewer</source>
+        <translation>Spectateur</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Viewing distance</source>
+        <translation>Distance de vue</translation>
+    </message>
+    <message>
+        <source>Distance at which a person would look as tall as the figure does on your screen</source>
+        <translation>Distance à laquelle une personne paraîtrait aussi grande que la figure sur votre écran</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>Questions</translation>
+    </message>
+    <message>
+        <source>Show A, X and B side by side</source>
+        <translation>Montrer A, X et B côte à côte</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Commencer</translation>
+    </message>
+    <message>
+        <source>Compressing the clip at %m levels: %v</source>
+        <translation>Compression du clip à %m niveaux : %v</translation>
+    </message>
+    <message>
+        <source>1: A, the original    2: X    3: B, compressed        ←: X is A    →: X is B        Esc: stop</source>
+        <translation>1 : A, l&apos;original    2 : X    3 : B, compressé        ← : X est A    → : X est B        Échap : arrêter</translation>
+    </message>
+    <message>
+        <source>Use as Limits</source>
+        <translation>Prendre comme limites</translation>
+    </message>
+    <message>
+        <source>Judge visibility by your own threshold from now on; other cues keep their limits</source>
+        <translation>Juger désormais la visibilité d&apos;après votre propre seuil ; les autres indices gardent leurs limites</translation>
+    </message>
+    <message>
+        <source>Another Test</source>
+        <translation>Un autre test</translation>
+    </message>
+    <message>
+        <source>In Use</source>
+        <translation>En usage</translation>
+    </message>
+    <message>
+        <source>A is the original of %1, B the same clip compressed, more or less visibly. X is one of the two: say which. The test finds the smallest error that you notice, in about five minutes. Nobody is told whether an answer was right.</source>
+        <translation>A est l&apos;original de %1, B le même clip compressé, plus ou moins visiblement. X est l&apos;un des deux : dites lequel. Le test trouve la plus petite erreur que vous remarquez, en cinq minutes environ. Il ne dit pas si une réponse est juste.</translation>
+    </message>
+    <message>
+        <source>Open a motion and compress it by the closed loop: the test takes the open clip.</source>
+        <translation>Ouvrez un mouvement et compressez-le en boucle fermée : le test prend le clip ouvert.</translation>
+    </message>
+    <message>
+        <source>This clip cannot be compressed at enough levels for a test.</source>
+        <translation>Ce clip ne peut pas être compressé à assez de niveaux pour un test.</translation>
+    </message>
+    <message>
+        <source>Question %L1 of %L2: is X the original or the compressed one?</source>
+        <translation>Question %L1 sur %L2 : X est-il l&apos;original ou le compressé ?</translation>
+    </message>
+    <message>
+        <source>%L1 of %L2 answers were right. Somebody who guesses has as many with a probability of %L3.</source>
+        <translation>%L1 réponses sur %L2 sont justes. Qui devine en a autant avec une probabilité de %L3.</translation>
+    </message>
+    <message>
+        <source>You notice errors from %L1 times what the limits say (95 % interval: %L2 to %L3). Most were seen as: %4, from %L5 m.</source>
+        <translation>Vous remarquez les erreurs à partir de %L1 fois ce que disent les limites (intervalle à 95 % : %L2 à %L3). La plupart sont vues comme : %4, à %L5 m.</translation>
+    </message>
+    <message>
+        <source>The answers do not tell a threshold: they are too few, or it lies outside of the levels.</source>
+        <translation>Les réponses ne donnent pas de seuil : elles sont trop peu nombreuses, ou il est hors des niveaux.</translation>
+    </message>
+    <message>
+        <source>Kept in %1.</source>
+        <translation>Conservé dans %1.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ByteCostModel</name>
+    <message>
+        <source>Skeleton</source>
+        <translation>Squelette</translation>
+    </message>
+    <message>
+        <source>Description of the clip</source>
+        <translation>Description du clip</translation>
+    </message>
+    <message>
+        <source>Table of segments</source>
+        <translation>Table des segments</translation>
+    </message>
+    <message>
+        <source>Chains of the IK correction</source>
+        <translation>Chaînes de la correction IK</translation>
+    </message>
+    <message>
+        <source>First and last pose</source>
+        <translation>Première et dernière pose</translation>
+    </message>
+    <message>
+        <source>Turned axes</source>
+        <translation>Axes tournés</translation>
+    </message>
+    <message>
+        <source>Tracks</source>
+        <translation>Pistes</translation>
+    </message>
+    <message>
+        <source>Rounding of the coder</source>
+        <translation>Arrondi du codeur</translation>
+    </message>
+    <message>
+        <source>Motion (cannot be divided)</source>
+        <translation>Mouvement (indivisible)</translation>
+    </message>
+    <message>
+        <source>Frame of the file</source>
+        <translation>Cadre du fichier</translation>
+    </message>
+    <message>
+        <source>%L1 %</source>
+        <translation>%L1 %</translation>
+    </message>
+    <message>
+        <source>Bytes of the file that code this joint, as the decoder counts them. Rows in italics belong to no joint.</source>
+        <translation>Octets du fichier qui codent cette articulation, tels que le décodeur les compte. Les lignes en italique n&apos;appartiennent à aucune articulation.</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>Articulation</translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation>Octets</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Part</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ByteStrip</name>
+    <message>
+        <source>Bytes over time</source>
+        <translation>Octets dans le temps</translation>
+    </message>
+    <message>
+        <source>Compressed bytes over time. The table of bytes has them by joint.</source>
+        <translation>Octets compressés dans le temps. La table des octets les donne par articulation.</translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation>Octets</translation>
+    </message>
+    <message>
+        <source>Compressed bytes over time, on a scale of the dearest moment.</source>
+        <translation>Octets compressés dans le temps, à l&apos;échelle du moment le plus coûteux.</translation>
+    </message>
+    <message>
+        <source>Frames from %L1: %L2 bytes, most of them for %3 (%L4)</source>
+        <translation>Images à partir de %L1 : %L2 octets, surtout pour %3 (%L4)</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ByteView</name>
+    <message>
+        <source>%1 at twice the error</source>
+        <translation>%1 : erreur doublée</translation>
+    </message>
+    <message>
+        <source>10 % more bytes</source>
+        <translation>10 % d&apos;octets en plus</translation>
+    </message>
+    <message>
+        <source>10 % fewer bytes</source>
+        <translation>10 % d&apos;octets en moins</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::BytesPanel</name>
+    <message>
+        <source>Bytes by joint</source>
+        <translation>Octets par articulation</translation>
+    </message>
+    <message>
+        <source>Other settings, tried</source>
+        <translation>Autres réglages, essayés</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Changement</translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation>Octets</translation>
+    </message>
+    <message>
+        <source>Its error</source>
+        <translation>Son erreur</translation>
+    </message>
+    <message>
+        <source>See what it saves to be less exact in one place, or what more bytes bring. Each line is a real encode.</source>
+        <translation>Voyez ce que l&apos;on gagne à être moins exact à un endroit, ou ce qu&apos;apportent plus d&apos;octets. Chaque ligne est un vrai encodage.</translation>
+    </message>
+    <message>
+        <source>Try Other Settings</source>
+        <translation>Essayer d&apos;autres réglages</translation>
+    </message>
+    <message>
+        <source>Use These</source>
+        <translation>Prendre ceux-ci</translation>
+    </message>
+    <message>
+        <source>Compress with the settings of the chosen line; can be undone</source>
+        <translation>Compresser avec les réglages de la ligne choisie ; peut être annulé</translation>
+    </message>
+    <message>
+        <source>%L1 → %L2 mm</source>
+        <translation>%L1 → %L2 mm</translation>
+    </message>
+    <message>
+        <source>Trying…</source>
+        <translation>Essai…</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::ChannelGraph</name>
     <message>
         <source>Channel</source>
@@ -1225,6 +1472,18 @@
     <message>
         <source>Points on which the error eps_x is measured. Surface: a body modelled around the bones, so that turned heads and hands count. Skin: the mesh of the clip or of the character put on it. Shell: three points 3 cm from every joint, as in ACL. Bone ends and joint origins: points on the bones, weighted by bone length; joint origins are the paper&apos;s.</source>
         <translation>Les points que compte l&apos;erreur eps_x. Surface : un corps modelé autour des os, si bien que la tête et les mains tournées comptent. Peau : des points du maillage du clip ou du personnage qui l&apos;habille. Coque : trois points à 3 cm de chaque articulation, comme ACL. Extrémités des os et origines des articulations : des points sur les os, selon leur longueur ; les dernières sont celles de l&apos;article.</translation>
+    </message>
+    <message>
+        <source>Viewing distance</source>
+        <translation>Distance de vue</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Distance from which the figure is watched. The nearer, the smaller an error that is noticed.</source>
+        <translation>Distance d&apos;où l&apos;on regarde la figure. Plus elle est courte, plus l&apos;erreur remarquée est petite.</translation>
     </message>
 </context>
 <context>
@@ -2788,6 +3047,10 @@
         <source>%1[*] – %2</source>
         <translation>%1[*] – %2</translation>
     </message>
+    <message>
+        <source>Your own limits of visibility are not used: %1</source>
+        <translation>Vos propres limites de visibilité ne sont pas utilisées : %1</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::MessageBar</name>
@@ -3018,6 +3281,10 @@
     <message>
         <source>All clips</source>
         <translation>Tous les clips</translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation>Octets</translation>
     </message>
 </context>
 <context>
@@ -3713,10 +3980,6 @@
         <translation>%1 / %2</translation>
     </message>
     <message>
-        <source>%1, %2 at %L3 s: %L4 times the noticeable error</source>
-        <translation>%1, %2 à %L3 s : %L4 fois ce que l&apos;on remarque</translation>
-    </message>
-    <message>
         <source>Visibility</source>
         <translation>Visibilité</translation>
     </message>
@@ -3789,6 +4052,10 @@
     <message>
         <source>Path of the feet over the ground while they stand, beyond the original&apos;s: sum over the clip, and worst contact. A foot that trembles in place has a long path.</source>
         <translation>Longueur du chemin des pieds sur le sol pendant qu&apos;ils se tiennent, au-delà de celui de l&apos;original : sommée sur le clip, et pour le pire contact. Le tremblement d&apos;un pied sur place s&apos;y additionne.</translation>
+    </message>
+    <message>
+        <source>%1, %2 at %L3 s: %L4 times the noticeable error; not noticed beyond %L5 m</source>
+        <translation>%1, %2 à %L3 s : %L4 fois l&apos;erreur perceptible ; invisible au-delà de %L5 m</translation>
     </message>
 </context>
 <context>

@@ -323,6 +323,14 @@
         <source>Copy a link that opens this clip, frame, joint and view</source>
         <translation>このクリップ、フレーム、関節、視点を開くリンクをコピーする</translation>
     </message>
+    <message>
+        <source>&amp;Blind Test…</source>
+        <translation>ブラインドテスト(&amp;B)…</translation>
+    </message>
+    <message>
+        <source>Find out from which error on you tell the compressed clip from the original</source>
+        <translation>どの誤差から圧縮クリップと元を見分けられるかを調べます</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::AnnealingPanel</name>
@@ -944,6 +952,245 @@
     </message>
 </context>
 <context>
+    <name>mocapress::BlindTestWindow</name>
+    <message>
+        <source>Blind Test</source>
+        <translation>ブラインドテスト</translation>
+    </message>
+    <message>
+        <source>Viewer</source>
+        <translation>見る人</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Viewing distance</source>
+        <translation>視距離</translation>
+    </message>
+    <message>
+        <source>Distance at which a person would look as tall as the figure does on your screen</source>
+        <translation>画面上の人物と同じ大きさに人が見える距離</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>質問の数</translation>
+    </message>
+    <message>
+        <source>Show A, X and B side by side</source>
+        <translation>A、X、B を並べて表示</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>開始</translation>
+    </message>
+    <message>
+        <source>Compressing the clip at %m levels: %v</source>
+        <translation>%m 段階でクリップを圧縮中：%v</translation>
+    </message>
+    <message>
+        <source>1: A, the original    2: X    3: B, compressed        ←: X is A    →: X is B        Esc: stop</source>
+        <translation>1：A（元）    2：X    3：B（圧縮）        ←：X は A    →：X は B        Esc：中止</translation>
+    </message>
+    <message>
+        <source>Use as Limits</source>
+        <translation>限界値として使う</translation>
+    </message>
+    <message>
+        <source>Judge visibility by your own threshold from now on; other cues keep their limits</source>
+        <translation>今後は自分の閾値で見え方を判定します。ほかの手がかりの限界値は変わりません</translation>
+    </message>
+    <message>
+        <source>Another Test</source>
+        <translation>もう一度テスト</translation>
+    </message>
+    <message>
+        <source>In Use</source>
+        <translation>使用中</translation>
+    </message>
+    <message>
+        <source>A is the original of %1, B the same clip compressed, more or less visibly. X is one of the two: say which. The test finds the smallest error that you notice, in about five minutes. Nobody is told whether an answer was right.</source>
+        <translation>A は %1 の元、B は同じクリップを圧縮したもので、違いの見えやすさはさまざまです。X はそのどちらかです。どちらかを答えてください。約 5 分で、気づく最小の誤差がわかります。答えが正しいかどうかは表示されません。</translation>
+    </message>
+    <message>
+        <source>Open a motion and compress it by the closed loop: the test takes the open clip.</source>
+        <translation>モーションを開いて閉ループで圧縮してください。テストは開いているクリップで行います。</translation>
+    </message>
+    <message>
+        <source>This clip cannot be compressed at enough levels for a test.</source>
+        <translation>このクリップはテストに十分な段階で圧縮できません。</translation>
+    </message>
+    <message>
+        <source>Question %L1 of %L2: is X the original or the compressed one?</source>
+        <translation>質問 %L1 / %L2：X は元ですか、圧縮されたものですか？</translation>
+    </message>
+    <message>
+        <source>%L1 of %L2 answers were right. Somebody who guesses has as many with a probability of %L3.</source>
+        <translation>%L2 問中 %L1 問が正解です。当て推量でこれだけ当たる確率は %L3 です。</translation>
+    </message>
+    <message>
+        <source>You notice errors from %L1 times what the limits say (95 % interval: %L2 to %L3). Most were seen as: %4, from %L5 m.</source>
+        <translation>限界値の %L1 倍から誤差に気づきます（95 % 区間：%L2 ～ %L3）。主な手がかりは%4、距離 %L5 m です。</translation>
+    </message>
+    <message>
+        <source>The answers do not tell a threshold: they are too few, or it lies outside of the levels.</source>
+        <translation>答えから閾値がわかりません。答えが少なすぎるか、閾値が段階の外にあります。</translation>
+    </message>
+    <message>
+        <source>Kept in %1.</source>
+        <translation>%1 に保存しました。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ByteCostModel</name>
+    <message>
+        <source>Skeleton</source>
+        <translation>スケルトン</translation>
+    </message>
+    <message>
+        <source>Description of the clip</source>
+        <translation>クリップの記述</translation>
+    </message>
+    <message>
+        <source>Table of segments</source>
+        <translation>区間の表</translation>
+    </message>
+    <message>
+        <source>Chains of the IK correction</source>
+        <translation>IK 補正のチェーン</translation>
+    </message>
+    <message>
+        <source>First and last pose</source>
+        <translation>最初と最後のポーズ</translation>
+    </message>
+    <message>
+        <source>Turned axes</source>
+        <translation>回転した軸</translation>
+    </message>
+    <message>
+        <source>Tracks</source>
+        <translation>トラック</translation>
+    </message>
+    <message>
+        <source>Rounding of the coder</source>
+        <translation>符号化の丸め</translation>
+    </message>
+    <message>
+        <source>Motion (cannot be divided)</source>
+        <translation>モーション（分割できません）</translation>
+    </message>
+    <message>
+        <source>Frame of the file</source>
+        <translation>ファイルの枠</translation>
+    </message>
+    <message>
+        <source>%L1 %</source>
+        <translation>%L1 %</translation>
+    </message>
+    <message>
+        <source>Bytes of the file that code this joint, as the decoder counts them. Rows in italics belong to no joint.</source>
+        <translation>この関節を符号化するファイルのバイト数（デコーダーの計算による）。斜体の行はどの関節にも属しません。</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>関節</translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation>バイト</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>割合</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ByteStrip</name>
+    <message>
+        <source>Bytes over time</source>
+        <translation>時間ごとのバイト数</translation>
+    </message>
+    <message>
+        <source>Compressed bytes over time. The table of bytes has them by joint.</source>
+        <translation>時間ごとの圧縮バイト数。関節ごとの値はバイトの表にあります。</translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation>バイト</translation>
+    </message>
+    <message>
+        <source>Compressed bytes over time, on a scale of the dearest moment.</source>
+        <translation>時間ごとの圧縮バイト数（最も多い時点を基準に表示）。</translation>
+    </message>
+    <message>
+        <source>Frames from %L1: %L2 bytes, most of them for %3 (%L4)</source>
+        <translation>フレーム %L1 から：%L2 バイト、最多は %3（%L4）</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ByteView</name>
+    <message>
+        <source>%1 at twice the error</source>
+        <translation>%1：誤差を 2 倍に</translation>
+    </message>
+    <message>
+        <source>10 % more bytes</source>
+        <translation>バイト数を 10 % 増やす</translation>
+    </message>
+    <message>
+        <source>10 % fewer bytes</source>
+        <translation>バイト数を 10 % 減らす</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::BytesPanel</name>
+    <message>
+        <source>Bytes by joint</source>
+        <translation>関節ごとのバイト数</translation>
+    </message>
+    <message>
+        <source>Other settings, tried</source>
+        <translation>試したほかの設定</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>変更</translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation>バイト</translation>
+    </message>
+    <message>
+        <source>Its error</source>
+        <translation>その誤差</translation>
+    </message>
+    <message>
+        <source>See what it saves to be less exact in one place, or what more bytes bring. Each line is a real encode.</source>
+        <translation>ある部分の精度を下げると何バイト減るか、バイト数を増やすと何が良くなるかを調べます。各行は実際の圧縮結果です。</translation>
+    </message>
+    <message>
+        <source>Try Other Settings</source>
+        <translation>ほかの設定を試す</translation>
+    </message>
+    <message>
+        <source>Use These</source>
+        <translation>これを使う</translation>
+    </message>
+    <message>
+        <source>Compress with the settings of the chosen line; can be undone</source>
+        <translation>選んだ行の設定で圧縮します（取り消し可能）</translation>
+    </message>
+    <message>
+        <source>%L1 → %L2 mm</source>
+        <translation>%L1 → %L2 mm</translation>
+    </message>
+    <message>
+        <source>Trying…</source>
+        <translation>試しています…</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::ChannelGraph</name>
     <message>
         <source>Channel</source>
@@ -1216,6 +1463,18 @@
     <message>
         <source>Points on which the error eps_x is measured. Surface: a body modelled around the bones, so that turned heads and hands count. Skin: the mesh of the clip or of the character put on it. Shell: three points 3 cm from every joint, as in ACL. Bone ends and joint origins: points on the bones, weighted by bone length; joint origins are the paper&apos;s.</source>
         <translation>誤差 eps_x が数える点です。体表：骨の周りに作った体の表面の点。頭や手の回転も数えます。スキン：クリップ、または着せたキャラクターのメッシュ上の点。シェル：ACL と同じく、各関節から 3 cm の三点。骨の先端と関節原点：骨の長さで重み付けした骨上の点で、後者は論文のものです。</translation>
+    </message>
+    <message>
+        <source>Viewing distance</source>
+        <translation>視距離</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Distance from which the figure is watched. The nearer, the smaller an error that is noticed.</source>
+        <translation>人物を見る距離。近いほど小さな誤差に気づきます。</translation>
     </message>
 </context>
 <context>
@@ -2763,6 +3022,10 @@
         <source>%1[*] – %2</source>
         <translation>%1[*] – %2</translation>
     </message>
+    <message>
+        <source>Your own limits of visibility are not used: %1</source>
+        <translation>自分の見え方の限界値は使われません：%1</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::MessageBar</name>
@@ -2992,6 +3255,10 @@
     <message>
         <source>All clips</source>
         <translation>全クリップ</translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation>バイト</translation>
     </message>
 </context>
 <context>
@@ -3683,10 +3950,6 @@
         <translation>%1 / %2</translation>
     </message>
     <message>
-        <source>%1, %2 at %L3 s: %L4 times the noticeable error</source>
-        <translation>%1、%2、%L3 秒：人が気づく差の %L4 倍</translation>
-    </message>
-    <message>
         <source>Visibility</source>
         <translation>視認性</translation>
     </message>
@@ -3759,6 +4022,10 @@
     <message>
         <source>Path of the feet over the ground while they stand, beyond the original&apos;s: sum over the clip, and worst contact. A foot that trembles in place has a long path.</source>
         <translation>接地中の足が床の上で動いた軌跡の長さのうち元を超える分。クリップ全体の合計と最大の接地のもの。その場での震えも積算されます。</translation>
+    </message>
+    <message>
+        <source>%1, %2 at %L3 s: %L4 times the noticeable error; not noticed beyond %L5 m</source>
+        <translation>%1、%2、%L3 秒：気づく誤差の %L4 倍。%L5 m より遠くでは気づかれません</translation>
     </message>
 </context>
 <context>

@@ -50,6 +50,7 @@ CompressionPanel::CompressionPanel(QWidget* parent)
       ends_(new QComboBox(this)),
       importance_(new QToolButton(this)),
       weighting_(new QComboBox(this)),
+      distance_(new QDoubleSpinBox(this)),
       coding_(new QComboBox(this)) {
   makeChoices();
   auto* form = new QFormLayout;
@@ -92,6 +93,10 @@ CompressionPanel::CompressionPanel(QWidget* parent)
   chosen_in(ends_, &EncodeSettings::ends);
   chosen_in(weighting_, &EncodeSettings::weighting);
   chosen_in(coding_, &EncodeSettings::coding);
+  connect(distance_, &QDoubleSpinBox::valueChanged, this, [this](double metres) {
+    options_.limits.distance_m = metres;
+    emit optionsChanged(options_);
+  });
   connect(track_error_, &QDoubleSpinBox::valueChanged, this, &CompressionPanel::trackErrorChanged);
   connect(importance_, &QToolButton::clicked, this, &CompressionPanel::importanceRequested);
   setOptions({});
@@ -146,6 +151,7 @@ QWidget* CompressionPanel::makeDrawer() {
   form->setVerticalSpacing(6);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form->addRow(tr("Weighting"), weighting_);
+  form->addRow(tr("Viewing distance"), distance_);
   form->addRow(tr("Ends"), ends_);
   form->addRow(tr("Coding"), coding_);
   inside->setVisible(false);
@@ -184,6 +190,14 @@ void CompressionPanel::makeChoices() {
          "on it. Shell: three points 3 cm from every joint, as in ACL. Bone ends and joint "
          "origins: points on "
          "the bones, weighted by bone length; joint origins are the paper's."));
+  distance_->setRange(kLeastDistance, kMostDistance);
+  distance_->setDecimals(1);
+  distance_->setSuffix(tr(" m"));
+  distance_->setKeyboardTracking(false);
+  distance_->setAccessibleName(tr("Viewing distance"));
+  distance_->setToolTip(
+      tr("Distance from which the figure is watched. The nearer, the smaller an error that is "
+         "noticed."));
   addChoices(coding_, {Coding::Deflate, Coding::Rle16, Coding::Adaptive});
   coding_->setAccessibleName(tr("Coding"));
 }
@@ -230,6 +244,8 @@ void CompressionPanel::showWhatApplies() {
 
 void CompressionPanel::setOptions(const EncodeSettings& options) {
   options_ = options;
+  const QSignalBlocker silent(distance_);
+  distance_->setValue(options.limits.distance_m);
   target_->setTarget(options.target);
   correction_->setCorrection(options.correction);
   choose(method_, options.method);

@@ -69,6 +69,7 @@ class CompressionPanel : public QWidget {
   QComboBox* ends_;
   QToolButton* importance_;
   QComboBox* weighting_;
+  QDoubleSpinBox* distance_;
   QComboBox* coding_;
 };
 

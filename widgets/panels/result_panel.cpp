@@ -44,10 +44,12 @@ QString seenExplanation() {
 
 /// Names the most visible error and its time.
 QString reasonText(const SeenFigures& seen) {
-  return ResultPanel::tr("%1, %2 at %L3 s: %L4 times the noticeable error")
+  return ResultPanel::tr(
+             "%1, %2 at %L3 s: %L4 times the noticeable error; not noticed beyond %L5 m")
       .arg(displayName(seen.cue), seen.joint)
       .arg(seen.seconds, 0, 'f', 2)
-      .arg(seen.times_noticed, 0, 'f', 2);
+      .arg(seen.times_noticed, 0, 'f', 2)
+      .arg(seen.unnoticed_from_m, 0, 'g', 2);
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ struct SeenFigures {
   QString joint;
   double seconds = 0;
   double times_noticed = 0;
+  double unnoticed_from_m = 0;  // distance from which nothing is noticed
 };
 
 /// Figures of one compressed clip. Unset ones are unknown.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/timeline/byte_strip.h"
 #include "widgets/timeline/contact_strip.h"
 #include "widgets/timeline/error_strip.h"
 #include "widgets/timeline/note_strip.h"
@@ -35,6 +36,7 @@ Timeline::Timeline(QWidget* parent)
       ruler_(new TimeRuler(this)),
       errors_(new ErrorStrip(this)),
       sight_(new SightStrip(this)),
+      bytes_(new ByteStrip(this)),
       notes_(new NoteStrip(this)),
       contacts_(new ContactStrip(this)),
       scroll_(new QScrollBar(Qt::Horizontal, this)) {
@@ -47,6 +49,7 @@ Timeline::Timeline(QWidget* parent)
   column->addWidget(ruler_);
   column->addWidget(errors_);
   column->addWidget(sight_);
+  column->addWidget(bytes_);
   column->addWidget(notes_);
   column->addWidget(contacts_);
   column->addWidget(scroll_);
@@ -60,7 +63,7 @@ Timeline::Timeline(QWidget* parent)
 
 int Timeline::labelWidth() const {
   return std::max({ruler_->labelWidth(), errors_->labelWidth(), sight_->labelWidth(),
-                   notes_->labelWidth(), contacts_->labelWidth()});
+                   bytes_->labelWidth(), notes_->labelWidth(), contacts_->labelWidth()});
 }
 
 void Timeline::setRate(double sample_rate_hz) {
@@ -75,6 +78,7 @@ void Timeline::setContacts(std::vector<ContactSpan> contacts, const std::vector<
   ruler_->setLabelWidth(width);
   errors_->setLabelWidth(width);
   sight_->setLabelWidth(width);
+  bytes_->setLabelWidth(width);
   notes_->setLabelWidth(width);
   notes_->setFrames(frames);
   contacts_->setLabelWidth(width);
@@ -88,6 +92,7 @@ void Timeline::setFrame(int frame) {
   ruler_->setFrame(frame);
   errors_->setFrame(frame);
   sight_->setFrame(frame);
+  bytes_->setFrame(frame);
   notes_->setFrame(frame);
   contacts_->setFrame(frame);
   if (window_.length == 0) return;
@@ -113,6 +118,7 @@ void Timeline::setWindow(double first, double length) {
   ruler_->setWindow(window_);
   errors_->setWindow(window_);
   sight_->setWindow(window_);
+  bytes_->setWindow(window_);
   notes_->setWindow(window_);
   contacts_->setWindow(window_);
   const QSignalBlocker blocker(scroll_);

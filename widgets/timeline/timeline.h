@@ -11,6 +11,7 @@ class QScrollBar;
 
 namespace mocapress {
 
+class ByteStrip;
 class ContactStrip;
 class ErrorStrip;
 class NoteStrip;
@@ -28,6 +29,7 @@ class Timeline : public QWidget {
   TimeRuler* ruler() const { return ruler_; }
   ErrorStrip* errors() const { return errors_; }
   SightStrip* sight() const { return sight_; }
+  ByteStrip* bytes() const { return bytes_; }
   NoteStrip* notes() const { return notes_; }
   ContactStrip* contacts() const { return contacts_; }
   QScrollBar* scroll() const { return scroll_; }
@@ -61,6 +63,7 @@ class Timeline : public QWidget {
   TimeRuler* ruler_;
   ErrorStrip* errors_;
   SightStrip* sight_;
+  ByteStrip* bytes_;
   NoteStrip* notes_;
   ContactStrip* contacts_;
   QScrollBar* scroll_;

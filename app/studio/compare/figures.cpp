@@ -58,9 +58,12 @@ std::optional<ResultFigures> figuresOf(const Document& document) {
   }
   if (decoded.visibility) {
     const WorstSight& worst = decoded.visibility->worst();
-    figures.seen = SeenFigures{decoded.visibility->sight(), worst.cue,
+    figures.seen = SeenFigures{decoded.visibility->sight(),
+                               worst.cue,
                                document.landmarkNames()[static_cast<std::size_t>(worst.joint)],
-                               worst.frame / decoded.clip.sample_rate_hz, worst.times_noticed()};
+                               worst.frame / decoded.clip.sample_rate_hz,
+                               worst.times_noticed(),
+                               decoded.visibility->unnoticed_from_m};
   }
   return figures;
 }

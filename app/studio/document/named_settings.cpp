@@ -5,6 +5,7 @@
 #include <array>
 
 #include "app/jobs/result_cache.h"
+#include "app/studio/document/own_limits.h"
 #include "core/base/error.h"
 #include "core/codec/methods/compression_method.h"
 #include "core/mocapress/encode_settings.h"
@@ -42,8 +43,10 @@ const Settings& usualPreset() {
 
 ClipSettings usualSettings(const Skeleton& skeleton) {
   const Settings& usual = usualPreset();
-  return {
-      encode_settings(usual, skeleton), {}, QString::fromStdString(usual.name), usual.track_error};
+  return {withOwnLimits(encode_settings(usual, skeleton)),
+          {},
+          QString::fromStdString(usual.name),
+          usual.track_error};
 }
 
 Settings presetOf(const ClipSettings& settings, const Skeleton& skeleton) {
@@ -57,6 +60,7 @@ Settings presetOf(const ClipSettings& settings, const Skeleton& skeleton) {
                   .effort = options.effort,
                   .importance = named(options.importance, skeleton),
                   .promises = options.promises,
+                  .limits = options.limits,
                   .ends = options.ends,
                   .loop = options.loop,
                   .track_error = settings.track_error,
@@ -82,7 +86,7 @@ Settings ownPresetOf(const ClipSettings& settings, const Skeleton& skeleton) {
 ClipSettings withPreset(const ClipSettings& settings, const Settings& preset,
                         const Skeleton& skeleton) {
   ClipSettings with = settings;
-  with.encode = encode_settings(preset, skeleton);
+  with.encode = withOwnLimits(encode_settings(preset, skeleton));
   if (!with.encode.contacts) with.encode.contacts = settings.encode.contacts;
   if (with.encode.ranges.empty()) with.encode.ranges = settings.encode.ranges;
   if (!with.encode.loop) with.encode.loop = settings.encode.loop;
@@ -173,7 +177,7 @@ NamedSettings fitting(NamedSettings settings, const Motion& motion) {
 
 ClipSettings settingsFor(const NamedSettings& settings, const Motion& motion) {
   const NamedSettings fit = fitting(settings, motion);
-  return {encode_settings(fit.preset, motion.skeleton), fit.contacts,
+  return {withOwnLimits(encode_settings(fit.preset, motion.skeleton)), fit.contacts,
           QString::fromStdString(fit.preset.name), fit.preset.track_error};
 }
 

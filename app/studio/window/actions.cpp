@@ -158,6 +158,9 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
   actions.study = make(window, Texts::tr("&Study…"), Qt::CTRL | Qt::Key_T);
   actions.study->setToolTip(
       Texts::tr("Compare the file sizes and errors of methods on many clips"));
+  actions.blind_test = make(window, Texts::tr("&Blind Test…"));
+  actions.blind_test->setToolTip(
+      Texts::tr("Find out from which error on you tell the compressed clip from the original"));
   actions.guide = make(window, Texts::tr("&Guide"), QKeySequence::HelpContents);
   actions.shortcuts = make(window, Texts::tr("&Keyboard Shortcuts"), Qt::Key_Question);
   actions.themes = makeChoices(
@@ -230,7 +233,7 @@ RecentMenus addMenus(QMainWindow* window, const Actions& actions,
   view->addMenu(Texts::tr("The&me"))->addActions(actions.themes->actions());
   view->addMenu(Texts::tr("Lan&guage"))->addActions(actions.languages->actions());
 
-  window->menuBar()->addMenu(Texts::tr("&Tools"))->addAction(actions.study);
+  window->menuBar()->addMenu(Texts::tr("&Tools"))->addActions({actions.study, actions.blind_test});
 
   window->menuBar()
       ->addMenu(Texts::tr("&Help"))

@@ -57,6 +57,7 @@ struct Actions {
   QAction* without_ik = nullptr;  // toggles the IK correction
   QAction* reset_layout = nullptr;
   QAction* study = nullptr;
+  QAction* blind_test = nullptr;
   QAction* guide = nullptr;
   QAction* shortcuts = nullptr;
   QAction* about = nullptr;

@@ -9,9 +9,11 @@
 #include <QMenu>
 #include <QWidget>
 
+#include "app/studio/compare/byte_view.h"
 #include "app/studio/compare/pinned_results.h"
 #include "app/studio/compare/range_actions.h"
 #include "app/studio/document/clip_files.h"
+#include "app/studio/document/own_limits.h"
 #include "app/studio/document/session.h"
 #include "app/studio/library/clip_links.h"
 #include "app/studio/library/frame_notes.h"
@@ -26,6 +28,7 @@
 #include "app/studio/window/tool_windows.h"
 #include "app/studio/window/trace.h"
 #include "app/studio/window/undo_target.h"
+#include "widgets/models/byte_cost_model.h"
 #include "widgets/models/library_model.h"
 #include "widgets/models/pinned_model.h"
 #include "widgets/panels/compression_panel.h"
@@ -83,8 +86,9 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   actions_.as_seen = error_display_->asSeen();
   const Models models{new JointErrorModel(this), new SlideModel(this)};
   auto* pinned_model = new PinnedModel(this);
-  panels_ =
-      makePanels(this, &layout_, {models, clips_, pinned_model}, playback_, actions_.transport);
+  auto* byte_model = new ByteCostModel(this);
+  panels_ = makePanels(this, &layout_, {models, clips_, pinned_model, byte_model}, playback_,
+                       actions_.transport);
   undo->setLibraryPanel(panels_.library);
   recent_ = addMenus(this, actions_, layout_.docks());
   layout_.restore();
@@ -99,6 +103,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   pinned_->setMemory([this](const QString& path) { return library_->pinsOf(path); });
   connect(pinned_, &PinnedResults::edited, library_, &Library::setPins);
   inspector_ = new Inspector(session_, playback_, panels_.inspection, error_display_, this);
+  new ByteView(session_, playback_, panels_.inspection.timeline->bytes(), byte_model, panels_.bytes,
+               this);
   recent_.play->addActions(inspector_->rangeActions()->actions());
   notes_ =
       new FrameNotes(session_, library_, playback_, panels_.inspection.timeline->notes(), this);
@@ -117,6 +123,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   incoming_ = new IncomingFiles(session_, library_, files_, projects_, notices_, this);
   leaving_ = new Leaving(session_, files_, library_, projects_, this);
   tools_ = new ToolWindows(session_, library_, files_, presets_, this);
+  if (!ownLimits().problem.isEmpty())
+    notices_->keep(tr("Your own limits of visibility are not used: %1").arg(ownLimits().problem));
   connectFileActions();
   connectEditActions();
   connectWindowActions();
@@ -205,6 +213,7 @@ void MainWindow::connectWindowActions() {
           [this] { showShortcuts(*menuBar(), this); });
   connect(actions_.about, &QAction::triggered, this, [this] { showAbout(this); });
   connect(actions_.study, &QAction::triggered, tools_, &ToolWindows::showStudy);
+  connect(actions_.blind_test, &QAction::triggered, tools_, &ToolWindows::showBlindTest);
   connect(actions_.batch, &QAction::triggered, tools_, &ToolWindows::showBatch);
   connect(actions_.export_library, &QAction::triggered, tools_,
           [this] { tools_->exportClips({}); });

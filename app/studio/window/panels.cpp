@@ -17,6 +17,7 @@
 
 #include "widgets/models/library_tree.h"
 #include "widgets/panels/annealing_panel.h"
+#include "widgets/panels/bytes_panel.h"
 #include "widgets/panels/compression_panel.h"
 #include "widgets/panels/figures_bar.h"
 #include "widgets/panels/footskate_panel.h"
@@ -238,10 +239,12 @@ Panels makePanels(QMainWindow* window, WindowLayout* layout, const PanelModels& 
   views.joints = new JointsPanel(models.clip.joints, window);
   views.footskate = new FootskatePanel(models.clip.slides, window);
   panels.pinned = new PinnedPanel(models.pinned, window);
+  panels.bytes = new BytesPanel(models.bytes, window);
   panels.library_plot = new LibraryPlot(panels.library->tree()->filter(), window);
   QDockWidget* joints =
       addTabs({{views.joints, "joints", DockTitles::tr("Joints")},
                {views.footskate, "footskate", DockTitles::tr("Footskate")},
+               {panels.bytes, "bytes", DockTitles::tr("Bytes")},
                {panels.pinned, "pinned", DockTitles::tr("Pinned")},
                {panels.library_plot, "library-plot", DockTitles::tr("All clips")}},
               layout, window);

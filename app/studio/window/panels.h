@@ -14,6 +14,8 @@ class QWidget;
 
 namespace mocapress {
 
+class ByteCostModel;
+class BytesPanel;
 class LibraryModel;
 class LibraryPanel;
 class LibraryPlot;
@@ -77,6 +79,7 @@ struct Panels {
   LibraryPlot* library_plot = nullptr;
   SlotControl* slot_control = nullptr;
   PinnedPanel* pinned = nullptr;
+  BytesPanel* bytes = nullptr;
   MessageBar* messages = nullptr;
 };
 
@@ -85,6 +88,7 @@ struct PanelModels {
   Models clip;
   LibraryModel* library = nullptr;
   PinnedModel* pinned = nullptr;
+  ByteCostModel* bytes = nullptr;
 };
 
 /// Makes the widgets and places them.

@@ -2,7 +2,9 @@
 #include "app/studio/window/tool_windows.h"
 
 #include "app/studio/batch/batch_window.h"
+#include "app/studio/blind_test/blind_test_window.h"
 #include "app/studio/document/clip_files.h"
+#include "app/studio/document/own_limits.h"
 #include "app/studio/document/session.h"
 #include "app/studio/library/library.h"
 #include "app/studio/study/study_window.h"
@@ -99,6 +101,20 @@ void ToolWindows::showBatch() {
     batch_->offerClip(original->path);
 }
 
+BlindTestWindow* ToolWindows::showBlindTest() {
+  if (!blind_test_) {
+    blind_test_ = new BlindTestWindow(session_, BlindTestWindow::usualFile(), window_);
+    connect(blind_test_, &BlindTestWindow::limitsChanged, session_, [this] {
+      EncodeSettings options = session_->document().options();
+      options.limits.of_cues = ownLimits().limits.of_cues;
+      session_->setOptions(options);
+    });
+  }
+  if (!blind_test_->isVisible()) blind_test_->prepare();
+  bringToFront(blind_test_);
+  return blind_test_;
+}
+
 void ToolWindows::exportClips(const std::vector<int>& rows) {
   if (!batch_) makeBatch();
   bringToFront(batch_);
@@ -108,6 +124,7 @@ void ToolWindows::exportClips(const std::vector<int>& rows) {
 void ToolWindows::close() {
   if (study_) study_->close();
   if (batch_) batch_->close();
+  if (blind_test_) blind_test_->close();
 }
 
 }  // namespace mocapress

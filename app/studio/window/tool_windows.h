@@ -10,6 +10,7 @@ namespace mocapress {
 
 class BatchSession;
 class BatchWindow;
+class BlindTestWindow;
 class ClipFiles;
 class Library;
 class PresetShelf;
@@ -32,6 +33,9 @@ class ToolWindows : public QObject {
   /// Shows the batch window and offers it the open clip.
   void showBatch();
 
+  /// Shows the window of blind tests, on the open clip.
+  BlindTestWindow* showBlindTest();
+
   /// Exports clips of the library with their own settings; no rows: all of them.
   void exportClips(const std::vector<int>& rows);
 
@@ -51,6 +55,7 @@ class ToolWindows : public QObject {
   StudySession* study_session_ = nullptr;
   StudyWindow* study_ = nullptr;
   BatchWindow* batch_ = nullptr;
+  BlindTestWindow* blind_test_ = nullptr;
 };
 
 }  // namespace mocapress

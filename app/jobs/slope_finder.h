@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <vector>
+
+#include "app/jobs/job_runner.h"
+#include "core/codec/encode/slope.h"
+
+namespace mocapress {
+
+/// Changes of a clip's settings to try.
+struct SlopeTask {
+  /// Joints to be relaxed; without joints the motion takes so many times its bytes.
+  struct Change {
+    std::vector<int> joints;
+    double times = 2;
+  };
+
+  std::shared_ptr<const Encoder> encoder;
+  EncodeSettings options;
+  Standing now;
+  std::vector<Change> changes;
+};
+
+/// Tries them in the background, on one thread of the lowest priority.
+class SlopeFinder : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit SlopeFinder(QObject* parent = nullptr) : QObject(parent) {}
+
+  /// Starts a task and abandons a running one.
+  void start(const SlopeTask& task);
+  void abandon() { runner_.abandon(); }
+  bool busy() const { return runner_.busy(); }
+
+ signals:
+  /// `change` is an index into the task's.
+  void found(int change, const Slope& slope);
+  void ended();
+
+ private:
+  JobRunner runner_{Workers::Idle};
+};
+
+}  // namespace mocapress

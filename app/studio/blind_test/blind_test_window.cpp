@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/blind_test/blind_test_window.h"
+
+#include <QCheckBox>
+#include <QCloseEvent>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QRandomGenerator>
+#include <QShortcut>
+#include <QSpinBox>
+#include <QStackedWidget>
+#include <QStandardPaths>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <ctime>
+
+#include "app/studio/document/own_limits.h"
+#include "app/studio/document/session.h"
+#include "core/base/error.h"
+#include "core/base/utc_time.h"
+#include "widgets/models/display_names.h"
+#include "widgets/timeline/playback.h"
+#include "widgets/viewport/viewport.h"
+
+namespace mocapress {
+namespace {
+
+const std::vector<double> kLevels = {0.5, 0.7, 1, 1.4, 2, 2.8, 4, 5.7, 8};
+constexpr double kNear = 1.05;      // levels nearer than this factor are one
+constexpr double kLoopSeconds = 3;  // about the worst moment
+constexpr std::size_t kLeastLevels = 3;
+
+double levelOf(const DecodedPtr& decoded) {
+  return decoded->visibility->worst().times_noticed();
+}
+
+}  // namespace
+
+QString BlindTestWindow::usualFile() {
+  return QDir(QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation))
+      .filePath(QStringLiteral("blind_tests.json"));
+}
+
+BlindTestWindow::BlindTestWindow(Session* session, const QString& file, QWidget* parent)
+    : QWidget(parent, Qt::Window),
+      session_(session),
+      file_(file),
+      playback_(new Playback(Playback::steadyClock(), this)),
+      pages_(new QStackedWidget(this)) {
+  setWindowTitle(tr("Blind Test"));
+  resize(1000, 640);
+  pages_->addWidget(makePreparation());
+  pages_->addWidget(makeQuestions());
+  pages_->addWidget(makeResult());
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(pages_);
+  makeKeys();
+  connect(&encoder_, &LevelEncoder::made, this, &BlindTestWindow::take);
+  connect(&encoder_, &LevelEncoder::ended, this, &BlindTestWindow::startTest);
+  connect(playback_, &Playback::frameChanged, this, [this](int frame) {
+    for (Viewport* view : views_)
+      if (!view->isHidden()) view->setFrame(frame);
+  });
+}
+
+QWidget* BlindTestWindow::makePreparation() {
+  auto* page = new QWidget(this);
+  about_ = new QLabel(page);
+  about_->setWordWrap(true);
+  viewer_ = new QLineEdit(qEnvironmentVariable("USER"), page);
+  viewer_->setAccessibleName(tr("Viewer"));
+  distance_ = new QDoubleSpinBox(page);
+  distance_->setRange(kLeastDistance, kMostDistance);
+  distance_->setDecimals(1);
+  distance_->setSuffix(tr(" m"));
+  distance_->setAccessibleName(tr("Viewing distance"));
+  distance_->setToolTip(
+      tr("Distance at which a person would look as tall as the figure does on your screen"));
+  count_ = new QSpinBox(page);
+  count_->setRange(10, 200);
+  count_->setValue(BlindTest::kUsualQuestions);
+  count_->setAccessibleName(tr("Questions"));
+  beside_ = new QCheckBox(tr("Show A, X and B side by side"), page);
+  start_ = new QPushButton(tr("Begin"), page);
+  start_->setDefault(true);
+  progress_ = new QProgressBar(page);
+  progress_->setRange(0, static_cast<int>(kLevels.size()));
+  progress_->setFormat(tr("Compressing the clip at %m levels: %v"));
+  auto* form = new QFormLayout;
+  form->addRow(tr("Viewer"), viewer_);
+  form->addRow(tr("Viewing distance"), distance_);
+  form->addRow(tr("Questions"), count_);
+  form->addRow(QString(), beside_);
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(40, 30, 40, 30);
+  column->setSpacing(16);
+  column->addWidget(about_);
+  column->addLayout(form);
+  column->addWidget(start_, 0, Qt::AlignLeft);
+  column->addWidget(progress_);
+  column->addStretch();
+  connect(start_, &QPushButton::clicked, this, &BlindTestWindow::begin);
+  connect(viewer_, &QLineEdit::returnPressed, this, &BlindTestWindow::begin);
+  return page;
+}
+
+QWidget* BlindTestWindow::makeQuestions() {
+  auto* page = new QWidget(this);
+  question_ = new QLabel(page);
+  question_->setAlignment(Qt::AlignCenter);
+  shown_ = new QLabel(page);
+  shown_->setAlignment(Qt::AlignCenter);
+  QFont large = shown_->font();
+  large.setPointSizeF(2 * large.pointSizeF());
+  large.setBold(true);
+  shown_->setFont(large);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(1);
+  for (Viewport*& view : views_) {
+    view = new Viewport(page);
+    view->setFocusPolicy(Qt::NoFocus);
+    row->addWidget(view, 1);
+  }
+  auto* keys = new QLabel(
+      tr("1: A, the original    2: X    3: B, compressed        ←: X is A    →: X is B        "
+         "Esc: stop"),
+      page);
+  keys->setAlignment(Qt::AlignCenter);
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 10, 0, 10);
+  column->addWidget(question_);
+  column->addWidget(shown_);
+  column->addLayout(row, 1);
+  column->addWidget(keys);
+  return page;
+}
+
+QWidget* BlindTestWindow::makeResult() {
+  auto* page = new QWidget(this);
+  verdict_ = new QLabel(page);
+  verdict_->setWordWrap(true);
+  use_ = new QPushButton(tr("Use as Limits"), page);
+  use_->setToolTip(
+      tr("Judge visibility by your own threshold from now on; other cues keep their limits"));
+  auto* again = new QPushButton(tr("Another Test"), page);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(use_);
+  buttons->addWidget(again);
+  buttons->addStretch();
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(40, 30, 40, 30);
+  column->setSpacing(16);
+  column->addWidget(verdict_);
+  column->addLayout(buttons);
+  column->addStretch();
+  connect(again, &QPushButton::clicked, this, &BlindTestWindow::prepare);
+  connect(use_, &QPushButton::clicked, this, [this] {
+    try {
+      SightLimits limits = limits_by({record()}, ownLimits().limits);
+      setOwnLimits(limits);
+      use_->setEnabled(false);
+      use_->setText(tr("In Use"));
+      emit limitsChanged();
+    } catch (const Error& error) {
+      verdict_->setText(QString::fromUtf8(error.what()));
+    }
+  });
+  return page;
+}
+
+void BlindTestWindow::makeKeys() {
+  const auto on = [this](const QKeySequence& key, auto act) {
+    auto* shortcut = new QShortcut(key, pages_->widget(1));
+    shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+    connect(shortcut, &QShortcut::activated, this, act);
+  };
+  on(Qt::Key_1, [this] { look(A); });
+  on(Qt::Key_2, [this] { look(X); });
+  on(Qt::Key_3, [this] { look(B); });
+  on(Qt::Key_Left, [this] { answer(false); });
+  on(Qt::Key_Right, [this] { answer(true); });
+  on(Qt::Key_Escape, [this] { finish(); });
+}
+
+void BlindTestWindow::prepare() {
+  encoder_.abandon();
+  playback_->pause();
+  original_ = session_->document().original();
+  const EncodeSettings& options = session_->document().options();
+  const bool possible = original_ && options.method == Method::ClosedLoop;
+  about_->setText(
+      possible
+          ? tr("A is the original of %1, B the same clip compressed, more or less visibly. X is "
+               "one of the two: say which. The test finds the smallest error that you notice, "
+               "in about five minutes. Nobody is told whether an answer was right.")
+                .arg(QFileInfo(original_->path).fileName())
+          : tr("Open a motion and compress it by the closed loop: the test takes the open clip."));
+  distance_->setValue(options.limits.distance_m);
+  start_->setEnabled(possible);
+  progress_->hide();
+  pages_->setCurrentIndex(0);
+  viewer_->setFocus();
+}
+
+void BlindTestWindow::begin() {
+  if (!original_ || !start_->isEnabled()) return;
+  start_->setEnabled(false);
+  levels_.clear();
+  test_.reset();
+  progress_->setValue(0);
+  progress_->show();
+  EncodeSettings options = session_->document().options();
+  options.limits.distance_m = distance_->value();
+  encoder_.start(original_->encoder, options, kLevels);
+}
+
+/// Keeps the level if it differs from the last one.
+void BlindTestWindow::take(const DecodedPtr& decoded) {
+  progress_->setValue(progress_->value() + 1);
+  if (!decoded->visibility || levelOf(decoded) <= 0) return;
+  if (levels_.empty() || levelOf(decoded) > kNear * levelOf(levels_.back()))
+    levels_.push_back(decoded);
+}
+
+void BlindTestWindow::startTest() {
+  progress_->hide();
+  if (levels_.size() < kLeastLevels) {
+    about_->setText(tr("This clip cannot be compressed at enough levels for a test."));
+    return;
+  }
+  std::vector<double> levels;
+  for (const DecodedPtr& decoded : levels_) levels.push_back(levelOf(decoded));
+  test_.emplace(std::move(levels), QRandomGenerator::global()->generate64(), count_->value());
+  const Motion& motion = original_->motion();
+  for (Viewport* view : views_) {
+    view->setSkeleton(motion.skeleton);
+    view->setSampleRate(motion.clip.sample_rate_hz);
+  }
+  for (const Figure figure : {A, B}) views_[figure]->setVisible(beside_->isChecked());
+  playback_->setClip(motion.clip.frames(), motion.clip.sample_rate_hz);
+  pages_->setCurrentIndex(1);
+  pages_->widget(1)->setFocus();
+  ask();
+}
+
+const DecodedClip& BlindTestWindow::compressed() const {
+  return *levels_[static_cast<std::size_t>(test_->question().level)];
+}
+
+/// Loops the time about the worst moment of the level.
+void BlindTestWindow::ask() {
+  if (test_->finished()) return finish();
+  const int asked = static_cast<int>(test_->answers().size());
+  question_->setText(tr("Question %L1 of %L2: is X the original or the compressed one?")
+                         .arg(asked + 1)
+                         .arg(test_->questions()));
+  const Clip& clip = original_->motion().clip;
+  const int half = static_cast<int>(kLoopSeconds / 2 * clip.sample_rate_hz);
+  const int worst = compressed().visibility->worst().frame;
+  const int first = std::clamp(worst - half, 0, std::max(0, clip.frames() - 1 - 2 * half));
+  playback_->setRange(std::pair(first, std::min(first + 2 * half, clip.frames() - 1)));
+  playback_->setLoops(true);
+  playback_->seek(first);
+  playback_->play();
+  if (!beside_->isChecked()) return look(A);
+  for (const Figure figure : {A, X, B}) look(figure);
+}
+
+/// Shows a figure in its own view, or in the one that all share. All look alike, as originals.
+void BlindTestWindow::look(Figure figure) {
+  if (!test_ || test_->finished()) return;
+  const bool is_b = figure == B || (figure == X && test_->question().x_is_b);
+  const bool beside = beside_->isChecked();
+  views_[beside ? figure : X]->setOriginal(is_b ? compressed().tracks : original_->tracks());
+  static constexpr char kNames[] = {'A', 'X', 'B'};
+  shown_->setText(beside ? QStringLiteral("A        X        B")
+                         : QString(QLatin1Char(kNames[figure])));
+}
+
+void BlindTestWindow::answer(bool x_is_b) {
+  if (!test_ || test_->finished()) return;
+  test_->answer(x_is_b);
+  ask();
+}
+
+BlindTestRecord BlindTestWindow::record() const {
+  // The cue by which most levels are seen.
+  std::array<int, kCues> counts{};
+  for (const DecodedPtr& decoded : levels_)
+    ++counts[static_cast<std::size_t>(decoded->visibility->worst().cue)];
+  const auto most = std::max_element(counts.begin(), counts.end()) - counts.begin();
+  SightLimits limits = session_->document().options().limits;
+  limits.distance_m = distance_->value();
+  return {.viewer = viewer_->text().toStdString(),
+          .clip = QFileInfo(original_->path).fileName().toStdString(),
+          .character = QFileInfo(original_->character).fileName().toStdString(),
+          .time = utc_text(std::time(nullptr)),
+          .cue = static_cast<Cue>(most),
+          .limits = limits,
+          .levels = test_->levels(),
+          .answers = {test_->answers().begin(), test_->answers().end()}};
+}
+
+void BlindTestWindow::finish() {
+  playback_->pause();
+  if (!test_ || test_->answers().empty()) return prepare();
+  const BlindTestRecord made = record();
+  const ThresholdFit fit = made.fit();
+  QString text = tr("%L1 of %L2 answers were right. Somebody who guesses has as many with a "
+                    "probability of %L3.")
+                     .arg(made.right())
+                     .arg(made.answers.size())
+                     .arg(made.p(), 0, 'g', 2);
+  text += QStringLiteral("\n\n");
+  text += fit.found ? tr("You notice errors from %L1 times what the limits say (95 % interval: %L2 "
+                         "to %L3). Most were seen as: %4, from %L5 m.")
+                          .arg(fit.curve.threshold, 0, 'f', 2)
+                          .arg(fit.low, 0, 'f', 2)
+                          .arg(fit.high, 0, 'f', 2)
+                          .arg(displayName(made.cue))
+                          .arg(made.limits.distance_m, 0, 'f', 1)
+                    : tr("The answers do not tell a threshold: they are too few, or it lies "
+                         "outside of the levels.");
+  try {
+    QDir().mkpath(QFileInfo(file_).path());
+    add_blind_test(file_.toStdU16String(), made);
+    text += QStringLiteral("\n\n") + tr("Kept in %1.").arg(QDir::toNativeSeparators(file_));
+  } catch (const Error& error) {
+    text += QStringLiteral("\n\n") + QString::fromUtf8(error.what());
+  }
+  verdict_->setText(text);
+  use_->setText(tr("Use as Limits"));
+  use_->setEnabled(fit.found);
+  pages_->setCurrentIndex(2);
+}
+
+void BlindTestWindow::closeEvent(QCloseEvent* event) {
+  encoder_.abandon();
+  playback_->pause();
+  event->accept();
+}
+
+}  // namespace mocapress

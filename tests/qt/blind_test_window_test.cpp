@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/blind_test/blind_test_window.h"
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/studio/document/session.h"
+#include "core/formats/motion_file.h"
+#include "resources/samples/generator/samples.h"
+#include "tests/qt/patience.h"
+
+namespace mocapress {
+namespace {
+
+// A model observer answers, no person.
+TEST(BlindTestWindow, KeepsTheTestOfAModelObserver) {
+  const QTemporaryDir directory;
+  const QString path = directory.filePath(QStringLiteral("walk.bvh"));
+  write_motion(path.toStdU16String(), samples::walk_clip());
+  Session session;
+  QSignalSpy settled(&session, &Session::settled);
+  session.open(path);
+  ASSERT_TRUE(settled.count() > 0 || settled.wait(kPatience));
+
+  const QString file = directory.filePath(QStringLiteral("kept/blind_tests.json"));
+  BlindTestWindow window(&session, file, nullptr);
+  window.show();
+  window.prepare();
+  ASSERT_TRUE(window.start()->isEnabled());
+  window.start()->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window.test().has_value(); }, kPatience));
+  Random draws(5);
+  const PsychometricCurve viewer{1.5, 5};
+  while (!window.test()->finished()) {
+    const BlindTest& test = *window.test();
+    const BlindTest::Question question = test.question();
+    const bool right =
+        draws.unit() < viewer.right(test.levels()[static_cast<std::size_t>(question.level)]);
+    window.answer(right == question.x_is_b);
+  }
+  EXPECT_FALSE(window.verdict()->text().isEmpty());
+  const std::vector<BlindTestRecord> kept = read_blind_tests(file.toStdU16String());
+  ASSERT_EQ(kept.size(), 1u);
+  EXPECT_EQ(kept[0].clip, "walk.bvh");
+  EXPECT_EQ(kept[0].answers.size(), 40u);
+}
+
+TEST(BlindTestWindow, NeedsAnOpenClip) {
+  Session session;
+  BlindTestWindow window(&session, QString(), nullptr);
+  window.prepare();
+  EXPECT_FALSE(window.start()->isEnabled());
+}
+
+}  // namespace
+}  // namespace mocapress

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAbstractTableModel>
+#include <memory>
+#include <vector>
+
+#include "core/codec/format/byte_costs.h"
+
+namespace mocapress {
+
+/// A table of a compressed file's bytes: a row for each joint, then for what else is in it.
+class ByteCostModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { Name, Bytes, Share, kColumns };
+  static constexpr int kSortRole = Qt::UserRole;
+
+  using QAbstractTableModel::QAbstractTableModel;
+
+  /// Null: unknown. `joints` has the names of all joints.
+  void setCosts(const std::shared_ptr<const ByteCosts>& costs, std::vector<QString> joints);
+
+  /// The joint of a row; -1: it is about something else in the file.
+  int jointOf(int row) const;
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  struct Row {
+    QString name;
+    double bytes = 0;
+  };
+
+  std::vector<Row> rows_;
+  int joints_ = 0;  // the first rows
+  double all_ = 1;
+};
+
+}  // namespace mocapress

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <QWidget>
+#include <vector>
+
+class QLabel;
+class QPushButton;
+class QSortFilterProxyModel;
+class QTreeView;
+class QTreeWidget;
+
+namespace mocapress {
+
+class ByteCostModel;
+
+/// A change of the settings with what it brought when it was tried.
+struct SlopeRow {
+  QString change;         // "Fingers at twice the error"
+  double bytes = 0;       // added to the motion
+  double error_cm = 0;    // of what the change is about, before
+  double becomes_cm = 0;  // and after
+};
+
+/// Bytes by joint in a sortable list with bars, and beside it what other settings would bring.
+class BytesPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit BytesPanel(ByteCostModel* model, QWidget* parent = nullptr);
+
+  /// Makes the row of that joint current. Emits nothing.
+  void setCurrentJoint(int joint);
+
+  /// What other settings brought, in the order of applyRequested().
+  void setSlopes(const std::vector<SlopeRow>& slopes);
+
+  /// `measuring`: more follow. `possible`: there is a clip to measure on.
+  void setState(bool measuring, bool possible);
+
+  QPushButton* measure() const { return measure_; }
+  QPushButton* apply() const { return apply_; }
+  QTreeWidget* slopes() const { return slopes_; }
+
+ signals:
+  void currentJointChanged(int joint);
+  void measureRequested();
+  void applyRequested(int slope);
+
+ private:
+  QWidget* makeSlopes();
+
+  ByteCostModel* model_;
+  QSortFilterProxyModel* sorted_;
+  QTreeView* view_;
+  QTreeWidget* slopes_;
+  QLabel* hint_;
+  QPushButton* measure_;
+  QPushButton* apply_;
+};
+
+}  // namespace mocapress
