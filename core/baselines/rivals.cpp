@@ -9,8 +9,9 @@
 namespace mocapress {
 
 void add_rivals() {
-  static const std::array kMethods{&pca_method(), &subsample_method(), &quaternion_method(),
-                                   &liu_mcmillan_method(), &arikan_method()};
+  static const std::array kMethods{&pca_method(),        &subsample_method(),
+                                   &quaternion_method(), &liu_mcmillan_method(),
+                                   &arikan_method(),     &key_frame_method()};
   add_comparison_methods(kMethods);
 }
 

@@ -16,6 +16,10 @@ const ComparisonMethod& subsample_method();
 /// PCA of segments, with key frames for each component. A detail is a tolerance.
 const ComparisonMethod& liu_mcmillan_method();
 
+/// Each channel by itself, with key frames and steps as fine as it needs: what engines do. A detail
+/// is a tolerance.
+const ComparisonMethod& key_frame_method();
+
 /// The largest detail of methods that split until a curve fits, and the tolerance (cm) of a detail:
 /// 40 at detail 0.
 inline constexpr int kMostDetail = 8000;

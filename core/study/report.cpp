@@ -41,7 +41,7 @@ std::string counted(std::size_t count, const std::string& noun) {
 int style_of(const Results& results, const Series& series) {
   constexpr std::string_view kOwn[] = {"annealed",     "standard", "per-channel", "haar",
                                        "linear",       "pca",      "subsample",   "quaternion",
-                                       "liu-mcmillan", "arikan",   "closed-loop"};
+                                       "liu-mcmillan", "arikan",   "closed-loop", "key-frames"};
   const auto own = std::find(std::begin(kOwn), std::end(kOwn), series.method);
   if (own != std::end(kOwn) && !series.ik_ratio) return static_cast<int>(own - std::begin(kOwn));
   std::vector<bool> taken(kChartStyles, false);

@@ -28,6 +28,7 @@ struct Methods {
     QT_TRANSLATE_NOOP("mocapress::Methods", "Quaternion wavelets"),
     QT_TRANSLATE_NOOP("mocapress::Methods", "Segment PCA, after Liu & McMillan"),
     QT_TRANSLATE_NOOP("mocapress::Methods", "Clustered PCA, after Arikan"),
+    QT_TRANSLATE_NOOP("mocapress::Methods", "Key frames per track"),
 };
 
 }  // namespace

@@ -40,7 +40,7 @@ TEST(CompressionMethods, AreNamedInTheOrderOfThePaper) {
   }
   EXPECT_THAT(names, testing::ElementsAre("annealed", "standard", "per-channel", "haar", "linear",
                                           "closed-loop", "pca", "subsample", "quaternion",
-                                          "liu-mcmillan", "arikan"));
+                                          "liu-mcmillan", "arikan", "key-frames"));
   EXPECT_EQ(find_compression_method("magic"), nullptr);
 }
 
