@@ -13,12 +13,13 @@ inline constexpr std::string_view kClipLinkScheme = "mocapress:";
 /// A place in a clip, as a link names it: "mocapress://open?clip=/motion/walk.bvh&frame=12". The
 /// studio opens it, and reports hold such links.
 struct ClipLink {
-  std::string clip;                             // a motion or .mcpr, by its absolute path
-  std::optional<std::string> take;              // in a file with several
-  std::optional<int> frame;                     // the first is 0
-  std::string joint;                            // by name; empty: none
-  std::optional<std::array<double, 6>> camera;  // target x, y, z (cm), then turn and height
-                                                // (degrees) and distance (cm) of the eye from it
+  std::string clip;                 // a motion or .mcpr, by its absolute path
+  std::optional<std::string> take;  // in a file with several
+  std::optional<int> frame;         // the first is 0
+  std::string joint;                // by name; empty: none
+  // x, y, z (cm) of what the camera looks at, from the root; turn from +z towards +x and height
+  // above the ground of the eye (degrees), and its distance (cm).
+  std::optional<std::array<double, 6>> camera;
 
   bool operator==(const ClipLink&) const = default;
 };

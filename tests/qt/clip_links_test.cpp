@@ -55,7 +55,7 @@ TEST_F(LinksToClips, LeadToFrameJointAndViewInAnotherStudio) {
   here.open([&] { here.session.open(clip("a walk & more.bvh", 1)); });
   here.playback.seek(70);
   here.session.document().setCurrentJoint(here.session.document().skeleton()->find("lhand"));
-  here.viewport.setView({{10, 90, -5}, 120, 25, 300});
+  here.viewport.setCameraPlace({{10, 9, -5}, 300, 2.1f, 0.4f});
   const QString link = here.links.toHere();
   EXPECT_TRUE(ClipLinks::isLink(link));
 
@@ -66,10 +66,10 @@ TEST_F(LinksToClips, LeadToFrameJointAndViewInAnotherStudio) {
   EXPECT_EQ(there.playback.frame(), 70);
   EXPECT_EQ(there.session.document().currentJoint(),
             there.session.document().skeleton()->find("lhand"));
-  const OrbitCamera::View view = there.viewport.camera().view();
-  EXPECT_NEAR(view.target.y(), 90, 0.1);
-  EXPECT_NEAR(view.azimuth, 120, 0.1);
-  EXPECT_NEAR(view.elevation, 25, 0.1);
+  const OrbitCamera::Place place = there.viewport.cameraPlace();
+  EXPECT_NEAR(place.target.y(), 9, 0.1);
+  EXPECT_NEAR(place.azimuth, 2.1, 0.01);
+  EXPECT_NEAR(place.elevation, 0.4, 0.01);
 }
 
 TEST_F(LinksToClips, FindTheClipOfThatNameWhereThePathIsAnothersOwn) {

@@ -106,7 +106,7 @@ TEST_F(NotesOnAClip, AMarkOnTheFirstAndLastFrameIsWhole) {
   for (const int frame : {0, 59}) {
     const int middle = static_cast<int>(axis.xOf(frame + 0.5));
     for (const int x : {middle - 3, middle + 3})
-      EXPECT_EQ(picture.pixel(x, picture.height() / 2), kNoteColour) << frame << ' ' << x;
+      EXPECT_EQ(picture.pixel(x, picture.height() / 2), kFrameNoteColour) << frame << ' ' << x;
   }
 }
 

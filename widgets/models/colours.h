@@ -17,7 +17,7 @@ inline constexpr std::array<QRgb, 7> kCurveColours = {
     0xff0072b2, 0xffd55e00, 0xff009e73, 0xffcc79a7, 0xffe69f00, 0xff56b4e9, 0xff999999};
 
 /// Marks a note on a frame, on the timeline and in the picture: one of them.
-inline constexpr QRgb kNoteColour = 0xffe69f00;
+inline constexpr QRgb kFrameNoteColour = 0xffe69f00;
 
 /// Distinguishes a series of a study in every plot and table: colour, point shape and line style,
 /// so that nobody depends on colour alone.

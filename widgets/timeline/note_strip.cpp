@@ -80,8 +80,8 @@ void NoteStrip::paintEvent(QPaintEvent*) {
     if (x < area.left() || x > area.right()) continue;
     const double end =
         i + 1 < notes_.size() ? time.xOf(notes_[i + 1].frame + 0.5) - kNoteMark / 2 : area.right();
-    painter.setPen(QPen(QColor(kNoteColour), kOutline));
-    painter.setBrush(notes_[i].stale ? QBrush(Qt::NoBrush) : QBrush(QColor(kNoteColour)));
+    painter.setPen(QPen(QColor(kFrameNoteColour), kOutline));
+    painter.setBrush(notes_[i].stale ? QBrush(Qt::NoBrush) : QBrush(QColor(kFrameNoteColour)));
     constexpr double kRadius = (kNoteMark - kOutline) / 2;
     painter.drawEllipse(QPointF(x, area.center().y()), kRadius, kRadius);
     painter.setPen(palette().color(QPalette::WindowText));

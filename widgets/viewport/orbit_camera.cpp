@@ -116,16 +116,11 @@ void OrbitCamera::zoom(float notches) {
   distance_ = std::clamp(distance_, kNearest * radius_, kFurthest * radius_);
 }
 
-OrbitCamera::View OrbitCamera::view() const {
-  constexpr float kDegrees = 180 / std::numbers::pi_v<float>;
-  return {target_, kDegrees * azimuth_, kDegrees * elevation_, distance_};
-}
-
-void OrbitCamera::setView(const View& view) {
-  target_ = view.target;
-  azimuth_ = radians(std::remainder(view.azimuth, 360.0f));
-  elevation_ = radians(std::clamp(view.elevation, -kSteepest, kSteepest));
-  distance_ = std::clamp(view.distance, kNearest * radius_, kFurthest * radius_);
+void OrbitCamera::setPlace(const Place& place) {
+  target_ = place.target;
+  distance_ = std::clamp(place.distance, kNearest * radius_, kFurthest * radius_);
+  azimuth_ = place.azimuth;
+  elevation_ = std::clamp(place.elevation, radians(-kSteepest), radians(kSteepest));
 }
 
 QVector3D OrbitCamera::beside(const QVector3D& in_world, const QPointF& pixel) const {

@@ -42,15 +42,13 @@ class OrbitCamera {
 
   void moveBy(const QVector3D& offset) { target_ += offset; }
 
-  /// Where the camera looks from.
-  struct View {
+  /// Everything that dragging and zooming change, lengths in cm.
+  struct Place {
     QVector3D target;
-    float azimuth = 0;    // degrees from +z towards +x
-    float elevation = 0;  // degrees above the ground plane
-    float distance = 1;   // from eye to target
+    float distance, azimuth, elevation;
   };
-  View view() const;
-  void setView(const View& view);
+  Place place() const { return {target_, distance_, azimuth_, elevation_}; }
+  void setPlace(const Place& place);
 
   /// The point under a pixel that is as deep in the picture as a point of the world.
   QVector3D beside(const QVector3D& in_world, const QPointF& pixel) const;

@@ -242,7 +242,7 @@ void Overlay::showNotes(const std::vector<OverlayNote>& notes, const QSize& view
       // Seen on dark and on bright grounds.
       painter.setPen(QPen(colours_.plate, 2 * kLineWidth));
       painter.drawEllipse(place);
-      painter.setPen(QPen(QColor(kNoteColour), kLineWidth));
+      painter.setPen(QPen(QColor(kFrameNoteColour), kLineWidth));
       painter.drawEllipse(place);
       painter.translate(kNoteRing + kTitleGap, 0);
       paintPlate(painter, plate, colours_);

@@ -32,7 +32,7 @@ constexpr double kTrailSeconds = 0.1;     // time between poses of the ghost tra
 constexpr double kPathSeconds = 0.5;      // time on each side of now
 constexpr auto kBlinkTime = std::chrono::milliseconds(400);
 constexpr double kWheelStep = 120;    // Qt's angle delta of one notch
-constexpr double kJointReach = 12;    // logical pixels from a joint to a click on it
+constexpr double kClickReach = 12;    // logical pixels from a joint to a click on it
 constexpr double kNoteSeconds = 0.5;  // a note is seen around its frame
 constexpr double kDividerReach = 10;  // pixels on each side of the divider
 
@@ -218,9 +218,17 @@ void Viewport::setNotes(std::vector<PlacedNote> notes) {
   showNotes();
 }
 
-void Viewport::setView(const OrbitCamera::View& view) {
+OrbitCamera::Place Viewport::cameraPlace() const {
+  OrbitCamera::Place place = camera_.place();
+  place.target -= root_;
+  return place;
+}
+
+void Viewport::setCameraPlace(const OrbitCamera::Place& place) {
+  OrbitCamera::Place here = place;
+  here.target += root_;
   camera_is_as_framed_ = false;
-  camera_.setView(view);
+  camera_.setPlace(here);
   showCamera();
 }
 
@@ -603,7 +611,7 @@ void Viewport::drag(const QMouseEvent& event) {
 void Viewport::release(const QMouseEvent& event) {
   drags_divider_ = false;
   if (!std::exchange(is_click_, false)) return;
-  const std::optional<Pointed> on = pointedAt(event.position(), kJointReach);
+  const std::optional<Pointed> on = pointedAt(event.position(), kClickReach);
   if (!(event.modifiers() & Qt::ControlModifier)) {
     if (on) emit jointClicked(on->joint);
     return;

@@ -107,8 +107,9 @@ class Viewport : public QWidget {
   /// Looks at the floor from above, as on a plan.
   void lookDown();
 
-  /// Looks from there, whatever the figure.
-  void setView(const OrbitCamera::View& view);
+  /// The camera's place, with its target relative to the root, so that it fits other clips.
+  OrbitCamera::Place cameraPlace() const;
+  void setCameraPlace(const OrbitCamera::Place& place);
 
   /// The camera of a pane, in the pane's logical pixels: a half of the view side by side, else all.
   const OrbitCamera& camera() const { return camera_; }

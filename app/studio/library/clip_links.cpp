@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QVector3D>
+#include <QtMath>
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -66,10 +67,12 @@ void ClipLinks::arrive() {
     if (const int joint = skeleton->find(link.joint); joint >= 0)
       session_->document().setCurrentJoint(joint);
   if (!link.camera) return;
-  const auto& [x, y, z, azimuth, elevation, distance] = *link.camera;
-  viewport_->setView(
-      {QVector3D(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)),
-       static_cast<float>(azimuth), static_cast<float>(elevation), static_cast<float>(distance)});
+  std::array<float, 6> camera{};
+  std::ranges::transform(*link.camera, camera.begin(),
+                         [](double value) { return static_cast<float>(value); });
+  const auto& [x, y, z, turn, height, distance] = camera;
+  viewport_->setCameraPlace(
+      {QVector3D(x, y, z), distance, qDegreesToRadians(turn), qDegreesToRadians(height)});
 }
 
 QString ClipLinks::toHere() const {
@@ -81,9 +84,14 @@ QString ClipLinks::toHere() const {
                 .frame = playback_->frame()};
   if (const int joint = document.currentJoint(); joint >= 0)
     link.joint = document.skeleton()->joint(joint).name;
-  const OrbitCamera::View view = viewport_->camera().view();
-  link.camera = {view.target.x(), view.target.y(), view.target.z(),
-                 view.azimuth,    view.elevation,  view.distance};
+  const OrbitCamera::Place place = viewport_->cameraPlace();
+  const QVector3D& target = place.target;
+  link.camera = {target.x(),
+                 target.y(),
+                 target.z(),
+                 qRadiansToDegrees(place.azimuth),
+                 qRadiansToDegrees(place.elevation),
+                 place.distance};
   return QString::fromStdString(link_text(link));
 }
 
