@@ -160,14 +160,51 @@ TEST(OrbitCamera, LooksDownAndBackToWhereItLookedFrom) {
   camera.lookAt({1, 2, 3}, 100);
   camera.orbit({30, -20});
   const QVector3D before = camera.eye();
-  camera.lookDown();
+  camera.lookAlong(ViewAxis::Top);
   EXPECT_GT(camera.eye().y() - camera.target().y(), 0.99F * camera.distance());
-  camera.lookDown();
+  camera.lookAlong(ViewAxis::Top);
   EXPECT_LT((camera.eye() - before).length(), 1e-3F * camera.distance());
-  camera.lookDown();
+  camera.lookAlong(ViewAxis::Top);
   camera.orbit({5, 5});
-  camera.lookDown();
+  camera.lookAlong(ViewAxis::Top);
   EXPECT_GT(camera.eye().y() - camera.target().y(), 0.99F * camera.distance());
+}
+
+TEST(OrbitCamera, LooksFromTheFrontAndTheSide) {
+  OrbitCamera camera;
+  camera.lookAt({1, 2, 3}, 100);
+  camera.lookAlong(ViewAxis::Front);
+  const QVector3D from_front = (camera.eye() - camera.target()) / camera.distance();
+  EXPECT_LT((from_front - QVector3D(0, 0, 1)).length(), 1e-3F);
+  camera.lookAlong(ViewAxis::Side);
+  const QVector3D from_side = (camera.eye() - camera.target()) / camera.distance();
+  EXPECT_LT((from_side - QVector3D(1, 0, 0)).length(), 1e-3F);
+}
+
+TEST(OrbitCamera, ComesBackToAPlaceThatWasKept) {
+  OrbitCamera camera;
+  camera.lookAt({1, 2, 3}, 100);
+  camera.orbit({30, -20});
+  camera.zoom(2);
+  const OrbitCamera::Place kept = camera.place();
+  const QVector3D eye = camera.eye();
+  camera.pan({40, 10});
+  camera.orbit({-100, 50});
+  camera.setPlace(kept);
+  EXPECT_LT((camera.eye() - eye).length(), 1e-3F);
+}
+
+TEST(OrbitCamera, LooksCloseWithoutTurning) {
+  OrbitCamera camera;
+  camera.setViewSize({800, 600});
+  camera.lookAt({0, 90, 0}, 100);
+  const QVector3D direction = (camera.eye() - camera.target()).normalized();
+  camera.lookClose({20, 40, 0}, 20);
+  EXPECT_EQ(camera.target(), QVector3D(20, 40, 0));
+  EXPECT_LT(((camera.eye() - camera.target()).normalized() - direction).length(), 1e-4F);
+  const QPointF edge = *camera.project({20, 60, 0});
+  EXPECT_GT(edge.y(), 0);
+  EXPECT_LT(edge.y(), 120);  // a fifth of the view from its top
 }
 
 }  // namespace

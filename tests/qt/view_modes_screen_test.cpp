@@ -79,6 +79,56 @@ class ViewModes : public testing::Test {
   Viewport viewport_;
 };
 
+TEST_F(ViewModes, FourViewsShowTheFigureFromEverySide) {
+  const QImage four = picture({.quartered = true});
+  ASSERT_EQ(four.width(), 800);
+  const auto red_in = [&](const QRect& area) {
+    int count = 0;
+    for (int x = area.left(); x <= area.right(); ++x)
+      for (int y = area.top() + 40; y <= area.bottom(); ++y)  // below the titles
+        count += isRed(four.pixel(x, y)) ? 1 : 0;
+    return count;
+  };
+  for (const QPoint& corner : {QPoint(0, 0), QPoint(400, 0), QPoint(0, 240), QPoint(400, 240)})
+    EXPECT_GT(red_in({corner, QSize(400, 240)}), 50) << corner.x() << ' ' << corner.y();
+  EXPECT_TRUE(isRed(four.pixel(seen(compressed_))));  // the first view is the camera's
+}
+
+TEST_F(ViewModes, AClickInAnyOfFourViewsFindsTheJointThere) {
+  picture({.quartered = true});
+  QSignalSpy clicked(&viewport_, &Viewport::jointClicked);
+  const QPoint in_front = viewport_.camera()
+                              .along(ViewAxis::Front)
+                              .project(landmarkAt(*compressed_, 0, kMiddle))
+                              ->toPoint();
+  QTest::mouseClick(scene(), Qt::LeftButton, {}, in_front + QPoint(400, 0));
+  ASSERT_EQ(clicked.count(), 1);
+  EXPECT_EQ(clicked[0][0].toInt(), kMiddle);
+}
+
+TEST_F(ViewModes, ExaggeratesTheDifferenceAndSaysSo) {
+  const Viewport::Tracks near_by = stickAt(20);
+  viewport_.setCompressed(near_by);
+  const QImage plain = picture({});
+  const QImage more = picture({.exaggeration = 5});
+  const Viewport::Tracks expected = stickAt(-20);  // 30 - 5 * 10
+  EXPECT_TRUE(isRed(more.pixel(seen(expected))));
+  EXPECT_FALSE(isRed(plain.pixel(seen(expected))));
+  int changed = 0;  // the words at the bottom left
+  for (int x = 12; x < 120; ++x)
+    for (int y = 445; y < 465; ++y) changed += plain.pixel(x, y) != more.pixel(x, y) ? 1 : 0;
+  EXPECT_GT(changed, 200);
+}
+
+TEST_F(ViewModes, FramesTheSelectedJoint) {
+  picture({});
+  const float before = viewport_.camera().distance();
+  viewport_.setSelectedJoint(kMiddle);
+  viewport_.frameJoint();
+  EXPECT_LT(viewport_.camera().distance(), before / 2);
+  EXPECT_LT((viewport_.camera().target() - landmarkAt(*original_, 0, kMiddle)).length(), 1e-3F);
+}
+
 TEST_F(ViewModes, SideBySideShowsEachInItsHalfAndSwapExchangesThem) {
   for (const bool swapped : {false, true}) {
     const QImage sides = picture({.mode = ViewMode::SideBySide, .swapped = swapped});
@@ -165,7 +215,7 @@ TEST_F(ViewModes, InPlaceTheRootStays) {
 }
 
 TEST_F(ViewModes, TheFloorIsSeenFromAbove) {
-  viewport_.lookDown();
+  viewport_.lookAlong(ViewAxis::Top);
   const QVector3D down = viewport_.camera().target() - viewport_.camera().eye();
   EXPECT_LT(down.normalized().y(), -0.99f);
   viewport_.resetCamera();

@@ -89,13 +89,34 @@ void OrbitCamera::frame(std::span<const QVector3D> points, float least_radius) {
   }
 }
 
-void OrbitCamera::lookDown() {
-  const Angles down{0, radians(kSteepest)};
-  const bool looks_down = azimuth_ == down.azimuth && elevation_ == down.elevation;
-  const Angles next = looks_down ? before_.value_or(down) : down;
-  if (!looks_down) before_ = Angles{azimuth_, elevation_};
+OrbitCamera OrbitCamera::along(ViewAxis axis) const {
+  OrbitCamera camera = *this;
+  camera.azimuth_ = axis == ViewAxis::Side ? radians(90) : 0;
+  camera.elevation_ = axis == ViewAxis::Top ? radians(kSteepest) : 0;
+  return camera;
+}
+
+void OrbitCamera::lookAlong(ViewAxis axis) {
+  const OrbitCamera along_axis = along(axis);
+  const Angles wanted{along_axis.azimuth_, along_axis.elevation_};
+  const Angles now{azimuth_, elevation_};
+  const Angles next = now == wanted ? before_.value_or(wanted) : wanted;
+  if (now != wanted) before_ = now;
   azimuth_ = next.azimuth;
   elevation_ = next.elevation;
+}
+
+void OrbitCamera::lookClose(const QVector3D& centre, float radius) {
+  target_ = centre;
+  distance_ = std::max(radius / (kFilled * kHalfHeight * std::min(1.0f, aspectRatio())),
+                       kNearest * radius_);
+}
+
+void OrbitCamera::setPlace(const Place& place) {
+  target_ = place.target;
+  distance_ = std::clamp(place.distance, kNearest * radius_, kFurthest * radius_);
+  azimuth_ = place.azimuth;
+  elevation_ = std::clamp(place.elevation, radians(-kSteepest), radians(kSteepest));
 }
 
 void OrbitCamera::orbit(const QPointF& pixels) {
@@ -114,13 +135,6 @@ void OrbitCamera::pan(const QPointF& pixels) {
 void OrbitCamera::zoom(float notches) {
   distance_ *= std::pow(kDistancePerNotch, notches);
   distance_ = std::clamp(distance_, kNearest * radius_, kFurthest * radius_);
-}
-
-void OrbitCamera::setPlace(const Place& place) {
-  target_ = place.target;
-  distance_ = std::clamp(place.distance, kNearest * radius_, kFurthest * radius_);
-  azimuth_ = place.azimuth;
-  elevation_ = std::clamp(place.elevation, radians(-kSteepest), radians(kSteepest));
 }
 
 QVector3D OrbitCamera::beside(const QVector3D& in_world, const QPointF& pixel) const {

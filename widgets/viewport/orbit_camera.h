@@ -11,6 +11,9 @@
 
 namespace mocapress {
 
+/// Directions along the world's axes, as in a drawing of a machine part.
+enum class ViewAxis { Front, Side, Top };
+
 /// A perspective camera on a sphere around its target, y up. Lengths are cm in the world; pixels
 /// are logical, counted from the top left.
 class OrbitCamera {
@@ -26,9 +29,23 @@ class OrbitCamera {
   /// zoom() and the clipping planes follow their size, at least `least_radius`.
   void frame(std::span<const QVector3D> points, float least_radius);
 
-  /// Looks at the same sphere from above, as on a floor plan. A second call returns to the earlier
-  /// view.
-  void lookDown();
+  /// Looks at the same target along an axis: the front is at +z, the side at +x. A second call
+  /// returns to the earlier view.
+  void lookAlong(ViewAxis axis);
+
+  /// The camera that looks at the same target along an axis.
+  OrbitCamera along(ViewAxis axis) const;
+
+  /// Looks at a sphere from where the camera is, so that it fills the view.
+  void lookClose(const QVector3D& centre, float radius);
+
+  /// Everything that dragging and zooming change, lengths in cm.
+  struct Place {
+    QVector3D target;
+    float distance, azimuth, elevation;
+  };
+  Place place() const { return {target_, distance_, azimuth_, elevation_}; }
+  void setPlace(const Place& place);
 
   /// Turns the scene with a drag. Stops short of the poles.
   void orbit(const QPointF& pixels);
@@ -41,14 +58,6 @@ class OrbitCamera {
   void zoom(float notches);
 
   void moveBy(const QVector3D& offset) { target_ += offset; }
-
-  /// Everything that dragging and zooming change, lengths in cm.
-  struct Place {
-    QVector3D target;
-    float distance, azimuth, elevation;
-  };
-  Place place() const { return {target_, distance_, azimuth_, elevation_}; }
-  void setPlace(const Place& place);
 
   /// The point under a pixel that is as deep in the picture as a point of the world.
   QVector3D beside(const QVector3D& in_world, const QPointF& pixel) const;
@@ -81,8 +90,9 @@ class OrbitCamera {
 
   struct Angles {
     float azimuth, elevation;
+    bool operator==(const Angles&) const = default;
   };
-  std::optional<Angles> before_;  // angles before lookDown()
+  std::optional<Angles> before_;  // angles before lookAlong()
 };
 
 struct PickedJoint {

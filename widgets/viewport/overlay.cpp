@@ -121,7 +121,11 @@ double leftOf(const Pane& pane, const QSize& view) {
 }  // namespace
 
 Overlay::Overlay(QNode* parent)
-    : QEntity(parent), legend_(new SceneLabel(this)), grip_(new SceneLabel(this)) {
+    : QEntity(parent),
+      legend_(new SceneLabel(this)),
+      grip_(new SceneLabel(this)),
+      exaggeration_(new SceneLabel(this)) {
+  for (SceneLabel*& name : quarters_) name = new SceneLabel(this);
   for (SceneLabel*& title : titles_) title = new SceneLabel(this);
   for (SceneLabel*& line : lines_) line = new SceneLabel(this);
   for (SceneLabel*& note : notes_) note = new SceneLabel(this);
@@ -129,7 +133,8 @@ Overlay::Overlay(QNode* parent)
 
 std::vector<std::vector<Qt3DCore::QEntity*>> Overlay::labels() const {
   std::vector<Qt3DCore::QEntity*> words(titles_.begin(), titles_.end());
-  words.push_back(legend_);
+  words.insert(words.end(), quarters_.begin(), quarters_.end());
+  words.insert(words.end(), {legend_, exaggeration_});
   return {{lines_.begin(), lines_.end()}, {grip_}, {notes_.begin(), notes_.end()}, words};
 }
 
@@ -138,6 +143,40 @@ void Overlay::show(const OverlayContent& content) {
   showTitles(content);
   showLegend(content);
   showDivider(content);
+  showQuarters(content);
+  if (content.exaggeration == 1) return exaggeration_->hide();
+  showNote(exaggeration_, Texts::tr("Difference × %L1").arg(content.exaggeration),
+           {kMargin, content.view.height() - kMargin - kTitleHeight}, true, content);
+}
+
+/// A plate with a line of text. One that warns of what is not as it is stands out.
+void Overlay::showNote(SceneLabel* label, const QString& text, const QPointF& corner, bool warns,
+                       const OverlayContent& content) {
+  QFont font = QGuiApplication::font();
+  font.setBold(warns);
+  const QSizeF size(2 * kPadding + QFontMetricsF(font).horizontalAdvance(text), kTitleHeight);
+  const QImage picture = painted(size, content.pixel_ratio, [&](QPainter& painter) {
+    paintPlate(painter, size, colours_);
+    painter.setFont(font);
+    painter.setPen(warns ? colours_.compressed : colours_.text);
+    painter.drawText(QRectF({}, size), Qt::AlignCenter, text);
+  });
+  label->show(picture, {corner, size}, content.view);
+}
+
+void Overlay::showQuarters(const OverlayContent& content) {
+  if (!content.arrangement.quartered) {
+    for (SceneLabel* name : quarters_) name->hide();
+    return;
+  }
+  const QString names[] = {Texts::tr("Front"), Texts::tr("Side"), Texts::tr("Top")};
+  for (std::size_t i = 0; i < quarters_.size(); ++i) {
+    const std::size_t quarter = i + 1;
+    showNote(quarters_[i], names[i],
+             {kMargin + (quarter % 2 == 1 ? content.view.width() / 2.0 : 0),
+              kMargin + (quarter >= 2 ? content.view.height() / 2.0 : 0)},
+             false, content);
+  }
 }
 
 void Overlay::showTitles(const OverlayContent& content) {
@@ -259,9 +298,15 @@ void Overlay::showDivider(const OverlayContent& content) {
   const Arrangement& arrangement = content.arrangement;
   for (SceneLabel* line : lines_) line->hide();
   grip_->hide();
-  if (!arrangement.has_divider) return;
   const QImage line =
       painted({1, 1}, 1, [&](QPainter& painter) { painter.fillRect(0, 0, 1, 1, colours_.text); });
+  if (arrangement.quartered) {
+    const double width = content.view.width();
+    const double height = content.view.height();
+    lines_[0]->show(line, {(width - kLineWidth) / 2, 0, kLineWidth, height}, content.view);
+    lines_[1]->show(line, {0, (height - kLineWidth) / 2, width, kLineWidth}, content.view);
+  }
+  if (!arrangement.has_divider) return;
   const auto show_line = [&](std::size_t index, double x) {
     lines_[index]->show(line, {x - kLineWidth / 2, 0, kLineWidth, double(content.view.height())},
                         content.view);

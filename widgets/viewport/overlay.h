@@ -42,6 +42,7 @@ struct OverlayContent {
   bool has_compressed = false;
   std::vector<PinnedFigure> pinned;
   std::optional<ErrorScale> scale;  // scale of a figure coloured by error
+  double exaggeration = 1;          // factor on the differences that are shown
   QSize view;                       // logical pixels
   double pixel_ratio = 1;           // device pixels per logical pixel
 };
@@ -53,7 +54,8 @@ struct OverlayNote {
 };
 
 /// Draws over the scene: the titles of the figures, the divider between them, the scale of error
-/// colours and notes.
+/// colours, notes, and by how much differences are exaggerated. A quartered window gets names of its
+/// views.
 class Overlay : public Qt3DCore::QEntity {
  public:
   explicit Overlay(QNode* parent);
@@ -69,6 +71,9 @@ class Overlay : public Qt3DCore::QEntity {
   void showTitles(const OverlayContent& content);
   void showLegend(const OverlayContent& content);
   void showDivider(const OverlayContent& content);
+  void showNote(SceneLabel* label, const QString& text, const QPointF& corner, bool warns,
+                const OverlayContent& content);
+  void showQuarters(const OverlayContent& content);
 
   SceneColours colours_;
   std::array<SceneLabel*, kMostPanes> titles_;  // original, compressed, pinned
@@ -77,6 +82,8 @@ class Overlay : public Qt3DCore::QEntity {
   SceneLabel* grip_;
   static constexpr std::size_t kMostNotes = 4;
   std::array<SceneLabel*, kMostNotes> notes_;
+  SceneLabel* exaggeration_;
+  std::array<SceneLabel*, kQuarters - 1> quarters_;  // names of the views along an axis
 };
 
 }  // namespace mocapress

@@ -22,6 +22,7 @@
 #include <Qt3DRender/QRenderPassFilter>
 #include <Qt3DRender/QRenderSettings>
 #include <Qt3DRender/QRenderSurfaceSelector>
+#include <Qt3DRender/QSubtreeEnabler>
 #include <Qt3DRender/QViewport>
 #include <algorithm>
 #include <chrono>
@@ -77,18 +78,43 @@ constexpr float kDiscFlatness = 0.05f;
 
 constexpr float kTrailThickness = 0.8f;
 
-/// A leaf of the frame graph: one pass of the materials of some entities.
+/// One pass of the materials of some entities.
+struct Step {
+  Qt3DRender::QLayer* layer;
+  QString pass;
+};
+
 template <typename Entities>
-void addStep(Qt3DRender::QFrameGraphNode* parent, const Entities& entities, const QString& pass) {
+Step stepOf(const Entities& entities, const char* pass) {
   auto* layer = new Qt3DRender::QLayer(*std::begin(entities));
   for (Qt3DCore::QEntity* entity : entities) entity->addComponent(layer);
+  return {layer, QString::fromLatin1(pass)};
+}
+
+Step stepOf(std::initializer_list<Qt3DCore::QEntity*> entities, const char* pass) {
+  return stepOf<std::initializer_list<Qt3DCore::QEntity*>>(entities, pass);
+}
+
+/// A leaf of the frame graph.
+void addStep(Qt3DRender::QFrameGraphNode* parent, const Step& step) {
   auto* only_layer = new Qt3DRender::QLayerFilter(parent);
-  only_layer->addLayer(layer);
+  only_layer->addLayer(step.layer);
   auto* only_pass = new Qt3DRender::QRenderPassFilter(only_layer);
   auto* key = new Qt3DRender::QFilterKey(only_pass);
   key->setName(kPassKey);
-  key->setValue(pass);
+  key->setValue(step.pass);
   only_pass->addMatch(key);
+}
+
+/// The rest of the frame graph below it draws a part of the window as a camera sees it.
+Qt3DRender::QCameraSelector* addView(Qt3DRender::QFrameGraphNode* parent,
+                                     Qt3DRender::QCamera* camera,
+                                     Qt3DRender::QViewport** part = nullptr) {
+  auto* viewport = new Qt3DRender::QViewport(parent);
+  if (part) *part = viewport;
+  auto* selector = new Qt3DRender::QCameraSelector(viewport);
+  selector->setCamera(camera);
+  return selector;
 }
 
 bool isSoftware(const QByteArray& renderer) {
@@ -152,49 +178,59 @@ Scene::Scene(OpenGl open_gl) {
 void Scene::makeFrameGraph(Qt3DCore::QEntity* backdrop) {
   auto* surface = new Qt3DRender::QRenderSurfaceSelector;
   surface->setSurface(this);
-  auto* viewport = new Qt3DRender::QViewport(surface);
-  auto* camera_selector = new Qt3DRender::QCameraSelector(viewport);
-  camera_selector->setCamera(camera());
-  auto* clear = new Qt3DRender::QClearBuffers(camera_selector);
+  auto* clear = new Qt3DRender::QClearBuffers(addView(surface, camera()));
   clear->setBuffers(Qt3DRender::QClearBuffers::ColorDepthBuffer);
   new Qt3DRender::QNoDraw(clear);
   // The frame graph draws in this order, so that translucent things come over solid ones.
-  const auto step = [camera_selector](std::initializer_list<Qt3DCore::QEntity*> entities,
-                                      const char* pass) {
-    addStep(camera_selector, entities, QString::fromLatin1(pass));
-  };
-  step({backdrop}, "shade");
-  step({body_, body_skin_, body_path_, shell_path_, trails_, discs_}, "shade");
-  step({body_shadow_, shell_shadow_}, "shade");
-  addStep(camera_selector, grounds_, QStringLiteral("shade"));
+  std::vector<Step> steps = {
+      stepOf({backdrop}, "shade"),
+      stepOf({body_, body_skin_, body_path_, shell_path_, trails_, discs_}, "shade"),
+      stepOf({body_shadow_, shell_shadow_}, "shade"), stepOf(grounds_, "shade")};
   // Among overlapping pinned figures only the nearest shows: blended colours would match neither.
   std::vector<Qt3DCore::QEntity*> pinned(pinned_.begin(), pinned_.end());
   pinned.insert(pinned.end(), pinned_skins_.begin(), pinned_skins_.end());
-  for (const char* pass : {"depth", "shade"})
-    addStep(camera_selector, pinned, QString::fromLatin1(pass));
+  for (const char* pass : {"depth", "shade"}) steps.push_back(stepOf(pinned, pass));
   for (Qt3DCore::QEntity* translucent :
        std::initializer_list<Qt3DCore::QEntity*>{ghosts_, shell_, shell_skin_})
-    for (const char* pass : {"depth", "shade"}) step({translucent}, pass);
-  step({body_ring_, shell_ring_}, "shade");
-  for (const auto& labels : overlay_->labels())
-    addStep(camera_selector, labels, QStringLiteral("shade"));
-  capture_ = new Qt3DRender::QRenderCapture(new Qt3DRender::QNoDraw(camera_selector));
+    for (const char* pass : {"depth", "shade"}) steps.push_back(stepOf({translucent}, pass));
+  steps.push_back(stepOf({body_ring_, shell_ring_}, "shade"));
+  for (View& view : views_) {
+    view.camera =
+        &view == &views_.front() ? camera() : new Qt3DRender::QCamera(camera()->parentNode());
+    view.enabler = new Qt3DRender::QSubtreeEnabler(surface);
+    Qt3DRender::QCameraSelector* selector = addView(view.enabler, view.camera, &view.part);
+    for (const Step& step : steps) addStep(selector, step);
+  }
+  Qt3DRender::QCameraSelector* whole = addView(surface, camera());
+  for (const auto& labels : overlay_->labels()) addStep(whole, stepOf(labels, "shade"));
+  capture_ = new Qt3DRender::QRenderCapture(new Qt3DRender::QNoDraw(whole));
 
   setActiveFrameGraph(surface);
 }
 
-void Scene::setCamera(const OrbitCamera& orbit, int panes) {
-  const auto parts = static_cast<float>(panes);
-  camera()->lens()->setPerspectiveProjection(OrbitCamera::kFieldOfView, parts * orbit.aspectRatio(),
-                                             orbit.nearPlane(), orbit.farPlane());
-  camera()->setUpVector({0, 1, 0});
-  camera()->setPosition(orbit.eye());
-  camera()->setViewCenter(orbit.target());
+void Scene::setCameras(std::span<const OrbitCamera> cameras, int panes) {
+  const bool quartered = cameras.size() > 1;
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    const View& view = views_[i];
+    view.enabler->setEnabled(i < cameras.size());
+    if (i >= cameras.size()) continue;
+    const OrbitCamera& orbit = cameras[i];
+    if (quartered)
+      view.part->setNormalizedRect({i % 2 == 0 ? 0 : 0.5, i < 2 ? 0 : 0.5, 0.5, 0.5});
+    else
+      view.part->setNormalizedRect({0, 0, 1, 1});
+    view.camera->lens()->setPerspectiveProjection(OrbitCamera::kFieldOfView,
+                                                  static_cast<float>(panes) * orbit.aspectRatio(),
+                                                  orbit.nearPlane(), orbit.farPlane());
+    view.camera->setUpVector({0, 1, 0});
+    view.camera->setPosition(orbit.eye());
+    view.camera->setViewCenter(orbit.target());
+  }
   for (int i = 0; i < kMostPanes; ++i) {
     Ground* ground = grounds_[static_cast<std::size_t>(i)];
     ground->setEnabled(i < panes);
     ground->setPane(paneOf(i, panes));
-    ground->lookFrom(orbit);
+    ground->lookFrom(cameras.front());
   }
 }
 

@@ -5,6 +5,8 @@
 #include <Qt3DCore/QEntity>
 #include <Qt3DExtras/Qt3DWindow>
 #include <Qt3DRender/QRenderCapture>
+#include <array>
+#include <span>
 
 #include "widgets/models/colours.h"
 #include "widgets/viewport/figure.h"
@@ -14,6 +16,11 @@
 #include "widgets/viewport/shader_material.h"
 #include "widgets/viewport/skin_figure.h"
 #include "widgets/viewport/view_arrangement.h"
+
+namespace Qt3DRender {
+class QSubtreeEnabler;
+class QViewport;
+}  // namespace Qt3DRender
 
 namespace mocapress {
 
@@ -69,8 +76,9 @@ class Scene : public Qt3DExtras::Qt3DWindow {
   Overlay& overlay() { return *overlay_; }
   void setCell(float cell);  // Sets the grid's distance between lines, cm.
 
-  /// Splits the window into `panes` equal parts, each with the same camera.
-  void setCamera(const OrbitCamera& camera, int panes);
+  /// One camera, whose view is split into `panes` equal parts; or kQuarters of them, each with a
+  /// quarter of the window.
+  void setCameras(std::span<const OrbitCamera> cameras, int panes);
   void setColours(const SceneColours& colours);
 
   /// Starts the wait for drawn() anew.
@@ -91,6 +99,13 @@ class Scene : public Qt3DExtras::Qt3DWindow {
   void capture(int frames);
   void makeFrameGraph(Qt3DCore::QEntity* backdrop);
 
+  /// A part of the window with a camera of its own.
+  struct View {
+    Qt3DRender::QSubtreeEnabler* enabler = nullptr;
+    Qt3DRender::QViewport* part = nullptr;
+    Qt3DRender::QCamera* camera = nullptr;
+  };
+
   Figure* body_;
   Figure* shell_;
   SkinFigure* body_skin_;
@@ -109,6 +124,7 @@ class Scene : public Qt3DExtras::Qt3DWindow {
   std::array<Ground*, kMostPanes> grounds_;  // one for each pane
   Overlay* overlay_;
   ShaderMaterial* backdrop_;
+  std::array<View, kQuarters> views_;
   Qt3DRender::QRenderCapture* capture_;
   int frames_until_drawn_ = 0;
 };

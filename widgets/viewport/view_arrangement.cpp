@@ -27,17 +27,19 @@ Pane paneOf(int index, int count) {
 Arrangement arrange(const ViewOptions& options, bool both, bool turn, int pinned) {
   Arrangement arrangement;
   arrangement.pinned.resize(static_cast<std::size_t>(pinned));
+  arrangement.quartered = options.quartered;
   Placement& original = arrangement.original;
   Placement& compressed = arrangement.compressed;
   if (!both) return arrangement;
-  const bool has_room = !options.blinking && options.mode != ViewMode::Wipe;
+  const ViewMode mode = options.quartered ? ViewMode::Overlay : options.mode;
+  const bool has_room = !options.blinking && mode != ViewMode::Wipe;
   for (Placement& each : arrangement.pinned) each.shown = has_room;
   if (options.blinking) {
     original.shown = !turn;
     compressed.shown = turn;
     return arrangement;
   }
-  switch (options.mode) {
+  switch (mode) {
     case ViewMode::Overlay:
       (options.swapped ? compressed : original).ghost = true;
       for (Placement& each : arrangement.pinned) each.ghost = true;

@@ -22,17 +22,22 @@ enum class ViewMode {
 /// The user's choices for the view.
 struct ViewOptions {
   ViewMode mode = ViewMode::Overlay;
-  bool swapped = false;   // the figures change places
-  bool blinking = false;  // the figures take turns in one place
-  bool by_error = false;  // colours the compressed figure by its distance from the original
-  bool skin = true;       // shows figures with their skin, if they have one
-  bool path = false;      // shows the path of the chosen joint, or of the root
-  bool in_place = false;  // keeps the root in place over the ground
-  double divider = 0.5;   // share of the view's width left of the wipe's divider
-  int trail = 0;          // number of faded poses before the current frame, and as many after
+  bool swapped = false;     // the figures change places
+  bool blinking = false;    // the figures take turns in one place
+  bool by_error = false;    // colours the compressed figure by its distance from the original
+  bool skin = true;         // shows figures with their skin, if they have one
+  bool path = false;        // shows the path of the chosen joint, or of the root
+  bool in_place = false;    // keeps the root in place over the ground
+  double divider = 0.5;     // share of the view's width left of the wipe's divider
+  int trail = 0;            // number of faded poses before the current frame, and as many after
+  bool quartered = false;   // four views: from anywhere, front, side and top; figures overlaid
+  double exaggeration = 1;  // factor on the difference from the original
 
   bool operator==(const ViewOptions&) const = default;
 };
+
+/// Views of a quartered window, from the top left: from anywhere, front, side, top.
+inline constexpr int kQuarters = 4;
 
 /// The largest number of pinned results beside the current one.
 inline constexpr int kMostPinned = 4;
@@ -66,6 +71,7 @@ struct Arrangement {
   Placement compressed;
   std::vector<Placement> pinned;
   int panes = 1;             // number of equal parts of the view, each with a ground
+  bool quartered = false;    // the window has four views, each with all figures
   bool has_divider = false;  // at the right end of the left figure's pane
 
   const Placement& left() const;

@@ -7,12 +7,14 @@
 #include <QSurfaceFormat>
 #include <QVBoxLayout>
 #include <QWheelEvent>
+#include <QtMath>
 #include <algorithm>
 #include <chrono>
 #include <utility>
 
 #include "core/motion/landmarks.h"
 #include "core/motion/own_lengths.h"
+#include "widgets/viewport/exaggeration.h"
 #include "widgets/viewport/orbit_camera.h"
 #include "widgets/viewport/ring.h"
 #include "widgets/viewport/scene.h"
@@ -23,6 +25,7 @@ namespace {
 
 constexpr int kFramedPoses = 24;          // number of visible poses that the camera frames
 constexpr float kLeastRadius = 0.1f;      // smallest framed radius, per size of the figure
+constexpr float kJointReach = 0.18f;      // radius around a framed joint, likewise
 constexpr float kTrailPerSize = 0.006f;   // radius per size of the figure
 constexpr float kPathPerSize = 0.006f;    // radius of a joint's path, likewise
 constexpr float kDiscPerSize = 0.055f;    // radius of a foot's disc, likewise
@@ -96,8 +99,10 @@ void Viewport::setSkeleton(const Skeleton& skeleton) {
   compressed_of_clip_.reset();
   original_poses_ = nullptr;
   compressed_poses_ = nullptr;
+  seen_poses_ = nullptr;
   setSkin(nullptr);
   pinned_.clear();
+  seen_pinned_.clear();
   errors_.reset();
   contacts_.clear();
   slides_.clear();
@@ -117,8 +122,7 @@ void Viewport::setSkin(std::shared_ptr<const Skin> skin) {
   }
   // Frames the whole figure anew unless the user has moved the camera.
   camera_is_framed_ = camera_is_framed_ && !camera_is_as_framed_;
-  placeOriginal();
-  placeCompressed();
+  placeAll();
   arrangeFigures();
 }
 
@@ -130,7 +134,7 @@ void Viewport::measureFigure() {
 void Viewport::setOriginal(Tracks tracks, Poses poses) {
   original_of_clip_ = isEmpty(tracks) ? nullptr : std::move(tracks);
   original_poses_ = std::move(poses);
-  placeOriginal();
+  placeAll();
   arrangeFigures();
 }
 
@@ -147,8 +151,36 @@ void Viewport::placeOriginal() {
 }
 
 void Viewport::placeCompressed() {
-  compressed_ = asSeen(compressed_of_clip_, compressed_poses_);
+  compressed_ = withExaggeration(asSeen(compressed_of_clip_, compressed_poses_));
+  seen_poses_ = withExaggeration(compressed_poses_);
   if (!original_) measureFigure();
+}
+
+void Viewport::placePinned() {
+  seen_pinned_ = pinned_;
+  for (PinnedFigure& pinned : seen_pinned_) {
+    pinned.tracks = withExaggeration(pinned.tracks);
+    pinned.poses = withExaggeration(pinned.poses);
+  }
+}
+
+void Viewport::placeAll() {
+  placeOriginal();
+  placeCompressed();
+  placePinned();
+}
+
+Viewport::Tracks Viewport::withExaggeration(const Tracks& seen) const {
+  const bool comparable = exaggerates() && seen && seen->rows() == original_->rows() &&
+                          seen->cols() == original_->cols();
+  if (!comparable) return seen;
+  return std::make_shared<const Eigen::MatrixXd>(
+      exaggerated(*original_, *seen, options_.exaggeration));
+}
+
+Viewport::Poses Viewport::withExaggeration(const Poses& poses) const {
+  if (!exaggerates()) return poses;
+  return exaggeratedPoses(original_poses_, poses, options_.exaggeration);
 }
 
 /// Moves tracks to the places of a character's joints, which differ if it has its own bone lengths.
@@ -169,6 +201,7 @@ Viewport::Tracks Viewport::asSeen(const Tracks& of_clip, const Poses& poses) con
 void Viewport::setPinned(std::vector<PinnedFigure> pinned) {
   pinned_ = std::move(pinned);
   if (pinned_.size() > kMostPinned) pinned_.resize(kMostPinned);
+  placePinned();
   arrangeFigures();
 }
 
@@ -192,11 +225,8 @@ void Viewport::setErrors(std::shared_ptr<const Eigen::MatrixXf> errors, const Er
 
 void Viewport::setOptions(const ViewOptions& options) {
   if (options == options_) return;
-  const bool had_skin = std::exchange(options_, options).skin;
-  if (options_.skin != had_skin) {
-    placeOriginal();
-    placeCompressed();
-  }
+  const ViewOptions before = std::exchange(options_, options);
+  if (options_.skin != before.skin || options_.exaggeration != before.exaggeration) placeAll();
   blink_turn_ = false;
   options_.blinking ? blink_.start() : blink_.stop();
   arrangeFigures();
@@ -204,10 +234,10 @@ void Viewport::setOptions(const ViewOptions& options) {
 
 /// The camera may see another part of the window then.
 void Viewport::arrangeFigures() {
-  const int panes = arrangement_.panes;
+  const std::pair parts(arrangement_.panes, arrangement_.quartered);
   arrangement_ =
       arrange(options_, original_ && compressed_, blink_turn_, static_cast<int>(pinned_.size()));
-  if (arrangement_.panes != panes) sizeCamera();
+  if (std::pair(arrangement_.panes, arrangement_.quartered) != parts) sizeCamera();
   showTrails();
   showFigures();
   showOverlay();
@@ -216,20 +246,6 @@ void Viewport::arrangeFigures() {
 void Viewport::setNotes(std::vector<PlacedNote> notes) {
   notes_ = std::move(notes);
   showNotes();
-}
-
-OrbitCamera::Place Viewport::cameraPlace() const {
-  OrbitCamera::Place place = camera_.place();
-  place.target -= root_;
-  return place;
-}
-
-void Viewport::setCameraPlace(const OrbitCamera::Place& place) {
-  OrbitCamera::Place here = place;
-  here.target += root_;
-  camera_is_as_framed_ = false;
-  camera_.setPlace(here);
-  showCamera();
 }
 
 void Viewport::setFrame(int frame) {
@@ -261,9 +277,39 @@ void Viewport::resetCamera() {
   showCamera();
 }
 
-void Viewport::lookDown() {
+void Viewport::frameJoint() {
+  const Eigen::MatrixXd* tracks = leadingTracks();
+  if (!tracks || selected_joint_ < 0) return resetCamera();
   camera_is_as_framed_ = false;
-  camera_.lookDown();
+  camera_.lookClose(landmarkAt(*tracks, frameOf(*tracks), selected_joint_) + offset(),
+                    kJointReach * shape_->size());
+  showCamera();
+}
+
+void Viewport::lookAlong(ViewAxis axis) {
+  camera_is_as_framed_ = false;
+  camera_.lookAlong(axis);
+  showCamera();
+}
+
+OrbitCamera::Place Viewport::cameraPlace() const {
+  OrbitCamera::Place place = camera_.place();
+  place.target -= root_;
+  return place;
+}
+
+void Viewport::setCameraPlace(const OrbitCamera::Place& place) {
+  OrbitCamera::Place here = place;
+  here.target += root_;
+  camera_is_as_framed_ = false;
+  camera_.setPlace(here);
+  showCamera();
+}
+
+void Viewport::turnCamera(double degrees) {
+  OrbitCamera::Place place = camera_.place();
+  place.azimuth += static_cast<float>(qDegreesToRadians(degrees));
+  camera_.setPlace(place);
   showCamera();
 }
 
@@ -288,8 +334,8 @@ void Viewport::showFigures() {
   if (!scene_) return;
   const Role original{original_, original_poses_, arrangement_.original, colours_.original,
                       colours_.original};
-  const Role compressed{compressed_, compressed_poses_, arrangement_.compressed,
-                        colours_.compressed, QColor()};
+  const Role compressed{compressed_, seen_poses_, arrangement_.compressed, colours_.compressed,
+                        QColor()};
   // The ghost is the one that is drawn over the other.
   const bool turned = arrangement_.compressed.ghost;
   const Parts body{scene_->body(), scene_->bodySkin(), scene_->bodyShadow(), scene_->bodyPath(),
@@ -357,12 +403,12 @@ void Viewport::showPinned() {
   for (std::size_t i = 0; i < kMostPinned; ++i) {
     Figure& figure = scene_->pinned(i);
     SkinFigure& skin = scene_->pinnedSkin(i);
-    const bool shown = shape_ && i < pinned_.size() && arrangement_.pinned[i].shown;
-    const bool as_skin = shown && hasSkin(pinned_[i].poses);
+    const bool shown = shape_ && i < seen_pinned_.size() && arrangement_.pinned[i].shown;
+    const bool as_skin = shown && hasSkin(seen_pinned_[i].poses);
     if (!shown || as_skin) figure.hide();
     if (!as_skin) skin.hide();
     if (!shown) continue;
-    const PinnedFigure& pinned = pinned_[i];
+    const PinnedFigure& pinned = seen_pinned_[i];
     const Placement& placement = arrangement_.pinned[i];
     const float behind = behindOf(placement, 2 + static_cast<int>(i));
     if (as_skin) {
@@ -421,10 +467,13 @@ FigureMarks Viewport::compressedMarks() const {
   }
   // The distance between the figures as drawn.
   const bool has_own_lengths = original_ != original_of_clip_ && compressed_ != compressed_of_clip_;
+  const auto times = static_cast<float>(options_.exaggeration);
   for (int landmark = 0; landmark < static_cast<int>(errors_->cols()); ++landmark) {
-    const float cm = has_own_lengths ? landmarkAt(*compressed_, frame, landmark)
-                                           .distanceToPoint(landmarkAt(*original_, frame, landmark))
-                                     : (*errors_)(frame, landmark);
+    const float cm = has_own_lengths
+                         ? landmarkAt(*compressed_, frame, landmark)
+                                   .distanceToPoint(landmarkAt(*original_, frame, landmark)) /
+                               times
+                         : (*errors_)(frame, landmark);
     marks.tints.push_back(tintOf(error_scale_.colour(static_cast<double>(cm))));
   }
   return marks;
@@ -451,15 +500,16 @@ void Viewport::showTrails() {
 
 void Viewport::showCamera() {
   if (!scene_) return;
-  scene_->setCamera(camera_, arrangement_.panes);
+  scene_->setCameras(cameras(), arrangement_.panes);
   showNotes();
   scene_->announce();
 }
 
 void Viewport::sizeCamera() {
   if (!scene_) return;
-  camera_.setViewSize({static_cast<double>(scene_->width()) / arrangement_.panes,
-                       static_cast<double>(scene_->height())});
+  const double parts = arrangement_.quartered ? 2 : 1;  // in both directions
+  camera_.setViewSize({static_cast<double>(scene_->width()) / arrangement_.panes / parts,
+                       static_cast<double>(scene_->height()) / parts});
   // A view of another shape may cut the figure off, so it is framed anew, unless the user has moved
   // the camera.
   camera_is_as_framed_ ? resetCamera() : showCamera();
@@ -469,7 +519,8 @@ void Viewport::showOverlay() {
   if (!scene_) return;
   const bool coloured = options_.by_error && errors_ && compressed_;
   scene_->overlay().show({arrangement_, original_ != nullptr, compressed_ != nullptr, pinned_,
-                          coloured ? std::optional(error_scale_) : std::nullopt, scene_->size(),
+                          coloured ? std::optional(error_scale_) : std::nullopt,
+                          exaggerates() && compressed_ ? options_.exaggeration : 1, scene_->size(),
                           devicePixelRatioF()});
   scene_->announce();
 }
@@ -574,8 +625,10 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
 
 void Viewport::press(const QMouseEvent& event) {
   pressed_at_ = dragged_to_ = event.position();
+  pressed_quarter_ = quarterAt(event.position());
   drags_divider_ = event.button() == Qt::LeftButton && isOnDivider(event.position());
-  is_click_ = event.button() == Qt::LeftButton && !drags_divider_;
+  is_click_ =
+      (event.button() == Qt::LeftButton && !drags_divider_) || event.button() == Qt::RightButton;
 }
 
 bool Viewport::isOnDivider(const QPointF& position) const {
@@ -601,16 +654,35 @@ void Viewport::drag(const QMouseEvent& event) {
   const QPointF step = event.position() - dragged_to_;
   dragged_to_ = event.position();
   camera_is_as_framed_ = false;
-  if (event.buttons() & Qt::LeftButton)
+  if ((event.buttons() & Qt::LeftButton) && pressed_quarter_ == 0) {
     camera_.orbit(step);
-  else
-    camera_.pan(step);
+  } else {
+    OrbitCamera dragged = cameras()[static_cast<std::size_t>(pressed_quarter_)];
+    dragged.pan(step);
+    camera_.moveBy(dragged.target() - camera_.target());
+  }
   showCamera();
+}
+
+std::vector<OrbitCamera> Viewport::cameras() const {
+  if (!arrangement_.quartered) return {camera_};
+  return {camera_, camera_.along(ViewAxis::Front), camera_.along(ViewAxis::Side),
+          camera_.along(ViewAxis::Top)};
+}
+
+int Viewport::quarterAt(const QPointF& position) const {
+  if (!arrangement_.quartered) return 0;
+  return (2 * position.x() < scene_->width() ? 0 : 1) +
+         (2 * position.y() < scene_->height() ? 0 : 2);
 }
 
 void Viewport::release(const QMouseEvent& event) {
   drags_divider_ = false;
   if (!std::exchange(is_click_, false)) return;
+  if (event.button() == Qt::RightButton) {
+    emit menuRequested(event.globalPosition().toPoint());
+    return;
+  }
   const std::optional<Pointed> on = pointedAt(event.position(), kClickReach);
   if (!(event.modifiers() & Qt::ControlModifier)) {
     if (on) emit jointClicked(on->joint);
@@ -623,15 +695,18 @@ void Viewport::release(const QMouseEvent& event) {
 }
 
 std::optional<Viewport::Pointed> Viewport::pointedAt(const QPointF& position, double reach) const {
-  OrbitCamera camera = camera_;
+  const int quarter = quarterAt(position);
+  OrbitCamera camera = cameras()[static_cast<std::size_t>(quarter)];
   camera.moveBy(-offset());  // to the places of the figures as recorded
+  const QPointF in_quarter =
+      position - QPointF(quarter % 2 * quarterWidth(), quarter / 2 * scene_->height() / 2.0);
   std::optional<Pointed> nearest;
   double least = reach;
   for (const auto& [tracks, placement] : {std::pair(compressed_, arrangement_.compressed),
                                           std::pair(original_, arrangement_.original)}) {
-    const auto device_x = static_cast<float>(2 * position.x() / scene_->width() - 1);
+    const auto device_x = static_cast<float>(2 * in_quarter.x() / quarterWidth() - 1);
     if (!tracks || !placement.shown || !placement.pane.contains(device_x)) continue;
-    const QPointF in_pane = position - QPointF(leftOfPane(placement.pane), 0);
+    const QPointF in_pane = in_quarter - QPointF(leftOfPane(placement.pane), 0);
     const auto picked =
         pickJoint(camera, *tracks, frameOf(*tracks), shape_->jointCount(), in_pane, least);
     if (!picked || (nearest && picked->distance >= least)) continue;
@@ -642,9 +717,15 @@ std::optional<Viewport::Pointed> Viewport::pointedAt(const QPointF& position, do
   return nearest;
 }
 
-/// Logical pixels from the view's left to where the camera's picture of a pane begins.
+/// Logical pixels of a quarter of a quartered window, else of the whole.
+double Viewport::quarterWidth() const {
+  return arrangement_.quartered ? scene_->width() / 2.0 : scene_->width();
+}
+
+/// Logical pixels from the left of a quarter, or of the whole window, to where the camera's picture
+/// of a pane begins.
 double Viewport::leftOfPane(const Pane& pane) const {
-  const double width = scene_->width();
+  const double width = quarterWidth();
   return (width - width / arrangement_.panes) / 2 + static_cast<double>(pane.shift) * width / 2;
 }
 

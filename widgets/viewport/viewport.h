@@ -44,8 +44,10 @@ void prepareViewport();
 /// The 3D view: ground grid, the original in grey and the compressed figure in red at the same
 /// frame, and other results in colours of their own. Figures stand over each other, side by side,
 /// or with a divider to drag between them. The view shows values and starts no work. Mouse: left
-/// drag orbits, right or middle drag pans, wheel zooms, a click on a joint selects it. Without
-/// OpenGL it shows a text, accepts every call and never emits drawn().
+/// drag orbits, right or middle drag pans, wheel zooms, a click on a joint selects it, a right
+/// click asks for a menu. A quartered
+/// window shows the same from the front, the side and the top, too. Without OpenGL it shows a text,
+/// accepts every call and never emits drawn().
 class Viewport : public QWidget {
   Q_OBJECT
 
@@ -104,14 +106,21 @@ class Viewport : public QWidget {
   /// Looks at the whole figure again.
   void resetCamera();
 
-  /// Looks at the floor from above, as on a plan.
-  void lookDown();
+  /// Looks at the joint with the ring, or at the whole figure without one.
+  void frameJoint();
+
+  /// Looks along an axis; again: as before. The top shows the floor as on a plan.
+  void lookAlong(ViewAxis axis);
 
   /// The camera's place, with its target relative to the root, so that it fits other clips.
   OrbitCamera::Place cameraPlace() const;
   void setCameraPlace(const OrbitCamera::Place& place);
 
-  /// The camera of a pane, in the pane's logical pixels: a half of the view side by side, else all.
+  /// Turns the camera around its target, in degrees.
+  void turnCamera(double degrees);
+
+  /// The camera of a pane, in the pane's logical pixels: a half of the view side by side, a quarter
+  /// of a quartered window, else all.
   const OrbitCamera& camera() const { return camera_; }
 
   /// Renders the 3D scene and delivers it by captured(); the image is null on failure.
@@ -123,6 +132,9 @@ class Viewport : public QWidget {
   /// A click with Ctrl: the joint there, or -1 and the place at the depth of the nearest joint, in
   /// the clip's world.
   void placePointed(int joint, const QVector3D& place_cm);
+
+  /// A right click that was no drag, at a place on the screen.
+  void menuRequested(const QPoint& at);
 
   /// The wipe's divider was dragged; options() have its new place.
   void dividerMoved(double share);
@@ -174,10 +186,16 @@ class Viewport : public QWidget {
     OrbitCamera camera;  // in the clip's world
   };
   std::optional<Pointed> pointedAt(const QPointF& position, double reach) const;
+  double quarterWidth() const;
   double leftOfPane(const Pane& pane) const;
   void measureFigure();
   void placeOriginal();
   void placeCompressed();
+  void placePinned();
+  void placeAll();
+  bool exaggerates() const { return options_.exaggeration != 1 && original_; }
+  Tracks withExaggeration(const Tracks& seen) const;
+  Poses withExaggeration(const Poses& poses) const;
   Tracks asSeen(const Tracks& of_clip, const Poses& poses) const;
   void arrangeFigures();
   void sizeCamera();
@@ -185,6 +203,8 @@ class Viewport : public QWidget {
   void drag(const QMouseEvent& event);
   void release(const QMouseEvent& event);
   bool isOnDivider(const QPointF& position) const;
+  std::vector<OrbitCamera> cameras() const;      // of the window's views
+  int quarterAt(const QPointF& position) const;  // 0 in a window with one view
 
   /// The figure the camera looks at: the original, or the compressed one without it.
   const Eigen::MatrixXd* leadingTracks() const;
@@ -206,8 +226,10 @@ class Viewport : public QWidget {
   Tracks compressed_;  // likewise
   Poses original_poses_;
   Poses compressed_poses_;
+  Poses seen_poses_;  // of the compressed figure
   std::shared_ptr<const Skin> skin_;
   std::vector<PinnedFigure> pinned_;
+  std::vector<PinnedFigure> seen_pinned_;
   std::vector<SlideFinding> slides_;
   std::vector<ContactSpan> contacts_;
   std::vector<PlacedNote> notes_;
@@ -230,6 +252,7 @@ class Viewport : public QWidget {
 
   QPointF pressed_at_;
   QPointF dragged_to_;
+  int pressed_quarter_ = 0;
   bool is_click_ = false;
   bool drags_divider_ = false;
 

@@ -6,7 +6,9 @@
 #include <QCoreApplication>
 #include <QMainWindow>
 #include <QMenu>
+#include <QSettings>
 #include <QToolBar>
+#include <optional>
 
 #include "widgets/icons/themed_icon.h"
 #include "widgets/viewport/viewport.h"
@@ -27,6 +29,57 @@ QAction* make(QObject* parent, const char* icon, const QString& text, const QKey
   return action;
 }
 
+QAction* makePlain(QObject* parent, const QString& text, const QKeySequence& shortcut,
+                   const QString& explanation) {
+  auto* action = new QAction(text, parent);
+  action->setShortcut(shortcut);
+  action->setToolTip(explanation);
+  return action;
+}
+
+/// Exclusive choices, of which the one at `first` is checked.
+QActionGroup* makeNumberChoices(QObject* parent, const QList<std::pair<QString, int>>& choices,
+                                int first) {
+  auto* group = new QActionGroup(parent);
+  for (const auto& [text, value] : choices) {
+    QAction* choice = group->addAction(text);
+    choice->setCheckable(true);
+    choice->setData(value);
+  }
+  group->actions().at(first)->setChecked(true);
+  return group;
+}
+
+QString settingOf(std::size_t bookmark) {
+  return QStringLiteral("view/camera%1").arg(bookmark + 1);
+}
+
+QVariantList listOf(const OrbitCamera::Place& place) {
+  return {place.target.x(), place.target.y(), place.target.z(),
+          place.distance,   place.azimuth,    place.elevation};
+}
+
+std::optional<OrbitCamera::Place> placeOf(const QVariantList& list) {
+  if (list.size() != 6) return {};
+  const auto number = [&](int i) { return list[i].toFloat(); };
+  return OrbitCamera::Place{{number(0), number(1), number(2)}, number(3), number(4), number(5)};
+}
+
+void connectBookmarks(const ViewActions& actions, Viewport* viewport) {
+  for (std::size_t i = 0; i < actions.go_to.size(); ++i) {
+    QAction* const go = actions.go_to[i];
+    go->setEnabled(placeOf(QSettings().value(settingOf(i)).toList()).has_value());
+    QObject::connect(go, &QAction::triggered, viewport, [=] {
+      if (const auto place = placeOf(QSettings().value(settingOf(i)).toList()))
+        viewport->setCameraPlace(*place);
+    });
+    QObject::connect(actions.keep[i], &QAction::triggered, viewport, [=] {
+      QSettings().setValue(settingOf(i), listOf(viewport->cameraPlace()));
+      go->setEnabled(true);
+    });
+  }
+}
+
 template <typename Bar>
 void addAll(Bar* bar, const ViewActions& actions) {
   for (QAction* action : actions.inGroups())
@@ -37,12 +90,15 @@ ViewOptions chosen(const ViewActions& actions, const ViewOptions& before) {
   ViewOptions options = before;
   for (std::size_t mode = 0; mode < actions.mode.size(); ++mode)
     if (actions.mode[mode]->isChecked()) options.mode = static_cast<ViewMode>(mode);
+  options.quartered = actions.quarters->isChecked();
   options.swapped = actions.swap->isChecked();
   options.blinking = actions.blink->isChecked();
   options.by_error = actions.by_error->isChecked();
   options.skin = actions.skin->isChecked();
   options.path = actions.path->isChecked();
   options.in_place = actions.in_place->isChecked();
+  options.exaggeration =
+      actions.exaggerate->isChecked() ? actions.exaggeration->checkedAction()->data().toInt() : 1;
   options.trail =
       actions.trail->isChecked() ? actions.trail_poses->checkedAction()->data().toInt() : 0;
   return options;
@@ -51,8 +107,8 @@ ViewOptions chosen(const ViewActions& actions, const ViewOptions& before) {
 }  // namespace
 
 QList<QAction*> ViewActions::inGroups() const {
-  return {mode[0], mode[1], mode[2], swap,   blink,    nullptr, by_error,    skin,
-          path,    trail,   nullptr, follow, in_place, floor,   reset_camera};
+  return {mode[0],    mode[1], mode[2], quarters, swap,   blink,    nullptr, by_error,    skin,
+          exaggerate, path,    trail,   nullptr,  follow, in_place, floor,   reset_camera};
 }
 
 ViewActions makeViewActions(QMainWindow* window) {
@@ -74,6 +130,9 @@ ViewActions makeViewActions(QMainWindow* window) {
     actions.modes->addAction(mode);
   }
   actions.mode[0]->setChecked(true);
+  actions.quarters = make_here(
+      "quarters", ViewTexts::tr("Four Vie&ws"), Qt::Key_4,
+      ViewTexts::tr("The same figures from anywhere, from the front, the side and the top"));
   actions.swap = make_here("swap", ViewTexts::tr("Sw&ap"), Qt::Key_X,
                            ViewTexts::tr("Swap original and compressed figure"));
   actions.blink =
@@ -91,24 +150,44 @@ ViewActions makeViewActions(QMainWindow* window) {
   actions.trail = make_here("trail", ViewTexts::tr("Ghost &Trail"), Qt::Key_T,
                             ViewTexts::tr("Faded poses of the compressed figure before (blue) and "
                                           "after (orange) the current frame"));
-  actions.trail_poses = new QActionGroup(window);
-  for (const int poses : {2, 4, 8}) {
-    QAction* choice = actions.trail_poses->addAction(
-        ViewTexts::tr("%Ln pose(s) before and after", nullptr, poses));
-    choice->setCheckable(true);
-    choice->setData(poses);
-  }
-  actions.trail_poses->actions().at(1)->setChecked(true);
-  actions.follow = make_here("follow", ViewTexts::tr("&Follow"), Qt::Key_F,
+  QList<std::pair<QString, int>> poses, factors;
+  for (const int count : {2, 4, 8})
+    poses << std::pair(ViewTexts::tr("%Ln pose(s) before and after", nullptr, count), count);
+  actions.trail_poses = makeNumberChoices(window, poses, 1);
+  actions.exaggerate =
+      make_here("exaggerate", ViewTexts::tr("E&xaggerate the Difference"), Qt::Key_Y,
+                ViewTexts::tr("Show poses and paths with a difference from the original that is "
+                              "so many times larger than it is"));
+  for (const int factor : {2, 3, 5, 10, 20})
+    factors << std::pair(ViewTexts::tr("%L1 times").arg(factor), factor);
+  actions.exaggeration = makeNumberChoices(window, factors, 2);
+  actions.follow = make_here("follow", ViewTexts::tr("&Follow"), Qt::SHIFT | Qt::Key_F,
                              ViewTexts::tr("The camera moves with the figure"));
   actions.in_place = make_here("in-place", ViewTexts::tr("I&n Place"), Qt::Key_G,
                                ViewTexts::tr("Play without the root's travel over the ground"));
+  actions.front = makePlain(window, ViewTexts::tr("From the F&ront"), Qt::Key_5,
+                            ViewTexts::tr("Look along the z axis; again: as before"));
+  actions.side = makePlain(window, ViewTexts::tr("From the S&ide"), Qt::Key_6,
+                           ViewTexts::tr("Look along the x axis; again: as before"));
+  actions.frame_joint =
+      makePlain(window, ViewTexts::tr("Frame &Joint"), Qt::Key_F,
+                ViewTexts::tr("Look at the selected joint, or at the whole figure without one"));
+  for (int i = 0; i < static_cast<int>(actions.go_to.size()); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    actions.go_to[at] =
+        makePlain(window, ViewTexts::tr("Camera &%L1").arg(i + 1), Qt::Key(Qt::Key_F5 + i),
+                  ViewTexts::tr("Look from where the camera was when it was kept"));
+    actions.keep[at] = makePlain(window, ViewTexts::tr("Keep as Camera &%L1").arg(i + 1),
+                                 Qt::SHIFT | Qt::Key(Qt::Key_F5 + i),
+                                 ViewTexts::tr("Keep the camera's place, relative to the figure"));
+  }
   actions.floor = make_here("floor", ViewTexts::tr("F&loor View"), Qt::Key_V,
                             ViewTexts::tr("Look straight down, as on a plan"));
   actions.reset_camera = make_here("fit", ViewTexts::tr("&Reset Camera"), Qt::Key_R,
                                    ViewTexts::tr("Look at the whole figure again"));
-  for (QAction* action : {actions.swap, actions.blink, actions.by_error, actions.skin, actions.path,
-                          actions.trail, actions.follow, actions.in_place})
+  for (QAction* action :
+       {actions.quarters, actions.swap, actions.blink, actions.by_error, actions.skin, actions.path,
+        actions.trail, actions.exaggerate, actions.follow, actions.in_place})
     action->setCheckable(true);
   return actions;
 }
@@ -117,11 +196,23 @@ void connectViewActions(const ViewActions& actions, Viewport* viewport) {
   const auto choose = [=] { viewport->setOptions(chosen(actions, viewport->options())); };
   QObject::connect(actions.modes, &QActionGroup::triggered, viewport, choose);
   QObject::connect(actions.trail_poses, &QActionGroup::triggered, viewport, choose);
-  for (const QAction* action : {actions.swap, actions.blink, actions.by_error, actions.skin,
-                                actions.path, actions.trail, actions.in_place})
+  // Who chooses a factor wants to see it.
+  QObject::connect(actions.exaggeration, &QActionGroup::triggered, viewport, [=] {
+    actions.exaggerate->setChecked(true);
+    choose();
+  });
+  for (const QAction* action :
+       {actions.quarters, actions.swap, actions.blink, actions.by_error, actions.skin, actions.path,
+        actions.trail, actions.exaggerate, actions.in_place})
     QObject::connect(action, &QAction::toggled, viewport, choose);
   QObject::connect(actions.follow, &QAction::toggled, viewport, &Viewport::setFollow);
-  QObject::connect(actions.floor, &QAction::triggered, viewport, &Viewport::lookDown);
+  for (const auto& [action, axis] :
+       {std::pair(actions.front, ViewAxis::Front), std::pair(actions.side, ViewAxis::Side),
+        std::pair(actions.floor, ViewAxis::Top)})
+    QObject::connect(action, &QAction::triggered, viewport,
+                     [viewport, axis = axis] { viewport->lookAlong(axis); });
+  QObject::connect(actions.frame_joint, &QAction::triggered, viewport, &Viewport::frameJoint);
+  connectBookmarks(actions, viewport);
   QObject::connect(actions.reset_camera, &QAction::triggered, viewport, &Viewport::resetCamera);
   actions.follow->setChecked(true);
   actions.skin->setChecked(true);
@@ -130,6 +221,13 @@ void connectViewActions(const ViewActions& actions, Viewport* viewport) {
 void addInGroups(QMenu* menu, const ViewActions& actions) {
   addAll(menu, actions);
   menu->addMenu(ViewTexts::tr("Poses of the Tra&il"))->addActions(actions.trail_poses->actions());
+  menu->addMenu(ViewTexts::tr("Exa&ggeration"))->addActions(actions.exaggeration->actions());
+  QMenu* cameras = menu->addMenu(ViewTexts::tr("&Cameras"));
+  cameras->addActions({actions.frame_joint, actions.front, actions.side});
+  cameras->addSeparator();
+  cameras->addActions({actions.go_to.begin(), actions.go_to.end()});
+  cameras->addSeparator();
+  cameras->addActions({actions.keep.begin(), actions.keep.end()});
 }
 
 void addInGroups(QToolBar* bar, const ViewActions& actions) {

@@ -18,6 +18,7 @@ class Viewport;
 struct ViewActions {
   QActionGroup* modes = nullptr;
   std::array<QAction*, 3> mode{};  // indexed by ViewMode
+  QAction* quarters = nullptr;     // four views at once
   QAction* swap = nullptr;
   QAction* blink = nullptr;
   QAction* by_error = nullptr;
@@ -25,10 +26,17 @@ struct ViewActions {
   QAction* path = nullptr;
   QAction* trail = nullptr;
   QActionGroup* trail_poses = nullptr;  // data(): poses before the current frame, and as many after
+  QAction* exaggerate = nullptr;
+  QActionGroup* exaggeration = nullptr;  // data(): factor on the difference
   QAction* in_place = nullptr;
+  QAction* front = nullptr;
+  QAction* side = nullptr;
   QAction* floor = nullptr;
   QAction* follow = nullptr;
   QAction* reset_camera = nullptr;
+  QAction* frame_joint = nullptr;
+  std::array<QAction*, 4> go_to{};  // camera places that are kept from run to run
+  std::array<QAction*, 4> keep{};
 
   /// Actions for menus and tool bars, with null for separators between groups.
   QList<QAction*> inGroups() const;
