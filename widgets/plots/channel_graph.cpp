@@ -43,6 +43,7 @@ ChannelGraph::ChannelGraph(QWidget* parent)
   channels_->setAccessibleName(tr("Channel"));
   channels_->setToolTip(tr("One degree of freedom of the selected joint."));
   channels_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  offerCopyImage(this);
   curves_plot_->setAccessibleName(tr("Channel over time"));
   curves_plot_->setToolTip(tr(
       "The recorded and the compressed channel; below, their difference. Click to go to a frame."));

@@ -14,6 +14,7 @@ ConvergencePlot::ConvergencePlot(QWidget* parent) : QWidget(parent), plot_(new Q
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(plot_);
+  offerCopyImage(this);
   plot_->setAccessibleName(tr("Error while refining"));
   plot_->setToolTip(tr("Error after each iteration of the refinement."));
   plot_->xAxis->setLabel(tr("Iteration"));

@@ -25,6 +25,7 @@ ErrorGraph::ErrorGraph(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(plot_);
+  offerCopyImage(this);
   plot_->setAccessibleName(tr("Error over time"));
   plot_->setToolTip(
       tr("World-space distance or angle between joints and the original. Click to go to a frame, "

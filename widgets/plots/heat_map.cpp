@@ -76,7 +76,7 @@ HeatMap::HeatMap(QWidget* parent) : QWidget(parent) {
   setAccessibleDescription(
       tr("Error of every joint at every frame. Arrow keys move to the next joint or frame."));
   setFocusPolicy(Qt::StrongFocus);
-  setContextMenuPolicy(Qt::ActionsContextMenu);
+  offerCopyImage(this);
 }
 
 void HeatMap::setErrors(ErrorsPtr errors, std::vector<QString> names, const ErrorScale& scale) {

@@ -34,6 +34,7 @@ LibraryPlot::LibraryPlot(const LibraryFilter* clips, QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(plot_);
+  offerCopyImage(this);
   plot_->setAccessibleName(tr("Clips of the library, error over ratio"));
   plot_->setAccessibleDescription(tr("The columns of the library show all measurements."));
   plot_->xAxis->setLabel(tr("Compression ratio (smaller →)"));

@@ -2,6 +2,10 @@
 #include "widgets/plots/plot_style.h"
 
 #include <qcustomplot.h>
+
+#include <QClipboard>
+#include <QCoreApplication>
+#include <QGuiApplication>
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
@@ -32,6 +36,22 @@ void applyPalette(QCustomPlot* plot) {
   plot->setPlottingHint(QCP::phImmediateRefresh, false);
   plot->setBackground(palette.brush(QPalette::Base));
   for (QCPAxis* axis : {plot->xAxis, plot->yAxis}) applyPalette(axis, palette, plot->font());
+}
+
+namespace {
+
+struct Texts {
+  Q_DECLARE_TR_FUNCTIONS(mocapress::Plots)
+};
+
+}  // namespace
+
+void offerCopyImage(QWidget* plot) {
+  auto* copy = new QAction(Texts::tr("Copy Image"), plot);
+  QObject::connect(copy, &QAction::triggered, plot,
+                   [plot] { QGuiApplication::clipboard()->setPixmap(plot->grab()); });
+  plot->addAction(copy);
+  plot->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
 QVector<QCPGraphData> overTime(const Eigen::VectorXd& values, double sample_rate_hz) {

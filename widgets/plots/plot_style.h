@@ -21,6 +21,9 @@ inline QColor fainter(QColor colour, float alpha) {
   return colour;
 }
 
+/// Adds "Copy Image" to the context menu of a plot.
+void offerCopyImage(QWidget* plot);
+
 /// Makes a point for each frame, against seconds.
 QVector<QCPGraphData> overTime(const Eigen::VectorXd& values, double sample_rate_hz);
 

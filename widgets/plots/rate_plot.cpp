@@ -54,6 +54,7 @@ RatePlot::RatePlot(QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(plot_);
   plot_->setMinimumHeight(kLeastHeight);
+  offerCopyImage(this);
   plot_->setAccessibleName(tr("Rate-distortion plot"));
   plot_->setAccessibleDescription(
       tr("Error over compression ratio, one curve for each method. The table below lists every "
