@@ -34,6 +34,17 @@ TEST(WorstFrames, ComeWorstFirstAndApart) {
   EXPECT_EQ(worstFrames(Eigen::VectorXf(), 10, 3).size(), 0u);
 }
 
+TEST(RangeErrors, AreThoseOfTheFramesInTheRange) {
+  Eigen::MatrixXf distances = Eigen::MatrixXf::Constant(40, 2, 9);
+  distances.middleRows(10, 20).setConstant(0.5F);
+  distances(12, 1) = 2;
+  const RangeErrors errors = rangeErrors(distances, 10, 29);
+  EXPECT_DOUBLE_EQ(errors.max, 2);
+  EXPECT_DOUBLE_EQ(errors.p95, 0.5);
+  EXPECT_NEAR(errors.rms, std::sqrt((39 * 0.25 + 4) / 40), 1e-6);
+  EXPECT_DOUBLE_EQ(rangeErrors(distances, 0, 0).rms, 9);
+}
+
 TEST(WorstFrames, AreSteppedThroughRoundAndRound) {
   const std::vector<int> worst = {60, 20, 90};
   EXPECT_EQ(nextWorst(worst, 7, 1), 60);

@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
@@ -292,8 +293,27 @@ TEST(ResultPanel, ShowsVisibilityAndTheMostVisibleJoint) {
   panel.setFigures(figures);
   QString reason;
   for (const QLabel* label : panel.findChildren<QLabel*>())
-    if (label->text() == QStringLiteral("borderline")) reason = label->toolTip();
+    if (label->accessibleName() == QStringLiteral("Most visible error")) reason = label->text();
   EXPECT_TRUE(reason.contains(QStringLiteral("Neck1 at 2.50 s: 1.25 times"))) << qPrintable(reason);
+}
+
+TEST(ResultPanel, LeadsWithTheVerdictAndFoldsTheRest) {
+  QSettings().clear();
+  const auto isShown = [](const ResultPanel& panel, const QString& name) {
+    for (const QLabel* label : panel.findChildren<QLabel*>())
+      if (label->accessibleName() == name) return label->isVisibleTo(&panel);
+    return false;
+  };
+  ResultPanel panel;
+  ResultFigures figures;
+  figures.seen = SeenFigures{Sight::Visible, Cue::Head, QStringLiteral("Neck1"), 2.5, 2.5};
+  panel.setFigures(figures);
+  EXPECT_TRUE(isShown(panel, QStringLiteral("Visibility")));
+  EXPECT_FALSE(isShown(panel, QStringLiteral("Worst point")));
+  panel.findChild<QToolButton*>()->click();
+  EXPECT_TRUE(isShown(panel, QStringLiteral("Worst point")));
+  EXPECT_TRUE(isShown(ResultPanel(), QStringLiteral("Worst point")));  // remembered
+  QSettings().clear();
 }
 
 TEST(ResultPanel, ShowsBothEndsOfAClipAndTheSeamOfALoop) {

@@ -13,6 +13,7 @@
 #include <QMenu>
 #include <QRegularExpression>
 #include <QScrollBar>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolTip>
@@ -25,6 +26,7 @@
 #include "widgets/plots/heat_map.h"
 #include "widgets/timeline/contact_strip.h"
 #include "widgets/timeline/error_strip.h"
+#include "widgets/timeline/pose_strip.h"
 #include "widgets/timeline/sight_strip.h"
 #include "widgets/timeline/time_ruler.h"
 
@@ -98,6 +100,51 @@ TEST_F(TimelineStrips, AClickSeeksAndShiftDragChoosesTheRange) {
                    Qt::LeftButton, Qt::ShiftModifier);
   QCoreApplication::sendEvent(timeline_.errors(), &move);
   EXPECT_EQ(range, FrameRange(30, 60));
+}
+
+TEST_F(TimelineStrips, FoldAwayAndStayFolded) {
+  const auto unfolded = [](Timeline& timeline) {
+    QCoreApplication::sendPostedEvents();
+    timeline.grab();  // lays it out
+    return timeline.errors()->height() > 0;
+  };
+  ASSERT_TRUE(unfolded(timeline_));
+  for (QAction* fold : timeline_.foldActions())
+    if (fold->objectName() == QStringLiteral("timeline-errors")) fold->trigger();
+  EXPECT_FALSE(unfolded(timeline_));
+  Timeline next;
+  next.resize(500, 300);
+  next.show();
+  EXPECT_FALSE(unfolded(next));
+  QSettings().clear();
+}
+
+TEST_F(TimelineStrips, ShowPosesAlongTheClip) {
+  // Hips at 100 cm, head above them, hand in front: the last frames lie down.
+  auto tracks = std::make_shared<Eigen::MatrixXd>(kFrames, 9);
+  for (int frame = 0; frame < kFrames; ++frame)
+    tracks->row(frame) << 0, 100, 0, 0, frame < kFrames / 2 ? 180 : 100, 0, 60, 100, 0;
+  PoseStrip* poses = timeline_.poses();
+  EXPECT_TRUE(poses->isHidden());
+  poses->setPoses(tracks, {-1, 0, 0}, 0);
+  EXPECT_FALSE(poses->isHidden());
+  timeline_.grab();
+  const QImage picture = poses->grab().toImage();
+  const auto inked = [&](double from, double to) {  // pixels in the upper half
+    int count = 0;
+    for (int x = xOf(from); x < xOf(to); ++x)
+      for (int y = 0; y < picture.height() / 2; ++y)
+        count += qAbs(qGray(picture.pixel(x, y)) - qGray(picture.pixel(0, 0))) > 40 ? 1 : 0;
+    return count;
+  };
+  EXPECT_GT(inked(5, kFrames / 2.0 - 5), 40);
+  EXPECT_EQ(inked(kFrames / 2.0 + 5, kFrames - 1), 0);
+  QSignalSpy seek(&timeline_, &Timeline::seekRequested);
+  QTest::mouseClick(poses, Qt::LeftButton, {}, {xOf(40) + 2, 20});
+  ASSERT_EQ(seek.count(), 1);
+  EXPECT_EQ(seek[0][0].toInt(), 40);
+  poses->setPoses(nullptr, {}, 0);
+  EXPECT_TRUE(poses->isHidden());
 }
 
 /// Presses at one frame's middle and releases at another's.

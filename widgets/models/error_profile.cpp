@@ -2,6 +2,7 @@
 #include "widgets/models/error_profile.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <numeric>
 
@@ -10,6 +11,17 @@ namespace mocapress {
 ErrorProfile errorProfile(const Eigen::MatrixXf& distances) {
   if (distances.size() == 0) return {};
   return {distances.rowwise().maxCoeff(), distances.rowwise().mean()};
+}
+
+RangeErrors rangeErrors(const Eigen::MatrixXf& distances, int first, int last) {
+  const auto rows = distances.middleRows(first, last - first + 1);
+  if (rows.size() == 0) return {};
+  std::vector<float> all(static_cast<std::size_t>(rows.size()));
+  Eigen::Map<Eigen::MatrixXf>(all.data(), rows.rows(), rows.cols()) = rows;
+  const auto share = static_cast<std::ptrdiff_t>(std::ceil(0.95 * double(all.size()))) - 1;
+  std::nth_element(all.begin(), all.begin() + share, all.end());
+  return {std::sqrt(rows.cast<double>().array().square().mean()), double(all[std::size_t(share)]),
+          double(rows.maxCoeff())};
 }
 
 std::vector<int> worstFrames(const Eigen::VectorXf& max, int apart, int most) {

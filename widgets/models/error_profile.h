@@ -17,6 +17,16 @@ struct ErrorProfile {
 /// Computes the profile from distances (frames x landmarks, cm).
 ErrorProfile errorProfile(const Eigen::MatrixXf& distances);
 
+/// Errors within a range of frames, over all landmarks, cm.
+struct RangeErrors {
+  double rms = 0;
+  double p95 = 0;
+  double max = 0;
+};
+
+/// Requires that the range is within the clip.
+RangeErrors rangeErrors(const Eigen::MatrixXf& distances, int first, int last);
+
 /// Frames at which the maximum has a peak, worst first: at most `most`, and each at least `apart`
 /// frames away from any worse one.
 std::vector<int> worstFrames(const Eigen::VectorXf& max, int apart, int most);

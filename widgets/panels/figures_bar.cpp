@@ -23,6 +23,13 @@ FiguresBar::FiguresBar(QWidget* parent) : QWidget(parent) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(8, 1, 8, 1);
   row->setSpacing(5);
+  range_ = new QLabel(this);
+  range_->setAccessibleName(tr("Errors in the range"));
+  range_->setToolTip(
+      tr("Errors of all joints in the frames of the chosen range: root mean square, "
+         "95th percentile and largest. A double click on the ruler chooses the "
+         "whole clip again."));
+  row->addWidget(range_);
   eps_ = add(row, tr("eps_x"),
              tr("Root mean square distance between original and compressed, weighted by bone "
                 "length: the paper's distortion."));
@@ -40,6 +47,7 @@ FiguresBar::FiguresBar(QWidget* parent) : QWidget(parent) {
               tr("Motion bits for one joint at one frame; unlike a ratio it needs no baseline."));
   row->addStretch(1);
   setFigures({});
+  setRange({});
 }
 
 FiguresBar::Figure FiguresBar::add(QHBoxLayout* row, const QString& name,
@@ -56,6 +64,13 @@ FiguresBar::Figure FiguresBar::add(QHBoxLayout* row, const QString& name,
     row->addWidget(label);
   }
   return figure;
+}
+
+void FiguresBar::setRange(const QString& errors) {
+  range_->setText(errors);
+  range_->setVisible(!errors.isEmpty());
+  for (const Figure& figure : {eps_, p95_, p99_, max_})
+    for (QLabel* label : {figure.caption, figure.value}) label->setVisible(errors.isEmpty());
 }
 
 void FiguresBar::setFigures(const std::optional<ResultFigures>& figures) {
@@ -76,7 +91,7 @@ void FiguresBar::setFigures(const std::optional<ResultFigures>& figures) {
   };
   show(size_, maybe_about(QLocale().formattedDataSize(static_cast<qint64>(known.motion_bytes), 1,
                                                       QLocale::DataSizeSIFormat)));
-  show(ratio_, maybe_about(tr("%L1 : 1").arg(known.ratio, 0, 'f', 1)));
+  show(ratio_, maybe_about(tr("%1 : 1").arg(shownFigure(known.ratio))));
   show(bits_, maybe_about(QLocale().toString(known.bits_per_joint_sample, 'f', 2)));
 }
 

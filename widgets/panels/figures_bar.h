@@ -21,6 +21,9 @@ class FiguresBar : public QWidget {
   /// Unset figures show as dashes.
   void setFigures(const std::optional<ResultFigures>& figures);
 
+  /// Errors within a range of frames take the place of those of the clip; empty: no range.
+  void setRange(const QString& errors);
+
  private:
   /// The widgets of one figure: its name and its value.
   struct Figure {
@@ -29,6 +32,7 @@ class FiguresBar : public QWidget {
   };
   Figure add(QHBoxLayout* row, const QString& name, const QString& explanation);
 
+  QLabel* range_;
   Figure eps_;
   Figure p95_;
   Figure p99_;

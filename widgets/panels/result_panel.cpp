@@ -4,8 +4,12 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QSettings>
+#include <QToolButton>
+#include <QVBoxLayout>
 #include <QtMath>
 
+#include "widgets/models/colours.h"
 #include "widgets/models/display_names.h"
 #include "widgets/models/number_text.h"
 
@@ -14,6 +18,8 @@ namespace {
 
 const QString kUnknown = QStringLiteral("–");
 constexpr double kHeadlineScale = 1.9;
+constexpr double kVerdictScale = 1.5;
+const QString kUnfolded = QStringLiteral("window/all-figures");
 
 QString distance(const std::optional<double>& cm) {
   return cm ? lengthText(*cm) : kUnknown;
@@ -54,28 +60,73 @@ QString reasonText(const SeenFigures& seen) {
 
 }  // namespace
 
-ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {
+ResultPanel::ResultPanel(QWidget* parent)
+    : QWidget(parent), seen_(new QLabel(this)), reason_(new QLabel(this)) {
+  QFont font = seen_->font();
+  font.setPointSizeF(kVerdictScale * font.pointSizeF());
+  font.setWeight(QFont::DemiBold);
+  seen_->setFont(font);
+  seen_->setAccessibleName(tr("Visibility"));
+  seen_->setToolTip(seenExplanation());
+  reason_->setWordWrap(true);
+  reason_->setAccessibleName(tr("Most visible error"));
+  reason_->setToolTip(seenExplanation());
+
+  auto* head = new QGridLayout;
+  head->setHorizontalSpacing(12);
+  head->setVerticalSpacing(3);
+  head->setColumnStretch(0, 1);
+  head->setColumnStretch(1, 1);
+  ratio_ = addHeadline(head, tr("compression ratio"),
+                       tr("Bytes of the channels as 32-bit floats, divided by the compressed "
+                          "motion bytes. The skeleton counts in neither, as in the paper."),
+                       0);
+  eps_ = addHeadline(head, tr("eps_x"),
+                     tr("Root mean square distance between original and compressed, weighted by "
+                        "bone length."),
+                     1);
+  eps_name_ = qobject_cast<QLabel*>(head->itemAtPosition(1, 1)->widget());
+  state_ = new QLabel(this);
+  state_->setWordWrap(true);
+  state_->setForegroundRole(QPalette::PlaceholderText);
+  state_->setAccessibleName(tr("State of the result"));
+  head->addWidget(state_, 2, 0, 1, 2);
+
+  QWidget* details = makeDetails();
+  auto* unfold = new QToolButton(this);
+  unfold->setText(tr("All figures"));
+  unfold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  unfold->setAutoRaise(true);
+  unfold->setCheckable(true);
+  const auto show = [unfold, details](bool shown) {
+    unfold->setArrowType(shown ? Qt::DownArrow : Qt::RightArrow);
+    details->setVisible(shown);
+  };
+  connect(unfold, &QToolButton::toggled, this, show);
+  connect(unfold, &QToolButton::clicked, this,
+          [](bool shown) { QSettings().setValue(kUnfolded, shown); });
+  unfold->setChecked(QSettings().value(kUnfolded, false).toBool());
+  show(unfold->isChecked());
+
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  column->addWidget(seen_);
+  column->addWidget(reason_);
+  column->addLayout(head);
+  column->addWidget(unfold, 0, Qt::AlignLeft);
+  column->addWidget(details);
+  setFigures({});
+}
+
+QWidget* ResultPanel::makeDetails() {
+  auto* details = new QWidget(this);
+  grid_ = new QGridLayout(details);
   grid_->setContentsMargins(0, 0, 0, 0);
   grid_->setHorizontalSpacing(12);
   grid_->setVerticalSpacing(3);
   grid_->setColumnStretch(0, 1);
   grid_->setColumnStretch(1, 1);
-  ratio_ = addHeadline(tr("compression ratio"),
-                       tr("Bytes of the channels as 32-bit floats, divided by the compressed "
-                          "motion bytes. The skeleton counts in neither, as in the paper."),
-                       0);
-  eps_ = addHeadline(tr("eps_x"),
-                     tr("Root mean square distance between original and compressed, weighted by "
-                        "bone length."),
-                     1);
-  eps_name_ = qobject_cast<QLabel*>(grid_->itemAtPosition(1, 1)->widget());
-  state_ = new QLabel(this);
-  state_->setWordWrap(true);
-  state_->setForegroundRole(QPalette::PlaceholderText);
-  state_->setAccessibleName(tr("State of the result"));
-  grid_->addWidget(state_, 2, 0, 1, 2);
-  grid_->setRowMinimumHeight(3, 4);
-
   p95_ = addRow(tr("95 % of points within"),
                 tr("95th percentile of the distance over all joints and frames, unweighted."));
   p99_ = addRow(tr("99 % of points within"),
@@ -83,7 +134,6 @@ ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent), grid_(new QGridLayo
   max_ = addRow(tr("Worst point"), tr("Largest error of any point at any frame."));
   skin_ = addRow(tr("On the skin: worst / RMS"),
                  tr("Errors of points spread evenly over the mesh, over all frames."));
-  seen_ = addRow(tr("Visibility"), seenExplanation());
   slide_ = addRow(
       tr("Foot drift: mean / worst"),
       tr("Distance between a standing foot and its place in the original, over all contacts."));
@@ -109,10 +159,11 @@ ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent), grid_(new QGridLayo
   knee_ = addRow(tr("Fastest knee"),
                  tr("Highest speed of a held leg's knee, and that of the original. A much higher "
                     "speed means that the correction makes the knee snap."));
-  setFigures({});
+  return details;
 }
 
-QLabel* ResultPanel::addHeadline(const QString& name, const QString& explanation, int column) {
+QLabel* ResultPanel::addHeadline(QGridLayout* head, const QString& name, const QString& explanation,
+                                 int column) {
   auto* value = new QLabel(this);
   QFont font = value->font();
   font.setPointSizeF(kHeadlineScale * font.pointSizeF());
@@ -123,8 +174,8 @@ QLabel* ResultPanel::addHeadline(const QString& name, const QString& explanation
   auto* caption = new QLabel(name, this);
   caption->setToolTip(explanation);
   caption->setBuddy(value);
-  grid_->addWidget(value, 0, column);
-  grid_->addWidget(caption, 1, column);
+  head->addWidget(value, 0, column);
+  head->addWidget(caption, 1, column);
   return value;
 }
 
@@ -147,8 +198,9 @@ void ResultPanel::setFigures(const std::optional<ResultFigures>& figures) {
   if (!figures) {
     eps_name_->setText(tr("eps_x"));
     setEnds({});
+    setSeen({});
     for (QLabel* label : {nameOf(skin_), skin_}) label->hide();
-    for (QLabel* label : {ratio_, eps_, bytes_, p95_, p99_, max_, seen_, coefficient_ratio_, bits_,
+    for (QLabel* label : {ratio_, eps_, bytes_, p95_, p99_, max_, coefficient_ratio_, bits_,
                           footskate_, slide_, correction_, knee_})
       label->setText(kUnknown);
     return;
@@ -156,7 +208,7 @@ void ResultPanel::setFigures(const std::optional<ResultFigures>& figures) {
   const auto maybe_about = [&](const QString& text) {
     return figures->size_is_estimated ? tr("about %1").arg(text) : text;
   };
-  ratio_->setText(maybe_about(tr("%L1 : 1").arg(figures->ratio, 0, 'f', 1)));
+  ratio_->setText(maybe_about(tr("%1 : 1").arg(shownFigure(figures->ratio))));
   eps_->setText(distance(figures->eps_cm));
   eps_name_->setText(tr("eps_x, %1").arg(displayName(figures->weighting).toLower()));
   setEnds(*figures);
@@ -171,8 +223,7 @@ void ResultPanel::setFigures(const std::optional<ResultFigures>& figures) {
     skin_->setText(tr("%1 / %2", "skin")
                        .arg(lengthText(figures->skin->max.cm), lengthText(figures->skin->rms)));
   for (QLabel* label : {nameOf(skin_), skin_}) label->setVisible(figures->skin.has_value());
-  seen_->setText(figures->seen ? displayName(figures->seen->sight) : kUnknown);
-  seen_->setToolTip(figures->seen ? reasonText(*figures->seen) : seenExplanation());
+  setSeen(figures->seen);
   coefficient_ratio_->setText(figures->coefficient_ratio
                                   ? tr("%L1 : 1").arg(*figures->coefficient_ratio, 0, 'f', 1)
                                   : kUnknown);
@@ -188,6 +239,17 @@ void ResultPanel::setFigures(const std::optional<ResultFigures>& figures) {
                           : distance(figures->footskate_cm));
   correction_->setText(correctionText(*figures));
   knee_->setText(kneeText(*figures));
+}
+
+/// Leads with the verdict, in its colour, and says why.
+void ResultPanel::setSeen(const std::optional<SeenFigures>& seen) {
+  seen_->setText(seen ? displayName(seen->sight) : kUnknown);
+  reason_->setText(seen ? reasonText(*seen) : QString());
+  for (QLabel* label : {seen_, reason_}) label->setVisible(seen.has_value());
+  QPalette coloured = palette();
+  if (seen && seen->sight != Sight::NotVisible)
+    coloured.setColor(QPalette::WindowText, sightColour(seen->sight));
+  seen_->setPalette(coloured);
 }
 
 QLabel* ResultPanel::nameOf(QLabel* value) const {

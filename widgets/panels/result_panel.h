@@ -51,7 +51,8 @@ struct ResultFigures {
   std::optional<double> fastest_knee_of_original;
 };
 
-/// Size and error of the compressed clip.
+/// Size and error of the compressed clip: first whether its errors are seen and why, then ratio and
+/// error, then all else, which can be folded away.
 class ResultPanel : public QWidget {
   Q_OBJECT
 
@@ -65,12 +66,17 @@ class ResultPanel : public QWidget {
   void setState(const QString& state);
 
  private:
-  QLabel* addHeadline(const QString& name, const QString& explanation, int column);
+  QLabel* addHeadline(QGridLayout* head, const QString& name, const QString& explanation,
+                      int column);
   QLabel* addRow(const QString& name, const QString& explanation);
   QLabel* nameOf(QLabel* value) const;
   void setEnds(const ResultFigures& figures);
+  void setSeen(const std::optional<SeenFigures>& seen);
+  QWidget* makeDetails();
 
-  QGridLayout* grid_;
+  QLabel* seen_;
+  QLabel* reason_;
+  QGridLayout* grid_;  // of the details
   QLabel* ratio_;
   QLabel* eps_;
   QLabel* eps_name_;
@@ -82,7 +88,6 @@ class ResultPanel : public QWidget {
   QLabel* p99_;
   QLabel* max_;
   QLabel* skin_;
-  QLabel* seen_;
   QLabel* coefficient_ratio_;
   QLabel* bits_;
   QLabel* footskate_;

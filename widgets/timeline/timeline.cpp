@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/timeline/timeline.h"
 
+#include <QAction>
+#include <QContextMenuEvent>
+#include <QMenu>
 #include <QScrollBar>
+#include <QSettings>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <QWheelEvent>
@@ -12,6 +16,7 @@
 #include "widgets/timeline/contact_strip.h"
 #include "widgets/timeline/error_strip.h"
 #include "widgets/timeline/note_strip.h"
+#include "widgets/timeline/pose_strip.h"
 #include "widgets/timeline/sight_strip.h"
 #include "widgets/timeline/time_ruler.h"
 
@@ -39,6 +44,7 @@ Timeline::Timeline(QWidget* parent)
       bytes_(new ByteStrip(this)),
       notes_(new NoteStrip(this)),
       contacts_(new ContactStrip(this)),
+      poses_(new PoseStrip(this)),
       scroll_(new QScrollBar(Qt::Horizontal, this)) {
   scroll_->setAccessibleName(tr("Visible part of the clip"));
   scroll_->setFocusPolicy(Qt::NoFocus);
@@ -47,6 +53,7 @@ Timeline::Timeline(QWidget* parent)
   column->setContentsMargins(0, 2, 0, 0);
   column->setSpacing(0);
   column->addWidget(ruler_);
+  column->addWidget(poses_);
   column->addWidget(errors_);
   column->addWidget(sight_);
   column->addWidget(bytes_);
@@ -56,14 +63,45 @@ Timeline::Timeline(QWidget* parent)
   connect(ruler_, &TimeRuler::seekRequested, this, &Timeline::seekRequested);
   connect(errors_, &ErrorStrip::seekRequested, this, &Timeline::seekRequested);
   connect(contacts_, &ContactStrip::seekRequested, this, &Timeline::seekRequested);
+  connect(poses_, &PoseStrip::seekRequested, this, &Timeline::seekRequested);
   connect(scroll_, &QScrollBar::valueChanged, this,
           [this](int first) { setWindow(first, window_.length); });
+  offerFold(poses_, QStringLiteral("poses"), tr("&Poses"));
+  offerFold(errors_, QStringLiteral("errors"), tr("&Errors"));
+  offerFold(sight_, QStringLiteral("sight"), tr("Visible E&rrors"));
+  offerFold(bytes_, QStringLiteral("bytes"), tr("&Bytes"));
+  offerFold(notes_, QStringLiteral("notes"), tr("&Notes"));
+  offerFold(contacts_, QStringLiteral("contacts"), tr("&Contacts"));
   setContacts({}, {}, 0);  // reserves room for names
+}
+
+/// A folded strip has no height: strips hide themselves when they are empty.
+void Timeline::offerFold(QWidget* strip, const QString& id, const QString& name) {
+  auto* action = new QAction(name, this);
+  action->setObjectName(QStringLiteral("timeline-") + id);
+  action->setCheckable(true);
+  connect(action, &QAction::toggled, strip,
+          [strip](bool unfolded) { strip->setMaximumHeight(unfolded ? QWIDGETSIZE_MAX : 0); });
+  const QString setting = QStringLiteral("timeline/") + id;
+  action->setChecked(true);
+  action->setChecked(QSettings().value(setting, true).toBool());
+  connect(action, &QAction::triggered, this,
+          [setting](bool unfolded) { QSettings().setValue(setting, unfolded); });
+  folds_ << action;
+}
+
+/// For strips without a menu of their own, and beside their names.
+void Timeline::contextMenuEvent(QContextMenuEvent* event) {
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->addActions(folds_);
+  menu->popup(event->globalPos());
 }
 
 int Timeline::labelWidth() const {
   return std::max({ruler_->labelWidth(), errors_->labelWidth(), sight_->labelWidth(),
-                   bytes_->labelWidth(), notes_->labelWidth(), contacts_->labelWidth()});
+                   bytes_->labelWidth(), notes_->labelWidth(), contacts_->labelWidth(),
+                   poses_->labelWidth()});
 }
 
 void Timeline::setRate(double sample_rate_hz) {
@@ -82,6 +120,7 @@ void Timeline::setContacts(std::vector<ContactSpan> contacts, const std::vector<
   notes_->setLabelWidth(width);
   notes_->setFrames(frames);
   contacts_->setLabelWidth(width);
+  poses_->setLabelWidth(width);
   if (frames == frames_) return;
   frames_ = frames;
   ruler_->setClip(frames_, sample_rate_hz_);
@@ -95,6 +134,7 @@ void Timeline::setFrame(int frame) {
   bytes_->setFrame(frame);
   notes_->setFrame(frame);
   contacts_->setFrame(frame);
+  poses_->setFrame(frame);
   if (window_.length == 0) return;
   if (frame < window_.first)
     setWindow(frame + 1 - (1 - kLead) * window_.length, window_.length);
@@ -121,6 +161,7 @@ void Timeline::setWindow(double first, double length) {
   bytes_->setWindow(window_);
   notes_->setWindow(window_);
   contacts_->setWindow(window_);
+  poses_->setWindow(window_);
   const QSignalBlocker blocker(scroll_);
   scroll_->setRange(0, whole ? 0 : static_cast<int>(std::ceil(frames_ - length)));
   scroll_->setPageStep(static_cast<int>(length));

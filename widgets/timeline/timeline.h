@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QList>
 #include <QWidget>
 #include <vector>
 
 #include "core/feet/footskate.h"
 #include "widgets/timeline/time_axis.h"
 
+class QAction;
 class QScrollBar;
 
 namespace mocapress {
@@ -15,11 +17,13 @@ class ByteStrip;
 class ContactStrip;
 class ErrorStrip;
 class NoteStrip;
+class PoseStrip;
 class SightStrip;
 class TimeRuler;
 
 /// The strips below the 3D view, in line with each other. The wheel zooms about the mouse, with
-/// Shift it scrolls; a scroll bar appears while only a part is visible.
+/// Shift it scrolls; a scroll bar appears while only a part is visible. Each strip can be folded
+/// away.
 class Timeline : public QWidget {
   Q_OBJECT
 
@@ -32,6 +36,10 @@ class Timeline : public QWidget {
   ByteStrip* bytes() const { return bytes_; }
   NoteStrip* notes() const { return notes_; }
   ContactStrip* contacts() const { return contacts_; }
+  PoseStrip* poses() const { return poses_; }
+
+  /// A checked action for each strip that is unfolded, for menus. Kept from run to run.
+  const QList<QAction*>& foldActions() const { return folds_; }
   QScrollBar* scroll() const { return scroll_; }
 
   /// Frames a second of the clip.
@@ -54,11 +62,13 @@ class Timeline : public QWidget {
 
  protected:
   void wheelEvent(QWheelEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
   void setWindow(double first, double length);
   TimeAxis axis() const;
   int labelWidth() const;
+  void offerFold(QWidget* strip, const QString& id, const QString& name);
 
   TimeRuler* ruler_;
   ErrorStrip* errors_;
@@ -66,6 +76,8 @@ class Timeline : public QWidget {
   ByteStrip* bytes_;
   NoteStrip* notes_;
   ContactStrip* contacts_;
+  PoseStrip* poses_;
+  QList<QAction*> folds_;
   QScrollBar* scroll_;
   int frames_ = 0;
   double sample_rate_hz_ = 120;

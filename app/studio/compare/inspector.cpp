@@ -6,14 +6,18 @@
 #include <QtMath>
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
 #include "app/studio/compare/clip_curve.h"
 #include "app/studio/compare/error_display.h"
 #include "app/studio/compare/figures.h"
 #include "app/studio/compare/range_actions.h"
 #include "app/studio/document/session.h"
+#include "core/motion/body.h"
 #include "core/motion/landmarks.h"
 #include "core/motion/rig.h"
+#include "widgets/models/error_profile.h"
+#include "widgets/models/number_text.h"
 #include "widgets/panels/figures_bar.h"
 #include "widgets/plots/channel_graph.h"
 #include "widgets/plots/heat_map.h"
@@ -21,6 +25,7 @@
 #include "widgets/timeline/contact_strip.h"
 #include "widgets/timeline/error_strip.h"
 #include "widgets/timeline/playback.h"
+#include "widgets/timeline/pose_strip.h"
 #include "widgets/timeline/sight_strip.h"
 #include "widgets/timeline/time_ruler.h"
 #include "widgets/timeline/timeline.h"
@@ -77,13 +82,16 @@ Inspector::Inspector(Session* session, Playback* playback, const InspectionViews
       views_(views),
       error_display_(error_display),
       curve_(new ClipCurve(session, this)),
-      range_actions_(new RangeActions(session, playback, this)) {
+      range_actions_(new RangeActions(session, playback, this)),
+      map_rule_(new QAction(this)) {
+  map_rule_->setSeparator(true);
   const Document* document = &session->document();
   connect(document, &Document::clipChanged, this, [this] {
     views_.timeline->showAll();
     showErrors();
     showContacts();
     showRanges();
+    showPoses();
     showJoint();
   });
   connect(document, &Document::decodedChanged, this, [this] {
@@ -118,6 +126,7 @@ void Inspector::connectViews() {
           [=, this] { timeline->ruler()->setRange(playback_->range()); });
   connect(timeline->errors(), &ErrorStrip::rangeChosen, playback_,
           [this](const FrameRange& range) { playback_->setRange(range); });
+  connect(playback_, &Playback::rangeChanged, this, &Inspector::showRangeErrors);
   connect(playback_, &Playback::rangeChanged, timeline->errors(),
           [=, this] { timeline->errors()->setRange(playback_->range()); });
   connect(playback_, &Playback::frameChanged, timeline, &Timeline::setFrame);
@@ -140,13 +149,11 @@ void Inspector::connectViews() {
 /// Puts the scales of the shown quantity into the heat map's menu.
 void Inspector::showErrorScales() {
   HeatMap* map = views_.heat_map;
-  for (QAction* action : map->actions()) map->removeAction(action);
-  map->addActions({error_display_->inDegrees(), error_display_->asSeen()});
-  if (error_display_->tellsSight()) return;
-  auto* rule = new QAction(map);
-  rule->setSeparator(true);
-  map->addAction(rule);
-  map->addActions(error_display_->scales(error_display_->quantity())->actions());
+  for (QAction* action : std::exchange(map_actions_, {})) map->removeAction(action);
+  map_actions_ = {error_display_->inDegrees(), error_display_->asSeen()};
+  if (!error_display_->tellsSight())
+    map_actions_ << map_rule_ << error_display_->scales(error_display_->quantity())->actions();
+  map->insertActions(map->actions().value(0), map_actions_);
 }
 
 void Inspector::showErrors() {
@@ -171,6 +178,34 @@ void Inspector::showErrors() {
   views_.figures->setFigures(figuresOf(document));
   const int apart = std::max(1, static_cast<int>(kWorstApart * document.sampleRate()));
   worst_ = worstFrames(profile.max, apart, kMostWorst);
+  showRangeErrors();
+}
+
+/// Figures of the chosen range in place of those of the clip.
+void Inspector::showRangeErrors() {
+  const DecodedPtr& decoded = session_->document().decoded();
+  const auto& range = playback_->range();
+  if (!range || !decoded || !decoded->distortion ||
+      range->second >= decoded->distortion->distances.rows())
+    return views_.figures->setRange({});
+  const RangeErrors errors =
+      rangeErrors(decoded->distortion->distances, range->first, range->second);
+  views_.figures->setRange(
+      tr("Frames %L1–%L2: RMS %3, p95 %4, max %5")
+          .arg(range->first + 1)
+          .arg(range->second + 1)
+          .arg(lengthText(errors.rms), lengthText(errors.p95), lengthText(errors.max)));
+}
+
+void Inspector::showPoses() {
+  const Document& document = session_->document();
+  const OriginalPtr& original = document.original();
+  if (!original) return views_.timeline->poses()->setPoses(nullptr, {}, 0);
+  const Skeleton& skeleton = *document.skeleton();
+  std::vector<int> parents;
+  for (int joint = 0; joint < skeleton.joint_count(); ++joint)
+    parents.push_back(skeleton.joint(joint).parent);
+  views_.timeline->poses()->setPoses(original->tracks(), parents, body_root(skeleton));
 }
 
 void Inspector::showContacts() {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QList>
 #include <QObject>
 #include <functional>
 #include <map>
 #include <vector>
 
+class QAction;
 class QWidget;
 
 namespace mocapress {
@@ -55,6 +57,8 @@ class Inspector : public QObject {
   void showErrorScales();
   void showContacts();
   void showRanges();
+  void showRangeErrors();
+  void showPoses();
   void showJoint();
   void showChannel();
   void drawChannel();
@@ -69,6 +73,8 @@ class Inspector : public QObject {
   ErrorDisplay* error_display_;
   ClipCurve* curve_;
   RangeActions* range_actions_;
+  QAction* map_rule_;  // above the scales in the heat map's menu
+  QList<QAction*> map_actions_;
   std::map<QObject*, std::function<void()>> waiting_;
   std::vector<int> worst_;  // frames, worst first
   int shown_worst_ = -1;    // last one visited
