@@ -6,6 +6,8 @@
 
 #include "app/studio/document/edit_step.h"
 #include "app/studio/document/session.h"
+#include "core/codec/methods/compared_file.h"
+#include "core/codec/methods/compression_method.h"
 #include "widgets/models/colours.h"
 #include "widgets/models/display_names.h"
 #include "widgets/models/number_text.h"
@@ -21,6 +23,8 @@ namespace {
 constexpr std::array<QRgb, kMostPinned> kColours = {kCurveColours[0], kCurveColours[2],
                                                     kCurveColours[4], kCurveColours[5]};
 
+constexpr std::string_view kEngineMethod = "key-frames";
+
 }  // namespace
 
 PinnedResults::PinnedResults(Session* session, PinnedModel* model, PinnedPanel* panel,
@@ -29,6 +33,7 @@ PinnedResults::PinnedResults(Session* session, PinnedModel* model, PinnedPanel* 
   const Document* document = &session->document();
   connect(document, &Document::clipChanged, this, [this] {
     pins_.clear();
+    engine_.abandon();
     final_ = false;
     recall();
     show();
@@ -48,10 +53,41 @@ PinnedResults::PinnedResults(Session* session, PinnedModel* model, PinnedPanel* 
 bool PinnedResults::canPin() const {
   const Document& document = session_->document();
   const DecodedPtr& decoded = document.decoded();
-  return final_ && document.final() && document.original() && decoded && decoded->distortion &&
-         pins_.size() + unmade_.size() < kMostPinned &&
-         std::none_of(pins_.begin(), pins_.end(),
-                      [&](const Result& result) { return result.decoded == decoded; });
+  return hasRoom() && std::none_of(pins_.begin(), pins_.end(),
+                                   [&](const Result& result) { return result.decoded == decoded; });
+}
+
+/// True for a final, measured result with room for another beside it.
+bool PinnedResults::hasRoom() const {
+  const Document& document = session_->document();
+  return final_ && document.final() && document.original() && document.decoded() &&
+         document.decoded()->distortion && pins_.size() + unmade_.size() < kMostPinned;
+}
+
+void PinnedResults::pinEngine() {
+  if (!hasRoom()) return emit failed(tr("The result is not final yet, or four are pinned."));
+  const Document& document = session_->document();
+  const OriginalPtr original = document.original();
+  const auto bytes = static_cast<double>(document.decoded()->compressed.motion_bytes());
+  EncodeSettings settings;
+  settings.weighting = document.options().weighting;
+  settings.target = {Target::Kind::Size, bytes};
+  engine_.start(
+      [original, settings](const Job& job) {
+        const Encoding made =
+            MethodEncoder(original->motion())
+                .compress(*find_compression_method(kEngineMethod), settings,
+                          [&](const EncodeProgress&) { return !job.stopRequested(); });
+        return decodedClip(read_mcpr(made.file), original.get());
+      },
+      [this](const DecodedPtr& decoded) {
+        const Result result{
+            {freeName(methodTitle(kEngineMethod)), freeColour(), {}}, decoded, true};
+        session_->history()->push(new EditStep(
+            tr("Pin"), [this, result, row = pins_.size()] { put(result, row); },
+            [this, colour = result.pin.colour] { drop(colour); }));
+      },
+      [this](const QString& message) { emit failed(message); });
 }
 
 void PinnedResults::pinCurrent() {
@@ -61,7 +97,7 @@ void PinnedResults::pinCurrent() {
   const QString name = freeName(tr("%1, %2").arg(
       targetText(options.target), displayName(decoded->compressed.provenance.method)));
   const NamedSettings settings = namedSettings({options, {}, {}}, *session_->document().skeleton());
-  const Result result{{name, freeColour(), settings}, decoded};
+  const Result result{{name, freeColour(), settings}, decoded, false};
   session_->history()->push(new EditStep(
       tr("Pin"), [this, result, row = pins_.size()] { put(result, row); },
       [this, colour = result.pin.colour] { drop(colour); }));
@@ -107,6 +143,7 @@ void PinnedResults::name(const QColor& colour, const QString& name) {
 
 void PinnedResults::makeCurrent(int row) {
   if (row < 0 || row >= static_cast<int>(pins_.size())) return;
+  if (pins_[static_cast<std::size_t>(row)].of_engine) return;  // no settings of ours make it
   const NamedSettings& settings = pins_[static_cast<std::size_t>(row)].pin.settings;
   session_->setOptions(settingsFor(settings, session_->document().original()->motion()).encode);
 }
@@ -127,7 +164,7 @@ void PinnedResults::makeNext() {
   const auto take = [this](const DecodedPtr& decoded) {
     const Pin pin = std::move(unmade_.front());
     unmade_.pop_front();
-    if (decoded) pins_.push_back({pin, decoded});
+    if (decoded) pins_.push_back({pin, decoded, false});
     if (!pin.colour.isValid() && decoded) pins_.back().pin.colour = freeColour();
     show();
     // The runner is still busy inside its delivery.
@@ -145,7 +182,12 @@ void PinnedResults::makeNext() {
 
 void PinnedResults::noteEdit() {
   show();
-  if (session_->document().original()) emit edited(session_->openKey(), all());
+  if (!session_->document().original()) return;
+  std::vector<Pin> kept;
+  for (const Result& result : pins_)
+    if (!result.of_engine) kept.push_back(result.pin);
+  kept.insert(kept.end(), unmade_.begin(), unmade_.end());
+  emit edited(session_->openKey(), kept);
 }
 
 std::vector<Pin> PinnedResults::all() const {
@@ -184,7 +226,7 @@ void PinnedResults::show() {
   const Weighting weighting = session_->document().options().weighting;
   std::vector<PinnedEntry> entries;
   std::vector<PinnedFigure> figures;
-  for (const auto& [pin, decoded] : pins_) {
+  for (const auto& [pin, decoded, of_engine] : pins_) {
     const Distortion& distortion = *decoded->distortion;
     PinnedEntry entry{
         pin.name,          pin.colour, decoded->ratio, distortion.eps(weighting), distortion.p95,

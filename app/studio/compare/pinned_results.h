@@ -36,6 +36,10 @@ class PinnedResults : public QObject {
 
   /// Both functions are steps of the clip's history.
   void pinCurrent();
+
+  /// Pins what an engine would make of the clip at the bytes of the current result: its tracks by
+  /// themselves, with key frames. It is not kept with the clip.
+  void pinEngine();
   void unpin(int row);
   void rename(int row, const QString& name);
 
@@ -44,6 +48,7 @@ class PinnedResults : public QObject {
 
  signals:
   void canPinChanged(bool can);
+  void failed(const QString& message);
 
   /// The user changed the pins: these are all pins of the clip now.
   void edited(const QString& path, const std::vector<Pin>& pins);
@@ -52,6 +57,7 @@ class PinnedResults : public QObject {
   struct Result {
     Pin pin;
     DecodedPtr decoded;
+    bool of_engine = false;
   };
 
   // A pin keeps its colour however often it is encoded again.
@@ -61,6 +67,7 @@ class PinnedResults : public QObject {
   void recall();
   void makeNext();
   void noteEdit();
+  bool hasRoom() const;
   std::vector<Pin> all() const;
   QString freeName(const QString& wanted) const;
   QColor freeColour() const;
@@ -76,6 +83,7 @@ class PinnedResults : public QObject {
   std::vector<Result> pins_;
   std::deque<Pin> unmade_;  // pins still to be encoded
   JobRunner making_{Workers::LongRunning};
+  JobRunner engine_{Workers::LongRunning};
   bool final_ = false;  // the result answers the document's options
 };
 
