@@ -68,26 +68,28 @@ void nameProgram() {
   QCoreApplication::setApplicationVersion(QStringLiteral(MOCAPRESS_VERSION));
 }
 
+/// Texts and numbers in the chosen language from here on.
+void setLanguage(QCoreApplication& application) {
+  const QString chosen = chosenLanguage();
+  QLocale::setDefault(chosen.isEmpty() ? QLocale::system() : QLocale(chosen));
+  installTranslations(application);
+}
+
 /// Answers --help and --version without needing a display.
 void say(int argc, char** argv) {
   QCoreApplication application(argc, argv);
   nameProgram();
-  if (!chosenLanguage().isEmpty()) QLocale::setDefault(QLocale(chosenLanguage()));
-  installTranslations(application);
+  setLanguage(application);
   parseLaunchOptions(application);
 }
 
-int run(int argc, char** argv) {
-  if (asksForWords({argv + 1, argv + argc})) say(argc, argv);
-  prepareViewport();
-  QApplication application(argc, argv);
-  nameProgram();
-  QGuiApplication::setDesktopFileName(QStringLiteral("org.mocapress.Studio"));
-  QApplication::setStyle(new StudioStyle);
-  if (!chosenLanguage().isEmpty()) QLocale::setDefault(QLocale(chosenLanguage()));
-  installTranslations(application);
-  const LaunchOptions options = parseLaunchOptions(application);
+/// The event loop's exit code, and the frame that was shown last.
+struct Ended {
+  int code = 0;
+  int frame = 0;
+};
 
+Ended showFirst(const LaunchOptions& options) {
   MainWindow window;
   window.trace().setWriting(options.trace);
   if (!options.screenshot.isEmpty()) screenshotAndQuit(window, options.screenshot);
@@ -109,7 +111,37 @@ int run(int argc, char** argv) {
     window.open(options.files, options.skeleton);
   else if (!goes_on || window.library().isOutOfReach())
     window.files().openFirst();
-  return QApplication::exec();
+  const int code = QApplication::exec();
+  return {code, window.playback().frame()};
+}
+
+/// Opens the project of the window before, at the same frame, in the language chosen since.
+Ended showAgain(int frame) {
+  MainWindow window;
+  QObject::connect(
+      &window.session(), &Session::opened, &window, [&] { window.playback().seek(frame); },
+      static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
+  window.show();
+  if (!window.library().begin(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)))
+    window.files().openFirst();
+  const int code = QApplication::exec();
+  return {code, window.playback().frame()};
+}
+
+int run(int argc, char** argv) {
+  if (asksForWords({argv + 1, argv + argc})) say(argc, argv);
+  prepareViewport();
+  QApplication application(argc, argv);
+  nameProgram();
+  QGuiApplication::setDesktopFileName(QStringLiteral("org.mocapress.Studio"));
+  QApplication::setStyle(new StudioStyle);
+  setLanguage(application);
+  Ended ended = showFirst(parseLaunchOptions(application));
+  while (ended.code == kOtherLanguage) {
+    setLanguage(application);
+    ended = showAgain(ended.frame);
+  }
+  return ended.code;
 }
 
 }  // namespace

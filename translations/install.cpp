@@ -19,6 +19,8 @@ bool install(QCoreApplication& application, const QLocale& locale, const QString
 }  // namespace
 
 void installTranslations(QCoreApplication& application) {
+  // A translator that is deleted is no longer installed.
+  qDeleteAll(application.findChildren<QTranslator*>(Qt::FindDirectChildrenOnly));
   const QString texts = QStringLiteral(":/i18n");
   const QString name = QStringLiteral("mocapress");
   install(application, QLocale(), QStringLiteral("qtbase"),

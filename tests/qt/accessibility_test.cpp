@@ -7,6 +7,7 @@
 #include <QAbstractSlider>
 #include <QAbstractSpinBox>
 #include <QAccessible>
+#include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QLineEdit>
@@ -53,6 +54,18 @@ TEST(Accessibility, EveryControlHasAName) {
   MainWindow window;
   EXPECT_EQ(nameless(&window).join(QLatin1Char('\n')).toStdString(), "");
   EXPECT_EQ(nameless(window.showStudy()).join(QLatin1Char('\n')).toStdString(), "");
+  window.actions().batch->trigger();
+  window.actions().find_command->trigger();
+  window.actions().keyboard_map->trigger();
+  window.actions().shortcuts->trigger();
+  int windows = 0;
+  for (const QWidget* top : QApplication::topLevelWidgets()) {
+    if (!top->isVisible() || top == &window) continue;
+    ++windows;
+    EXPECT_EQ(nameless(top).join(QLatin1Char('\n')).toStdString(), "")
+        << qPrintable(top->windowTitle());
+  }
+  EXPECT_GE(windows, 5);
 }
 
 /// Contrast as WCAG 2 defines it.

@@ -86,6 +86,15 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
   actions.export_review->setToolTip(
       Texts::tr("Write a web page that shows original and compressed clip"));
   actions.export_review->setVisible(has_review_viewer());
+  actions.copy_picture =
+      make(window, Texts::tr("Copy Pict&ure of the View"), Qt::CTRL | Qt::SHIFT | Qt::Key_C);
+  actions.save_picture = make(window, Texts::tr("Save Picture of the &View…"));
+  actions.film = make(window, Texts::tr("&Film of the Range…"));
+  actions.film->setToolTip(
+      Texts::tr("Write the chosen range, or the clip, as a video or as numbered pictures"));
+  actions.turntable = make(window, Texts::tr("&Turntable…"));
+  actions.turntable->setToolTip(
+      Texts::tr("Write this frame from all sides as a video or as numbered pictures"));
   actions.import_options = make(window, Texts::tr("&Import Options…"));
   actions.import_options->setToolTip(
       Texts::tr("Read the open motion again with another length unit, up axis, frame rate or root "
@@ -116,6 +125,11 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
   actions.pin = make(window, Texts::tr("&Pin This Result"), Qt::Key_D, QStringLiteral("pin"));
   actions.pin->setToolTip(
       Texts::tr("Keep this result in the view beside results of other settings (D)"));
+  actions.pin_engine =
+      make(window, Texts::tr("Pin What an &Engine Would Do"), Qt::SHIFT | Qt::Key_D);
+  actions.pin_engine->setToolTip(
+      Texts::tr("Compress the clip track by track, with key frames, to the same number of bytes, "
+                "and show it beside this result"));
   actions.quit = make(window, Texts::tr("&Quit"), QKeySequence::Quit);
   actions.undo = history->createUndoAction(window, Texts::tr("&Undo"));
   actions.undo->setShortcut(QKeySequence::Undo);
@@ -163,6 +177,10 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
       Texts::tr("Find out from which error on you tell the compressed clip from the original"));
   actions.guide = make(window, Texts::tr("&Guide"), QKeySequence::HelpContents);
   actions.shortcuts = make(window, Texts::tr("&Keyboard Shortcuts"), Qt::Key_Question);
+  actions.find_command =
+      make(window, Texts::tr("&Find a Command…"), Qt::CTRL | Qt::SHIFT | Qt::Key_P);
+  actions.keyboard_map = make(window, Texts::tr("Keyboard &Map…"));
+  actions.keyboard_map->setToolTip(Texts::tr("Choose the keys of all commands"));
   actions.themes = makeChoices(
       window,
       {{Texts::tr("Like the &System"), 0}, {Texts::tr("&Light"), 1}, {Texts::tr("&Dark"), 2}});
@@ -175,6 +193,95 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
   actions.view = makeViewActions(window);
   actions.transport = TransportBar::makeActions(playback, window);
   return actions;
+}
+
+void nameActions(const Actions& actions) {
+  const ViewActions& view = actions.view;
+  const TransportActions& play = actions.transport;
+  const std::pair<const char*, QAction*> names[] = {
+      {"open", actions.open},
+      {"open-sample", actions.open_sample},
+      {"compare", actions.compare},
+      {"save", actions.save},
+      {"save-as", actions.save_as},
+      {"export-motion", actions.export_motion},
+      {"export-review", actions.export_review},
+      {"copy-picture", actions.copy_picture},
+      {"save-picture", actions.save_picture},
+      {"film", actions.film},
+      {"turntable", actions.turntable},
+      {"import-options", actions.import_options},
+      {"put-character", actions.put_character},
+      {"take-character-off", actions.take_character_off},
+      {"batch", actions.batch},
+      {"export-library", actions.export_library},
+      {"add-clips", actions.add_clips},
+      {"add-folder", actions.add_folder},
+      {"new-project", actions.new_project},
+      {"open-project", actions.open_project},
+      {"save-project", actions.save_project},
+      {"quit", actions.quit},
+      {"switch-slot", actions.switch_slot},
+      {"copy-slot", actions.copy_slot},
+      {"pin", actions.pin},
+      {"pin-engine", actions.pin_engine},
+      {"undo", actions.undo},
+      {"redo", actions.redo},
+      {"next-review", actions.next_review},
+      {"approve", actions.approve},
+      {"reject", actions.reject},
+      {"note-here", actions.note_here},
+      {"next-note", actions.next_note},
+      {"next-worst", actions.next_worst},
+      {"previous-worst", actions.previous_worst},
+      {"hold-feet", actions.hold_feet},
+      {"without-ik", actions.without_ik},
+      {"reset-layout", actions.reset_layout},
+      {"study", actions.study},
+      {"guide", actions.guide},
+      {"shortcuts", actions.shortcuts},
+      {"find-command", actions.find_command},
+      {"keyboard-map", actions.keyboard_map},
+      {"about", actions.about},
+      {"in-degrees", actions.in_degrees},
+      {"as-seen", actions.as_seen},
+      {"overlay", view.mode[0]},
+      {"side-by-side", view.mode[1]},
+      {"wipe", view.mode[2]},
+      {"four-views", view.quarters},
+      {"swap", view.swap},
+      {"blink", view.blink},
+      {"by-error", view.by_error},
+      {"skin", view.skin},
+      {"path", view.path},
+      {"trail", view.trail},
+      {"exaggerate", view.exaggerate},
+      {"in-place", view.in_place},
+      {"front", view.front},
+      {"side", view.side},
+      {"floor", view.floor},
+      {"follow", view.follow},
+      {"reset-camera", view.reset_camera},
+      {"frame-joint", view.frame_joint},
+      {"first", play.first},
+      {"previous", play.previous},
+      {"play", play.play},
+      {"next", play.next},
+      {"last", play.last},
+      {"loop", play.loop},
+      {"backwards", play.backwards},
+      {"halt", play.halt},
+      {"forwards", play.forwards},
+      {"ten-back", play.ten_back},
+      {"ten-on", play.ten_on},
+      {"range-from", play.range_from},
+      {"range-to", play.range_to},
+      {"whole-clip", play.whole_clip}};
+  for (const auto& [name, action] : names) action->setObjectName(QString::fromLatin1(name));
+  for (std::size_t i = 0; i < view.go_to.size(); ++i) {
+    view.go_to[i]->setObjectName(QStringLiteral("camera-%1").arg(i + 1));
+    view.keep[i]->setObjectName(QStringLiteral("keep-camera-%1").arg(i + 1));
+  }
 }
 
 RecentMenus addMenus(QMainWindow* window, const Actions& actions,
@@ -191,6 +298,9 @@ RecentMenus addMenus(QMainWindow* window, const Actions& actions,
   file->addActions({actions.save_project, actions.add_clips, actions.add_folder});
   file->addSeparator();
   file->addActions({actions.save, actions.save_as, actions.export_motion, actions.export_review});
+  QMenu* pictures = file->addMenu(Texts::tr("Pictures and Fi&lms"));
+  pictures->addActions(
+      {actions.copy_picture, actions.save_picture, actions.film, actions.turntable});
   file->addSeparator();
   file->addActions({actions.batch, actions.export_library, actions.export_sign_off});
   file->addSeparator();
@@ -199,7 +309,7 @@ RecentMenus addMenus(QMainWindow* window, const Actions& actions,
   QMenu* edit = window->menuBar()->addMenu(Texts::tr("&Edit"));
   edit->addActions({actions.undo, actions.redo});
   edit->addSeparator();
-  edit->addActions({actions.switch_slot, actions.copy_slot, actions.pin});
+  edit->addActions({actions.switch_slot, actions.copy_slot, actions.pin, actions.pin_engine});
 
   QMenu* play = window->menuBar()->addMenu(Texts::tr("&Play"));
   const TransportActions& transport = actions.transport;
@@ -228,6 +338,7 @@ RecentMenus addMenus(QMainWindow* window, const Actions& actions,
   view->addActions({actions.hold_feet, actions.without_ik});
   view->addSeparator();
   for (const QDockWidget* dock : docks) view->addAction(dock->toggleViewAction());
+  recent.timeline = view->addMenu(Texts::tr("Timeli&ne"));
   view->addSeparator();
   view->addAction(actions.reset_layout);
   view->addMenu(Texts::tr("The&me"))->addActions(actions.themes->actions());
@@ -237,7 +348,8 @@ RecentMenus addMenus(QMainWindow* window, const Actions& actions,
 
   window->menuBar()
       ->addMenu(Texts::tr("&Help"))
-      ->addActions({actions.guide, actions.shortcuts, actions.about});
+      ->addActions({actions.find_command, actions.guide, actions.shortcuts, actions.keyboard_map,
+                    actions.about});
   addToolBar(window, actions);
   return recent;
 }

@@ -26,6 +26,10 @@ struct Actions {
   QAction* save_as = nullptr;
   QAction* export_motion = nullptr;
   QAction* export_review = nullptr;  // hidden in a build without the viewer
+  QAction* copy_picture = nullptr;   // of the 3D view
+  QAction* save_picture = nullptr;
+  QAction* film = nullptr;       // the chosen range, or the clip
+  QAction* turntable = nullptr;  // the frame that is shown, from all sides
   QAction* import_options = nullptr;
   QAction* put_character = nullptr;
   QAction* take_character_off = nullptr;
@@ -40,7 +44,8 @@ struct Actions {
   QAction* quit = nullptr;
   QAction* switch_slot = nullptr;  // switches between A and B
   QAction* copy_slot = nullptr;
-  QAction* pin = nullptr;  // pins the current result
+  QAction* pin = nullptr;         // pins the current result
+  QAction* pin_engine = nullptr;  // pins what an engine would do at the same bytes
   QAction* undo = nullptr;
   QAction* redo = nullptr;
   QAction* next_review = nullptr;  // the next clip that waits for a verdict
@@ -60,6 +65,8 @@ struct Actions {
   QAction* blind_test = nullptr;
   QAction* guide = nullptr;
   QAction* shortcuts = nullptr;
+  QAction* find_command = nullptr;
+  QAction* keyboard_map = nullptr;
   QAction* about = nullptr;
   QActionGroup* themes = nullptr;        // by ThemeChoice
   QActionGroup* languages = nullptr;     // data(): language code, empty: the system's
@@ -74,11 +81,15 @@ struct Actions {
 /// Makes actions with texts, icons and shortcuts; the window connects them.
 Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window);
 
+/// Gives the actions the names by which the user's keys for them are remembered.
+void nameActions(const Actions& actions);
+
 /// Menus that the window fills.
 struct RecentMenus {
   QMenu* files = nullptr;
   QMenu* projects = nullptr;
-  QMenu* play = nullptr;  // gets the actions on a range
+  QMenu* play = nullptr;      // gets the actions on a range
+  QMenu* timeline = nullptr;  // gets the strips that can be folded
 };
 
 /// Adds menus and tool bar.

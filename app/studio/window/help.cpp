@@ -11,6 +11,8 @@
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
+#include "app/studio/window/commands.h"
+
 namespace mocapress {
 namespace {
 
@@ -20,18 +22,13 @@ struct HelpTexts {
 
 constexpr QSize kSize(820, 720);
 
-/// The text without the & that marks its shortcut key.
-QString plain(QString text) {
-  return text.remove(QLatin1Char('&')).remove(QStringLiteral("…"));
-}
-
 QString rowsOf(const QMenu& menu) {
   QString rows;
   for (const QAction* action : menu.actions()) {
     if (action->menu()) rows += rowsOf(*action->menu());
     if (action->shortcut().isEmpty()) continue;
     rows += QStringLiteral("<tr><td>%1</td><td>&nbsp;&nbsp;<b>%2</b></td></tr>")
-                .arg(plain(action->text()).toHtmlEscaped(),
+                .arg(plainText(action->text()).toHtmlEscaped(),
                      action->shortcut().toString(QKeySequence::NativeText).toHtmlEscaped());
   }
   return rows;
@@ -45,10 +42,10 @@ QString shortcutSheet(const QMenuBar& menus) {
     const QString rows = rowsOf(*top->menu());
     if (!rows.isEmpty())
       html += QStringLiteral("<h3>%1</h3><table cellpadding='3'>%2</table>")
-                  .arg(plain(top->text()), rows);
+                  .arg(plainText(top->text()), rows);
   }
   const QStringList mouse = {
-      HelpTexts::tr("Left drag in the 3D view: turn"),
+      HelpTexts::tr("Left drag in the 3D view: turn; in a view along an axis: move"),
       HelpTexts::tr("Right or middle drag: move"),
       HelpTexts::tr("Wheel: nearer or further"),
       HelpTexts::tr("Click on a joint: select it"),

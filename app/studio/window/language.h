@@ -9,4 +9,7 @@ namespace mocapress {
 QString chosenLanguage();
 void chooseLanguage(const QString& code);
 
+/// The event loop's exit code that asks for a window in the language chosen last.
+inline constexpr int kOtherLanguage = 1000;
+
 }  // namespace mocapress

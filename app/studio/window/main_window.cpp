@@ -12,6 +12,7 @@
 #include "app/studio/compare/byte_view.h"
 #include "app/studio/compare/pinned_results.h"
 #include "app/studio/compare/range_actions.h"
+#include "app/studio/compare/view_pictures.h"
 #include "app/studio/document/clip_files.h"
 #include "app/studio/document/own_limits.h"
 #include "app/studio/document/session.h"
@@ -21,8 +22,10 @@
 #include "app/studio/library/project_files.h"
 #include "app/studio/library/sign_off_export.h"
 #include "app/studio/window/actions.h"
+#include "app/studio/window/command_palette.h"
 #include "app/studio/window/help.h"
 #include "app/studio/window/incoming_files.h"
+#include "app/studio/window/keyboard_map.h"
 #include "app/studio/window/language.h"
 #include "app/studio/window/notices.h"
 #include "app/studio/window/tool_windows.h"
@@ -33,9 +36,12 @@
 #include "widgets/models/pinned_model.h"
 #include "widgets/panels/compression_panel.h"
 #include "widgets/panels/correction_control.h"
+#include "widgets/panels/joints_panel.h"
 #include "widgets/panels/library_panel.h"
+#include "widgets/panels/message_bar.h"
 #include "widgets/plots/error_graph.h"
 #include "widgets/plots/heat_map.h"
+#include "widgets/timeline/time_ruler.h"
 #include "widgets/timeline/timeline.h"
 #include "widgets/viewport/viewport.h"
 
@@ -106,6 +112,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   new ByteView(session_, playback_, panels_.inspection.timeline->bytes(), byte_model, panels_.bytes,
                this);
   recent_.play->addActions(inspector_->rangeActions()->actions());
+  recent_.timeline->addActions(panels_.inspection.timeline->foldActions());
   notes_ =
       new FrameNotes(session_, library_, playback_, panels_.inspection.timeline->notes(), this);
   notes_->showIn(panels_.views.viewport);
@@ -125,10 +132,16 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   tools_ = new ToolWindows(session_, library_, files_, presets_, this);
   if (!ownLimits().problem.isEmpty())
     notices_->keep(tr("Your own limits of visibility are not used: %1").arg(ownLimits().problem));
+  pictures_ = new ViewPictures(session_, playback_, panels_.views.viewport, this);
+  notices_->tellOf(pictures_);
   connectFileActions();
   connectEditActions();
   connectWindowActions();
+  addContextMenus();
   connectChoices();
+  nameActions(actions_);
+  commands_ = commandsOf(*menuBar());
+  restoreKeys(commands_);
   connect(&session_->document(), &Document::titleChanged, this, &MainWindow::updateTitle);
   connect(&session_->document(), &Document::skinChanged, this, &MainWindow::updateTitle);
   connect(&session_->document(), &Document::decodedChanged, this, &MainWindow::updateTitle);
@@ -158,6 +171,10 @@ void MainWindow::connectFileActions() {
   connect(actions_.export_motion, &QAction::triggered, files_, &ClipFiles::exportMotion);
   connect(actions_.export_review, &QAction::triggered, files_, &ClipFiles::exportReview);
   files_->setRemarks([this](const QString& key) { return library_->remarksOn(key); });
+  connect(actions_.copy_picture, &QAction::triggered, pictures_, &ViewPictures::copy);
+  connect(actions_.save_picture, &QAction::triggered, pictures_, &ViewPictures::choosePicture);
+  connect(actions_.film, &QAction::triggered, pictures_, &ViewPictures::chooseFilm);
+  connect(actions_.turntable, &QAction::triggered, pictures_, &ViewPictures::chooseTurntable);
   connect(actions_.import_options, &QAction::triggered, files_, &ClipFiles::chooseImportOptions);
   connect(actions_.put_character, &QAction::triggered, files_, &ClipFiles::chooseCharacter);
   connect(actions_.take_character_off, &QAction::triggered, session_, &Session::takeCharacterOff);
@@ -182,6 +199,9 @@ void MainWindow::connectEditActions() {
   connect(actions_.hold_feet, &QAction::triggered, views.compression->correction()->hold(),
           &QCheckBox::toggle);
   connect(actions_.pin, &QAction::triggered, pinned_, &PinnedResults::pinCurrent);
+  connect(actions_.pin_engine, &QAction::triggered, pinned_, &PinnedResults::pinEngine);
+  connect(pinned_, &PinnedResults::failed, panels_.messages,
+          [this](const QString& message) { panels_.messages->showError(message); });
   connect(pinned_, &PinnedResults::canPinChanged, actions_.pin, &QAction::setEnabled);
   actions_.pin->setEnabled(false);
   connect(actions_.next_review, &QAction::triggered, library_views_,
@@ -211,6 +231,10 @@ void MainWindow::connectWindowActions() {
   connect(actions_.guide, &QAction::triggered, this, [this] { showGuide(this); });
   connect(actions_.shortcuts, &QAction::triggered, this,
           [this] { showShortcuts(*menuBar(), this); });
+  connect(actions_.find_command, &QAction::triggered, this,
+          [this] { (new CommandPalette(commands_, this))->show(); });
+  connect(actions_.keyboard_map, &QAction::triggered, this,
+          [this] { (new KeyboardMap(commands_, this))->show(); });
   connect(actions_.about, &QAction::triggered, this, [this] { showAbout(this); });
   connect(actions_.study, &QAction::triggered, tools_, &ToolWindows::showStudy);
   connect(actions_.blind_test, &QAction::triggered, tools_, &ToolWindows::showBlindTest);
@@ -238,10 +262,42 @@ void MainWindow::connectChoices() {
   });
   for (QAction* action : actions_.languages->actions())
     if (action->data().toString() == chosenLanguage()) action->setChecked(true);
-  connect(actions_.languages, &QActionGroup::triggered, this, [this](const QAction* action) {
-    chooseLanguage(action->data().toString());
-    notices_->say(tr("The language changes when Mocapress is started again."));
+  connect(actions_.languages, &QActionGroup::triggered, this,
+          [this](const QAction* action) { changeLanguage(action->data().toString()); });
+}
+
+/// Menus on the views hold commands of the menu bar, with their keys.
+void MainWindow::addContextMenus() {
+  const ViewActions& view = actions_.view;
+  connect(panels_.views.viewport, &Viewport::menuRequested, this, [this, view](const QPoint& at) {
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addActions(
+        {view.frame_joint, view.reset_camera, view.front, view.side, view.floor, view.quarters});
+    menu->addSeparator();
+    menu->addActions({view.by_error, view.exaggerate, view.path, view.trail, view.skin});
+    menu->addSeparator();
+    menu->addActions({actions_.note_here, actions_.pin, actions_.copy_picture,
+                      actions_.save_picture, actions_.turntable});
+    menu->popup(at);
   });
+  panels_.inspection.timeline->ruler()->addActions(
+      {actions_.transport.play, actions_.transport.whole_clip, actions_.note_here, actions_.film});
+  panels_.views.joints->addActions({view.frame_joint, view.path, actions_.note_here});
+  panels_.views.joints->setContextMenuPolicy(Qt::ActionsContextMenu);
+}
+
+/// Closes the window; main() makes another one, which opens the project where it was left.
+void MainWindow::changeLanguage(const QString& code) {
+  if (code == chosenLanguage()) return;
+  chooseLanguage(code);
+  const bool is_in_project = !session_->document().original() || library_->currentRow() >= 0;
+  if (tools_->busy() || !is_in_project)
+    return notices_->say(tr("The language changes when Mocapress is started again."));
+  changes_language_ = true;
+  leaving_->expectReturn();
+  // The menu that was chosen from is still open.
+  QMetaObject::invokeMethod(this, &QWidget::close, Qt::QueuedConnection);
 }
 
 void MainWindow::updateTitle() {
@@ -256,6 +312,9 @@ void MainWindow::updateTitle() {
   actions_.save_as->setEnabled(document.decoded() != nullptr);
   actions_.export_motion->setEnabled(document.decoded() != nullptr);
   actions_.export_review->setEnabled(document.decoded() && document.original());
+  for (QAction* action :
+       {actions_.copy_picture, actions_.save_picture, actions_.film, actions_.turntable})
+    action->setEnabled(document.skeleton() != nullptr);
   actions_.import_options->setEnabled(document.original() != nullptr);
   actions_.put_character->setEnabled(document.skeleton() != nullptr);
   actions_.take_character_off->setEnabled(!document.character().path.isEmpty());
@@ -263,6 +322,7 @@ void MainWindow::updateTitle() {
   actions_.switch_slot->setEnabled(document.original() != nullptr);
   actions_.copy_slot->setEnabled(document.original() != nullptr);
   actions_.hold_feet->setEnabled(document.original() != nullptr);
+  actions_.pin_engine->setEnabled(document.decoded() && document.original());
   actions_.without_ik->setEnabled(document.decoded() && document.decoded()->uncorrected_tracks);
   actions_.compare->setEnabled(document.decoded() && !document.original());
 }
@@ -272,6 +332,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   layout_.remember();
   tools_->close();
   event->accept();
+  if (changes_language_) QCoreApplication::exit(kOtherLanguage);
 }
 
 }  // namespace mocapress

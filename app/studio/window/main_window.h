@@ -13,6 +13,7 @@
 #include "app/studio/library/library_views.h"
 #include "app/studio/library/project_files.h"
 #include "app/studio/window/actions.h"
+#include "app/studio/window/commands.h"
 #include "app/studio/window/panels.h"
 #include "app/studio/window/theme.h"
 #include "widgets/models/library_model.h"
@@ -35,6 +36,7 @@ class SignOffExport;
 class StudyWindow;
 class ToolWindows;
 class Trace;
+class ViewPictures;
 
 /// Decides if the window may close: only after an unsaved compressed clip is saved or given up, and
 /// the project is in its file.
@@ -48,6 +50,9 @@ class Leaving : public QObject {
   /// Called when the window is about to close. False: the user is asked, and the answer may close
   /// it.
   bool mayClose();
+
+  /// The window is made anew with the same project: its current clip loses nothing.
+  void expectReturn() { may_lose_clip_ = true; }
 
  private:
   Session* session_;
@@ -74,12 +79,14 @@ class MainWindow : public QMainWindow {
   const Views& views() const { return panels_.views; }
   const InspectionViews& inspection() const { return panels_.inspection; }
   const Actions& actions() const { return actions_; }
+  const std::vector<Command>& commands() const { return commands_; }
   PresetShelf& presets() { return *presets_; }
   PinnedPanel& pinnedPanel() { return *panels_.pinned; }
   LibraryPanel& libraryPanel() { return *panels_.library; }
   MessageBar& messages() { return *panels_.messages; }
   const ErrorDisplay* errorDisplay() const { return error_display_; }
   Trace& trace() { return *trace_; }
+  ViewPictures& pictures() { return *pictures_; }
 
   /// See IncomingFiles::open().
   void open(const QStringList& paths, const QString& skeleton = {});
@@ -94,7 +101,9 @@ class MainWindow : public QMainWindow {
   void connectFileActions();
   void connectEditActions();
   void connectWindowActions();
+  void addContextMenus();
   void connectChoices();
+  void changeLanguage(const QString& code);
   void updateTitle();
 
   // Children instead of members: they must outlive the widgets' hide events in ~QWidget().
@@ -111,6 +120,7 @@ class MainWindow : public QMainWindow {
   Actions actions_;
   Panels panels_;
   RecentMenus recent_;
+  std::vector<Command> commands_;
   Inspector* inspector_;
   LibraryViews* library_views_;
   FrameNotes* notes_;
@@ -123,6 +133,8 @@ class MainWindow : public QMainWindow {
   IncomingFiles* incoming_;
   Leaving* leaving_;
   ToolWindows* tools_;
+  ViewPictures* pictures_;
+  bool changes_language_ = false;
 };
 
 }  // namespace mocapress

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <utility>
 
+#include "app/studio/compare/view_pictures.h"
 #include "app/studio/document/clip_files.h"
 #include "app/studio/document/preset_shelf.h"
 #include "app/studio/document/session.h"
@@ -95,6 +96,12 @@ void Notices::tellOf(ClipFiles* files, QAction* choose_skeleton) {
 
 void Notices::tellOf(PresetShelf* presets) {
   connect(presets, &PresetShelf::noted, this, &Notices::say);
+}
+
+void Notices::tellOf(ViewPictures* pictures) {
+  connect(pictures, &ViewPictures::noted, this, &Notices::say);
+  connect(pictures, &ViewPictures::failed, bar_,
+          [this](const QString& message) { bar_->showError(message); });
 }
 
 }  // namespace mocapress

@@ -13,6 +13,7 @@ class Library;
 class MessageBar;
 class PresetShelf;
 class Session;
+class ViewPictures;
 
 /// Messages above the view: errors, notes and running work.
 class Notices : public QObject {
@@ -24,6 +25,7 @@ class Notices : public QObject {
   /// `choose_skeleton` is offered when an .amc cannot be read.
   void tellOf(ClipFiles* files, QAction* choose_skeleton);
   void tellOf(PresetShelf* presets);
+  void tellOf(ViewPictures* pictures);
 
   void say(const QString& note);
 

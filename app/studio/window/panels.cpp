@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/studio/window/panels.h"
 
+#include <QAction>
 #include <QCoreApplication>
 #include <QDockWidget>
 #include <QGuiApplication>
@@ -96,6 +97,7 @@ QDockWidget* WindowLayout::add(Qt::DockWidgetArea area, QWidget* panel, const QS
                                const QString& title) {
   auto* dock = new QDockWidget(title, window_);
   dock->setObjectName(id);
+  dock->toggleViewAction()->setObjectName(QStringLiteral("show-") + id);
   dock->setTitleBarWidget(makeTitle(title, dock));
   dock->setWidget(panel);
   window_->addDockWidget(area, dock);

@@ -121,6 +121,10 @@ void ToolWindows::exportClips(const std::vector<int>& rows) {
   batch_->session()->addTuned(library_->tuned(rows));
 }
 
+bool ToolWindows::busy() const {
+  return (study_session_ && study_session_->running()) || (batch_ && batch_->session()->running());
+}
+
 void ToolWindows::close() {
   if (study_) study_->close();
   if (batch_) batch_->close();
