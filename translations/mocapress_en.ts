@@ -387,6 +387,16 @@
     </message>
 </context>
 <context>
+    <name>mocapress::ViewPictures</name>
+    <message numerus="yes">
+        <source>Taking %Ln picture(s)…</source>
+        <translation>
+            <numerusform>Taking %Ln picture…</numerusform>
+            <numerusform>Taking %Ln pictures…</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mocapress::WarningsPanel</name>
     <message numerus="yes">
         <source>%n note(s) on reading this clip</source>

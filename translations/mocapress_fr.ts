@@ -331,6 +331,58 @@
         <source>Find out from which error on you tell the compressed clip from the original</source>
         <translation>Trouver à partir de quelle erreur vous distinguez le clip compressé de l&apos;original</translation>
     </message>
+    <message>
+        <source>Copy Pict&amp;ure of the View</source>
+        <translation>Copier l&apos;&amp;image de la vue</translation>
+    </message>
+    <message>
+        <source>Save Picture of the &amp;View…</source>
+        <translation>Enregistrer l&apos;image de la &amp;vue…</translation>
+    </message>
+    <message>
+        <source>&amp;Film of the Range…</source>
+        <translation>&amp;Film de la plage…</translation>
+    </message>
+    <message>
+        <source>Write the chosen range, or the clip, as a video or as numbered pictures</source>
+        <translation>Écrire la plage choisie, ou le clip, en vidéo ou en images numérotées</translation>
+    </message>
+    <message>
+        <source>&amp;Turntable…</source>
+        <translation>&amp;Tour complet…</translation>
+    </message>
+    <message>
+        <source>Write this frame from all sides as a video or as numbered pictures</source>
+        <translation>Écrire cette image vue de tous les côtés, en vidéo ou en images numérotées</translation>
+    </message>
+    <message>
+        <source>&amp;Find a Command…</source>
+        <translation>&amp;Chercher une commande…</translation>
+    </message>
+    <message>
+        <source>Keyboard &amp;Map…</source>
+        <translation>Raccourcis &amp;personnels…</translation>
+    </message>
+    <message>
+        <source>Choose the keys of all commands</source>
+        <translation>Choisir les touches de toutes les commandes</translation>
+    </message>
+    <message>
+        <source>Pictures and Fi&amp;lms</source>
+        <translation>Images et fi&amp;lms</translation>
+    </message>
+    <message>
+        <source>Timeli&amp;ne</source>
+        <translation>Ligne de &amp;temps</translation>
+    </message>
+    <message>
+        <source>Pin What an &amp;Engine Would Do</source>
+        <translation>Épingler ce que ferait un &amp;moteur</translation>
+    </message>
+    <message>
+        <source>Compress the clip track by track, with key frames, to the same number of bytes, and show it beside this result</source>
+        <translation>Compresser le clip piste par piste, avec des images clés, au même nombre d&apos;octets, et le montrer à côté de ce résultat</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::AnnealingPanel</name>
@@ -1384,6 +1436,25 @@
     </message>
 </context>
 <context>
+    <name>mocapress::CommandPalette</name>
+    <message>
+        <source>Find a Command</source>
+        <translation>Chercher une commande</translation>
+    </message>
+    <message>
+        <source>Words of a command, such as: next note</source>
+        <translation>Mots d&apos;une commande, par exemple : note suivante</translation>
+    </message>
+    <message>
+        <source>Words of a command</source>
+        <translation>Mots d&apos;une commande</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Commandes</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::CompressionPanel</name>
     <message>
         <source>Method</source>
@@ -1856,10 +1927,6 @@
         <translation>eps_x, %1</translation>
     </message>
     <message>
-        <source>%L1 : 1</source>
-        <translation>%L1 : 1</translation>
-    </message>
-    <message>
         <source>about %1</source>
         <translation>environ %1</translation>
     </message>
@@ -1878,6 +1945,41 @@
     <message>
         <source>Compressed motion bytes; the skeleton in the file takes more.</source>
         <translation>Octets du mouvement compressé ; le fichier contient en plus son squelette.</translation>
+    </message>
+    <message>
+        <source>Errors in the range</source>
+        <translation>Erreurs dans la plage</translation>
+    </message>
+    <message>
+        <source>Errors of all joints in the frames of the chosen range: root mean square, 95th percentile and largest. A double click on the ruler chooses the whole clip again.</source>
+        <translation>Erreurs de toutes les articulations dans la plage choisie : moyenne quadratique, 95e centile et maximum. Un double-clic sur la règle choisit de nouveau tout le clip.</translation>
+    </message>
+    <message>
+        <source>%1 : 1</source>
+        <translation>%1 : 1</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::FilmRecorder</name>
+    <message>
+        <source>%1: ffmpeg could not write the video (%2)</source>
+        <translation>%1 : ffmpeg n&apos;a pas pu écrire la vidéo (%2)</translation>
+    </message>
+    <message>
+        <source>A video needs the program ffmpeg, which is not installed here. Numbered pictures (.png) need nothing.</source>
+        <translation>Une vidéo demande le programme ffmpeg, qui n&apos;est pas installé ici. Les images numérotées (.png) ne demandent rien.</translation>
+    </message>
+    <message>
+        <source>%1: there is such a folder already</source>
+        <translation>%1 : ce dossier existe déjà</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written (%2)</source>
+        <translation>%1 : impossible d&apos;écrire (%2)</translation>
+    </message>
+    <message>
+        <source>The 3D view gave no picture.</source>
+        <translation>La vue 3D n&apos;a pas donné d&apos;image.</translation>
     </message>
 </context>
 <context>
@@ -2026,10 +2128,6 @@
         <translation>&lt;h3&gt;Mocapress %1&lt;/h3&gt;&lt;p&gt;Compresse des captures de mouvement humain par ondelettes, d&apos;après Philippe Beaudoin, Pierre Poulin et Michiel van de Panne, &lt;i&gt;Adapting Wavelet Compression to Human Motion Capture Clips&lt;/i&gt;, Graphics Interface 2007.&lt;/p&gt;&lt;p&gt;Le studio est un logiciel libre sous licence publique générale GNU, version 3 ou ultérieure ; la bibliothèque de compression est sous licence MIT.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>Left drag in the 3D view: turn</source>
-        <translation>Glisser à gauche dans la vue 3D : tourner</translation>
-    </message>
-    <message>
         <source>Right or middle drag: move</source>
         <translation>Glisser à droite ou au milieu : déplacer</translation>
     </message>
@@ -2064,6 +2162,10 @@
     <message>
         <source>Drag on the ruler: choose a range; right button: what to do with it</source>
         <translation>Glisser sur la règle : choisir une plage ; bouton droit : qu&apos;en faire</translation>
+    </message>
+    <message>
+        <source>Left drag in the 3D view: turn; in a view along an axis: move</source>
+        <translation>Glisser à gauche dans la vue 3D : tourner ; dans une vue selon un axe : déplacer</translation>
     </message>
 </context>
 <context>
@@ -2265,6 +2367,10 @@
         <source>The curve of this clip appears after it is compressed.</source>
         <translation>La courbe de ce clip est tracée dès qu&apos;il est compressé.</translation>
     </message>
+    <message>
+        <source>Frames %L1–%L2: RMS %3, p95 %4, max %5</source>
+        <translation>Images %L1–%L2 : RMS %3, p95 %4, max %5</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::JobRunner</name>
@@ -2364,6 +2470,61 @@
     <message>
         <source>%1.</source>
         <translation>%1.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::KeyboardMap</name>
+    <message>
+        <source>Assign</source>
+        <translation>Attribuer</translation>
+    </message>
+    <message>
+        <source>No Key</source>
+        <translation>Aucune touche</translation>
+    </message>
+    <message>
+        <source>Usual Key</source>
+        <translation>Touche d&apos;origine</translation>
+    </message>
+    <message>
+        <source>Keyboard Map</source>
+        <translation>Raccourcis personnels</translation>
+    </message>
+    <message>
+        <source>Words of a command, or a key</source>
+        <translation>Mots d&apos;une commande, ou une touche</translation>
+    </message>
+    <message>
+        <source>Words of a command</source>
+        <translation>Mots d&apos;une commande</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Commandes</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Commande</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menu</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Touche</translation>
+    </message>
+    <message>
+        <source>New key</source>
+        <translation>Nouvelle touche</translation>
+    </message>
+    <message>
+        <source>Usual Keys for All</source>
+        <translation>Touches d&apos;origine pour toutes</translation>
+    </message>
+    <message>
+        <source>%1 belongs to “%2”, which loses it when you assign it.</source>
+        <translation>%1 appartient à « %2 », qui la perd si vous l&apos;attribuez.</translation>
     </message>
 </context>
 <context>
@@ -3125,6 +3286,10 @@
         <source>%1 + IK %L2:1</source>
         <translation>%1 + IK %L2:1</translation>
     </message>
+    <message>
+        <source>Key frames per track</source>
+        <translation>Images clés par piste</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::Names</name>
@@ -3234,6 +3399,22 @@
     <message>
         <source>Compressed</source>
         <translation>Compressé</translation>
+    </message>
+    <message>
+        <source>Difference × %L1</source>
+        <translation>Différence × %L1</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Face</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Dessus</translation>
     </message>
 </context>
 <context>
@@ -3394,6 +3575,32 @@
     <message>
         <source>%1 (%L2)</source>
         <translation>%1 (%L2)</translation>
+    </message>
+    <message>
+        <source>The result is not final yet, or four are pinned.</source>
+        <translation>Le résultat n&apos;est pas encore définitif, ou quatre sont épinglés.</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Plots</name>
+    <message>
+        <source>Copy Image</source>
+        <translation>Copier l&apos;image</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::PoseStrip</name>
+    <message>
+        <source>Poses over time</source>
+        <translation>Poses au fil du temps</translation>
+    </message>
+    <message>
+        <source>Poses of the clip along the time; a click goes there.</source>
+        <translation>Poses du clip au fil du temps ; un clic y va.</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>Poses</translation>
     </message>
 </context>
 <context>
@@ -4056,6 +4263,18 @@
     <message>
         <source>%1, %2 at %L3 s: %L4 times the noticeable error; not noticed beyond %L5 m</source>
         <translation>%1, %2 à %L3 s : %L4 fois l&apos;erreur perceptible ; invisible au-delà de %L5 m</translation>
+    </message>
+    <message>
+        <source>Most visible error</source>
+        <translation>Erreur la plus visible</translation>
+    </message>
+    <message>
+        <source>All figures</source>
+        <translation>Tous les chiffres</translation>
+    </message>
+    <message>
+        <source>%1 : 1</source>
+        <translation>%1 : 1</translation>
     </message>
 </context>
 <context>
@@ -5689,6 +5908,26 @@ Cliquer pour le charger dans le studio.</translation>
         <source>Visible part of the clip</source>
         <translation>Partie visible du clip</translation>
     </message>
+    <message>
+        <source>&amp;Poses</source>
+        <translation>&amp;Poses</translation>
+    </message>
+    <message>
+        <source>&amp;Errors</source>
+        <translation>&amp;Erreurs</translation>
+    </message>
+    <message>
+        <source>Visible E&amp;rrors</source>
+        <translation>Erreurs &amp;visibles</translation>
+    </message>
+    <message>
+        <source>&amp;Notes</source>
+        <translation>&amp;Notes</translation>
+    </message>
+    <message>
+        <source>&amp;Contacts</source>
+        <translation>&amp;Contacts</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ToolWindows</name>
@@ -5916,6 +6155,128 @@ Cliquer pour le charger dans le studio.</translation>
     <message>
         <source>Poses of the Tra&amp;il</source>
         <translation>Poses de la traî&amp;née</translation>
+    </message>
+    <message>
+        <source>Four Vie&amp;ws</source>
+        <translation>&amp;Quatre vues</translation>
+    </message>
+    <message>
+        <source>The same figures from anywhere, from the front, the side and the top</source>
+        <translation>Les mêmes figures sous un angle libre, de face, de profil et de dessus</translation>
+    </message>
+    <message>
+        <source>E&amp;xaggerate the Difference</source>
+        <translation>E&amp;xagérer la différence</translation>
+    </message>
+    <message>
+        <source>Show poses and paths with a difference from the original that is so many times larger than it is</source>
+        <translation>Montrer poses et trajectoires avec un écart à l&apos;original multiplié d&apos;autant</translation>
+    </message>
+    <message>
+        <source>%L1 times</source>
+        <translation>%L1 fois</translation>
+    </message>
+    <message>
+        <source>From the F&amp;ront</source>
+        <translation>De &amp;face</translation>
+    </message>
+    <message>
+        <source>Look along the z axis; again: as before</source>
+        <translation>Regarder selon l&apos;axe z ; encore : comme avant</translation>
+    </message>
+    <message>
+        <source>From the S&amp;ide</source>
+        <translation>De pro&amp;fil</translation>
+    </message>
+    <message>
+        <source>Look along the x axis; again: as before</source>
+        <translation>Regarder selon l&apos;axe x ; encore : comme avant</translation>
+    </message>
+    <message>
+        <source>Frame &amp;Joint</source>
+        <translation>Cadrer l&apos;&amp;articulation</translation>
+    </message>
+    <message>
+        <source>Look at the selected joint, or at the whole figure without one</source>
+        <translation>Regarder l&apos;articulation choisie, ou toute la figure sans elle</translation>
+    </message>
+    <message>
+        <source>Camera &amp;%L1</source>
+        <translation>Caméra &amp;%L1</translation>
+    </message>
+    <message>
+        <source>Look from where the camera was when it was kept</source>
+        <translation>Regarder d&apos;où était la caméra quand elle a été gardée</translation>
+    </message>
+    <message>
+        <source>Keep as Camera &amp;%L1</source>
+        <translation>Garder comme caméra &amp;%L1</translation>
+    </message>
+    <message>
+        <source>Keep the camera&apos;s place, relative to the figure</source>
+        <translation>Garder la place de la caméra, relative à la figure</translation>
+    </message>
+    <message>
+        <source>Exa&amp;ggeration</source>
+        <translation>Exa&amp;gération</translation>
+    </message>
+    <message>
+        <source>&amp;Cameras</source>
+        <translation>&amp;Caméras</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ViewPictures</name>
+    <message>
+        <source>Making the video…</source>
+        <translation>Création de la vidéo…</translation>
+    </message>
+    <message>
+        <source>Wrote %1.</source>
+        <translation>%1 écrit.</translation>
+    </message>
+    <message>
+        <source>The 3D view gave no picture.</source>
+        <translation>La vue 3D n&apos;a pas donné d&apos;image.</translation>
+    </message>
+    <message>
+        <source>Copied the picture of the view.</source>
+        <translation>Image de la vue copiée.</translation>
+    </message>
+    <message>
+        <source>Save Picture</source>
+        <translation>Enregistrer l&apos;image</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Images (*.png)</translation>
+    </message>
+    <message>
+        <source>Film of the Range</source>
+        <translation>Film de la plage</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>Tour complet</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4 *.webm *.gif)</source>
+        <translation>Vidéos (*.mp4 *.webm *.gif)</translation>
+    </message>
+    <message>
+        <source>Numbered pictures in a folder (*.png)</source>
+        <translation>Images numérotées dans un dossier (*.png)</translation>
+    </message>
+    <message numerus="yes">
+        <source>Taking %Ln picture(s)…</source>
+        <translation>
+            <numerusform>Prise de %Ln image…</numerusform>
+            <numerusform>Prise de %Ln images…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
     </message>
 </context>
 <context>

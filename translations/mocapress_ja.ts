@@ -331,6 +331,58 @@
         <source>Find out from which error on you tell the compressed clip from the original</source>
         <translation>どの誤差から圧縮クリップと元を見分けられるかを調べます</translation>
     </message>
+    <message>
+        <source>Copy Pict&amp;ure of the View</source>
+        <translation>ビューの画像をコピー(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Save Picture of the &amp;View…</source>
+        <translation>ビューの画像を保存(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>&amp;Film of the Range…</source>
+        <translation>範囲の動画(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Write the chosen range, or the clip, as a video or as numbered pictures</source>
+        <translation>選択した範囲（なければクリップ全体）を動画または連番画像として書き出します</translation>
+    </message>
+    <message>
+        <source>&amp;Turntable…</source>
+        <translation>ターンテーブル(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Write this frame from all sides as a video or as numbered pictures</source>
+        <translation>このフレームを全方向から見た動画または連番画像として書き出します</translation>
+    </message>
+    <message>
+        <source>&amp;Find a Command…</source>
+        <translation>コマンドを検索(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Keyboard &amp;Map…</source>
+        <translation>キー割り当て(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Choose the keys of all commands</source>
+        <translation>すべてのコマンドのキーを選びます</translation>
+    </message>
+    <message>
+        <source>Pictures and Fi&amp;lms</source>
+        <translation>画像と動画(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Timeli&amp;ne</source>
+        <translation>タイムライン(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Pin What an &amp;Engine Would Do</source>
+        <translation>エンジンの場合をピン留め(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Compress the clip track by track, with key frames, to the same number of bytes, and show it beside this result</source>
+        <translation>クリップをトラックごとにキーフレームで同じバイト数に圧縮し、この結果と並べて表示します</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::AnnealingPanel</name>
@@ -1375,6 +1427,25 @@
     </message>
 </context>
 <context>
+    <name>mocapress::CommandPalette</name>
+    <message>
+        <source>Find a Command</source>
+        <translation>コマンドの検索</translation>
+    </message>
+    <message>
+        <source>Words of a command, such as: next note</source>
+        <translation>コマンドの言葉（例：次のメモ）</translation>
+    </message>
+    <message>
+        <source>Words of a command</source>
+        <translation>コマンドの言葉</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>コマンド</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::CompressionPanel</name>
     <message>
         <source>Method</source>
@@ -1844,10 +1915,6 @@
         <translation>eps_x、%1</translation>
     </message>
     <message>
-        <source>%L1 : 1</source>
-        <translation>%L1 : 1</translation>
-    </message>
-    <message>
         <source>about %1</source>
         <translation>約 %1</translation>
     </message>
@@ -1866,6 +1933,41 @@
     <message>
         <source>Compressed motion bytes; the skeleton in the file takes more.</source>
         <translation>圧縮したモーションのバイト数。ファイルにはほかにスケルトンが入ります。</translation>
+    </message>
+    <message>
+        <source>Errors in the range</source>
+        <translation>範囲内の誤差</translation>
+    </message>
+    <message>
+        <source>Errors of all joints in the frames of the chosen range: root mean square, 95th percentile and largest. A double click on the ruler chooses the whole clip again.</source>
+        <translation>選択した範囲の全関節の誤差：二乗平均平方根、95パーセンタイル、最大。ルーラーをダブルクリックするとクリップ全体に戻ります。</translation>
+    </message>
+    <message>
+        <source>%1 : 1</source>
+        <translation>%1 : 1</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::FilmRecorder</name>
+    <message>
+        <source>%1: ffmpeg could not write the video (%2)</source>
+        <translation>%1：ffmpeg が動画を書き出せませんでした（%2）</translation>
+    </message>
+    <message>
+        <source>A video needs the program ffmpeg, which is not installed here. Numbered pictures (.png) need nothing.</source>
+        <translation>動画には ffmpeg が必要ですが、インストールされていません。連番画像（.png）には何も要りません。</translation>
+    </message>
+    <message>
+        <source>%1: there is such a folder already</source>
+        <translation>%1：このフォルダーはすでにあります</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written (%2)</source>
+        <translation>%1：書き込めません（%2）</translation>
+    </message>
+    <message>
+        <source>The 3D view gave no picture.</source>
+        <translation>3D ビューから画像を得られませんでした。</translation>
     </message>
 </context>
 <context>
@@ -2014,10 +2116,6 @@
         <translation>&lt;h3&gt;Mocapress %1&lt;/h3&gt;&lt;p&gt;人のモーションキャプチャをウェーブレットで圧縮します。Philippe Beaudoin、Pierre Poulin、Michiel van de Panne, &lt;i&gt;Adapting Wavelet Compression to Human Motion Capture Clips&lt;/i&gt;, Graphics Interface 2007 に基づきます。&lt;/p&gt;&lt;p&gt;スタジオはGNU一般公衆利用許諾書バージョン3以降の自由ソフトウェア、圧縮ライブラリはMITライセンスです。&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>Left drag in the 3D view: turn</source>
-        <translation>3Dビューで左ドラッグ：回転</translation>
-    </message>
-    <message>
         <source>Right or middle drag: move</source>
         <translation>右または中ドラッグ：移動</translation>
     </message>
@@ -2052,6 +2150,10 @@
     <message>
         <source>Drag on the ruler: choose a range; right button: what to do with it</source>
         <translation>ルーラー上をドラッグ：範囲を選ぶ、右ボタン：範囲に対する操作</translation>
+    </message>
+    <message>
+        <source>Left drag in the 3D view: turn; in a view along an axis: move</source>
+        <translation>3D ビューで左ドラッグ：回転。軸方向のビューでは移動</translation>
     </message>
 </context>
 <context>
@@ -2253,6 +2355,10 @@
         <source>The curve of this clip appears after it is compressed.</source>
         <translation>圧縮が済むとこのクリップの曲線が描かれます。</translation>
     </message>
+    <message>
+        <source>Frames %L1–%L2: RMS %3, p95 %4, max %5</source>
+        <translation>フレーム %L1–%L2：RMS %3、p95 %4、最大 %5</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::JobRunner</name>
@@ -2352,6 +2458,61 @@
     <message>
         <source>%1.</source>
         <translation>%1。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::KeyboardMap</name>
+    <message>
+        <source>Assign</source>
+        <translation>割り当て</translation>
+    </message>
+    <message>
+        <source>No Key</source>
+        <translation>キーなし</translation>
+    </message>
+    <message>
+        <source>Usual Key</source>
+        <translation>既定のキー</translation>
+    </message>
+    <message>
+        <source>Keyboard Map</source>
+        <translation>キー割り当て</translation>
+    </message>
+    <message>
+        <source>Words of a command, or a key</source>
+        <translation>コマンドの言葉またはキー</translation>
+    </message>
+    <message>
+        <source>Words of a command</source>
+        <translation>コマンドの言葉</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>コマンド</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>コマンド</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>メニュー</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>キー</translation>
+    </message>
+    <message>
+        <source>New key</source>
+        <translation>新しいキー</translation>
+    </message>
+    <message>
+        <source>Usual Keys for All</source>
+        <translation>すべて既定のキーに戻す</translation>
+    </message>
+    <message>
+        <source>%1 belongs to “%2”, which loses it when you assign it.</source>
+        <translation>%1 は「%2」のキーです。割り当てるとそちらからは外れます。</translation>
     </message>
 </context>
 <context>
@@ -3100,6 +3261,10 @@
         <source>%1 + IK %L2:1</source>
         <translation>%1 + IK %L2:1</translation>
     </message>
+    <message>
+        <source>Key frames per track</source>
+        <translation>トラックごとのキーフレーム</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::Names</name>
@@ -3208,6 +3373,22 @@
     <message>
         <source>Compressed</source>
         <translation>圧縮後</translation>
+    </message>
+    <message>
+        <source>Difference × %L1</source>
+        <translation>差 × %L1</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>正面</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>側面</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>上面</translation>
     </message>
 </context>
 <context>
@@ -3368,6 +3549,32 @@
     <message>
         <source>%1 (%L2)</source>
         <translation>%1 (%L2)</translation>
+    </message>
+    <message>
+        <source>The result is not final yet, or four are pinned.</source>
+        <translation>結果がまだ確定していないか、すでに4つピン留めされています。</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::Plots</name>
+    <message>
+        <source>Copy Image</source>
+        <translation>画像をコピー</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::PoseStrip</name>
+    <message>
+        <source>Poses over time</source>
+        <translation>時間に沿ったポーズ</translation>
+    </message>
+    <message>
+        <source>Poses of the clip along the time; a click goes there.</source>
+        <translation>時間に沿ったクリップのポーズ。クリックするとそこへ移動します。</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>ポーズ</translation>
     </message>
 </context>
 <context>
@@ -4026,6 +4233,18 @@
     <message>
         <source>%1, %2 at %L3 s: %L4 times the noticeable error; not noticed beyond %L5 m</source>
         <translation>%1、%2、%L3 秒：気づく誤差の %L4 倍。%L5 m より遠くでは気づかれません</translation>
+    </message>
+    <message>
+        <source>Most visible error</source>
+        <translation>最も目につく誤差</translation>
+    </message>
+    <message>
+        <source>All figures</source>
+        <translation>すべての数値</translation>
+    </message>
+    <message>
+        <source>%1 : 1</source>
+        <translation>%1 : 1</translation>
     </message>
 </context>
 <context>
@@ -5642,6 +5861,26 @@ Click to load it into the studio.</source>
         <source>Visible part of the clip</source>
         <translation>表示中の範囲</translation>
     </message>
+    <message>
+        <source>&amp;Poses</source>
+        <translation>ポーズ(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Errors</source>
+        <translation>誤差(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Visible E&amp;rrors</source>
+        <translation>目につく誤差(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Notes</source>
+        <translation>メモ(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Contacts</source>
+        <translation>接地(&amp;C)</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ToolWindows</name>
@@ -5868,6 +6107,127 @@ Click to load it into the studio.</source>
     <message>
         <source>Poses of the Tra&amp;il</source>
         <translation>軌跡の姿勢数(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Four Vie&amp;ws</source>
+        <translation>四面ビュー(&amp;W)</translation>
+    </message>
+    <message>
+        <source>The same figures from anywhere, from the front, the side and the top</source>
+        <translation>同じ人形を自由な角度、正面、側面、上面から表示します</translation>
+    </message>
+    <message>
+        <source>E&amp;xaggerate the Difference</source>
+        <translation>差を誇張(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Show poses and paths with a difference from the original that is so many times larger than it is</source>
+        <translation>元との差を指定倍に拡大してポーズと軌跡を表示します</translation>
+    </message>
+    <message>
+        <source>%L1 times</source>
+        <translation>%L1 倍</translation>
+    </message>
+    <message>
+        <source>From the F&amp;ront</source>
+        <translation>正面から(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Look along the z axis; again: as before</source>
+        <translation>z 軸方向から見ます。もう一度で元に戻ります</translation>
+    </message>
+    <message>
+        <source>From the S&amp;ide</source>
+        <translation>側面から(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Look along the x axis; again: as before</source>
+        <translation>x 軸方向から見ます。もう一度で元に戻ります</translation>
+    </message>
+    <message>
+        <source>Frame &amp;Joint</source>
+        <translation>関節を画面に収める(&amp;J)</translation>
+    </message>
+    <message>
+        <source>Look at the selected joint, or at the whole figure without one</source>
+        <translation>選択した関節（なければ人形全体）を見ます</translation>
+    </message>
+    <message>
+        <source>Camera &amp;%L1</source>
+        <translation>カメラ &amp;%L1</translation>
+    </message>
+    <message>
+        <source>Look from where the camera was when it was kept</source>
+        <translation>保存したときのカメラ位置から見ます</translation>
+    </message>
+    <message>
+        <source>Keep as Camera &amp;%L1</source>
+        <translation>カメラ &amp;%L1 として保存</translation>
+    </message>
+    <message>
+        <source>Keep the camera&apos;s place, relative to the figure</source>
+        <translation>人形に対するカメラの位置を保存します</translation>
+    </message>
+    <message>
+        <source>Exa&amp;ggeration</source>
+        <translation>誇張の倍率(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Cameras</source>
+        <translation>カメラ(&amp;C)</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::ViewPictures</name>
+    <message>
+        <source>Making the video…</source>
+        <translation>動画を作成しています…</translation>
+    </message>
+    <message>
+        <source>Wrote %1.</source>
+        <translation>%1 を書き出しました。</translation>
+    </message>
+    <message>
+        <source>The 3D view gave no picture.</source>
+        <translation>3D ビューから画像を得られませんでした。</translation>
+    </message>
+    <message>
+        <source>Copied the picture of the view.</source>
+        <translation>ビューの画像をコピーしました。</translation>
+    </message>
+    <message>
+        <source>Save Picture</source>
+        <translation>画像を保存</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>画像 (*.png)</translation>
+    </message>
+    <message>
+        <source>Film of the Range</source>
+        <translation>範囲の動画</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>ターンテーブル</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4 *.webm *.gif)</source>
+        <translation>動画 (*.mp4 *.webm *.gif)</translation>
+    </message>
+    <message>
+        <source>Numbered pictures in a folder (*.png)</source>
+        <translation>フォルダー内の連番画像 (*.png)</translation>
+    </message>
+    <message numerus="yes">
+        <source>Taking %Ln picture(s)…</source>
+        <translation>
+            <numerusform>%Ln 枚の画像を撮影しています…</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
     </message>
 </context>
 <context>
