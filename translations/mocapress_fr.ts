@@ -5913,6 +5913,10 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>&amp;Poses</translation>
     </message>
     <message>
+        <source>&amp;Bytes</source>
+        <translation>&amp;Octets</translation>
+    </message>
+    <message>
         <source>&amp;Errors</source>
         <translation>&amp;Erreurs</translation>
     </message>

@@ -5866,6 +5866,10 @@ Click to load it into the studio.</source>
         <translation>ポーズ(&amp;P)</translation>
     </message>
     <message>
+        <source>&amp;Bytes</source>
+        <translation>バイト(&amp;B)</translation>
+    </message>
+    <message>
         <source>&amp;Errors</source>
         <translation>誤差(&amp;E)</translation>
     </message>

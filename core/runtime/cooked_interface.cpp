@@ -88,7 +88,8 @@ mcpr_result check_sample_request(const mcpr_cooked* clip, const mcpr_sample_requ
     const mcpr_result result = check_joints(*clip, request->joints, request->joint_count);
     if (failed(result)) return result;
   }
-  if (request->parents != nullptr && !are_parents(request->parents, sampled_joints(*clip, *request)))
+  if (request->parents != nullptr &&
+      !are_parents(request->parents, sampled_joints(*clip, *request)))
     return refused("a parent that does not come before its joint");
   if (request->stepped == nullptr && request->stepped_count != 0)
     return refused("no list of stepped joints");

@@ -38,7 +38,8 @@ TEST(Exaggeration, TurnsNoJointFurtherThanHalfATurn) {
 }
 
 TEST(Exaggeration, NeedsPosesOfBoth) {
-  EXPECT_FALSE(exaggeratedPoses({}, [](int, Pose&) {}, 2));
+  EXPECT_FALSE(exaggeratedPoses(
+      {}, [](int, Pose&) {}, 2));
   EXPECT_FALSE(exaggeratedPoses([](int, Pose&) {}, {}, 2));
 }
 

@@ -54,8 +54,8 @@ struct OverlayNote {
 };
 
 /// Draws over the scene: the titles of the figures, the divider between them, the scale of error
-/// colours, notes, and by how much differences are exaggerated. A quartered window gets names of its
-/// views.
+/// colours, notes, and by how much differences are exaggerated. A quartered window gets names of
+/// its views.
 class Overlay : public Qt3DCore::QEntity {
  public:
   explicit Overlay(QNode* parent);

@@ -90,8 +90,8 @@ class Library : public KeptProject {
   /// Searches a folder for missing clips and continues with the files found, in one step.
   void findMissing(const QString& folder);
 
-  /// Takes over the outcome of a batch that compressed a clip of that file by these settings, unless
-  /// the clip has other settings of its own.
+  /// Takes over the outcome of a batch that compressed a clip of that file by these settings,
+  /// unless the clip has other settings of its own.
   void noteExported(const QString& path, const Settings& settings, const ReadOptions& reading,
                     const BatchStep& step);
 

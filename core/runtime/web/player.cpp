@@ -276,8 +276,8 @@ MOCAPRESS_EXPORT const mcpk_bank* web_open_shared(const void* memory, std::size_
   return succeeded(mcpk_open(memory, size, 2, &bank)) ? bank : nullptr;
 }
 
-/// Returns two numbers: the place of a clip's part of a tier and its bytes; in tier 0 for the number
-/// after the last clip, those of the data after all clips.
+/// Returns two numbers: the place of a clip's part of a tier and its bytes; in tier 0 for the
+/// number after the last clip, those of the data after all clips.
 MOCAPRESS_EXPORT const double* web_place(const mcpk_bank* bank, std::uint32_t number,
                                          std::uint32_t tier) {
   static double place[2];

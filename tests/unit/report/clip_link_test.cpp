@@ -36,8 +36,8 @@ TEST(ClipLink, OpensNothingButAClipOnThisComputer) {
   for (const char* path :
        {"", "walk.bvh", "../walk.bvh", "/motion/../../etc/walk.bvh", "//server/share/walk.bvh",
         "\\\\server\\share\\walk.bvh", "/\\server/walk.bvh", "/dev/stdin.bvh",
-        "/proc/self/walk.bvh", "/etc/passwd", "/etc/.bashrc", "/project.mocapress",
-        "C:walk.bvh", "C:\\..\\walk.bvh", "file:///walk.bvh", "/walk.bvh\n", "/w\x1b[2Jalk.bvh"})
+        "/proc/self/walk.bvh", "/etc/passwd", "/etc/.bashrc", "/project.mocapress", "C:walk.bvh",
+        "C:\\..\\walk.bvh", "file:///walk.bvh", "/walk.bvh\n", "/w\x1b[2Jalk.bvh"})
     EXPECT_THROW(parse_clip_link(link_text({.clip = path})), Error) << path;
   for (const char* text : {"", "mocapress:", "mocapress://open", "mocapress://run?clip=/walk.bvh",
                            "http://open?clip=/walk.bvh", "mocapress://open?/walk.bvh"})
