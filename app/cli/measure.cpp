@@ -29,7 +29,7 @@ struct Measure {
     const OpenedMcpr opened = open_mcpr(utf8_path(compressed));
     const std::vector<std::byte> bytes = read_bytes(utf8_path(compressed));
     const std::vector<ContactSpan> contacts = contact_input.spans(motion);
-    const Comparison found = compared(motion, opened.decoded, contacts);
+    const Comparison found = compared(motion, opened.decoded, contacts, sight.read());
     const Report report{
         .input = original,
         .original = &motion,
@@ -52,10 +52,9 @@ struct Measure {
   }
 
   Comparison compared(const Motion& motion, const Clip& decoded,
-                      const std::vector<ContactSpan>& contacts) const {
+                      const std::vector<ContactSpan>& contacts, const SightLimits& limits) const {
     try {
-      return compare(motion, body_tracks(motion.skeleton, motion.clip), decoded, contacts,
-                     sight.read());
+      return compare(motion, body_tracks(motion.skeleton, motion.clip), decoded, contacts, limits);
     } catch (const Error& error) {
       throw InputError(compressed, 0, 0, error.what());
     }
