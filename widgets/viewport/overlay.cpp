@@ -146,10 +146,14 @@ void Overlay::show(const OverlayContent& content) {
   showQuarters(content);
   if (content.exaggeration == 1) return exaggeration_->hide();
   showNote(exaggeration_, Texts::tr("Difference × %L1").arg(content.exaggeration),
-           {kMargin, content.view.height() - kMargin - kTitleHeight}, true, content);
+           content.arrangement.quartered
+               ? QPointF(content.view.width() / 2.0 - kMargin, kMargin)  // of the first view
+               : QPointF(content.view.width() - kMargin, kMargin),
+           true, content);
 }
 
-/// A plate with a line of text. One that warns of what is not as it is stands out.
+/// A plate with a line of text. One that warns of what is not as it is stands out, and `corner` is
+/// its right one, opposite the titles.
 void Overlay::showNote(SceneLabel* label, const QString& text, const QPointF& corner, bool warns,
                        const OverlayContent& content) {
   QFont font = QGuiApplication::font();
@@ -161,7 +165,7 @@ void Overlay::showNote(SceneLabel* label, const QString& text, const QPointF& co
     painter.setPen(warns ? colours_.compressed : colours_.text);
     painter.drawText(QRectF({}, size), Qt::AlignCenter, text);
   });
-  label->show(picture, {corner, size}, content.view);
+  label->show(picture, {corner - QPointF(warns ? size.width() : 0, 0), size}, content.view);
 }
 
 void Overlay::showQuarters(const OverlayContent& content) {
