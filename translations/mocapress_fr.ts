@@ -1955,8 +1955,8 @@
         <translation>Erreurs de toutes les articulations dans la plage choisie : moyenne quadratique, 95e centile et maximum. Un double-clic sur la règle choisit de nouveau tout le clip.</translation>
     </message>
     <message>
-        <source>%1 : 1</source>
-        <translation>%1 : 1</translation>
+        <source>%L1 : 1</source>
+        <translation>%L1 : 1</translation>
     </message>
 </context>
 <context>
@@ -4271,10 +4271,6 @@
     <message>
         <source>All figures</source>
         <translation>Tous les chiffres</translation>
-    </message>
-    <message>
-        <source>%1 : 1</source>
-        <translation>%1 : 1</translation>
     </message>
 </context>
 <context>

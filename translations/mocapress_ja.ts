@@ -1943,8 +1943,8 @@
         <translation>選択した範囲の全関節の誤差：二乗平均平方根、95パーセンタイル、最大。ルーラーをダブルクリックするとクリップ全体に戻ります。</translation>
     </message>
     <message>
-        <source>%1 : 1</source>
-        <translation>%1 : 1</translation>
+        <source>%L1 : 1</source>
+        <translation>%L1 : 1</translation>
     </message>
 </context>
 <context>
@@ -4241,10 +4241,6 @@
     <message>
         <source>All figures</source>
         <translation>すべての数値</translation>
-    </message>
-    <message>
-        <source>%1 : 1</source>
-        <translation>%1 : 1</translation>
     </message>
 </context>
 <context>

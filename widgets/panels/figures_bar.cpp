@@ -91,7 +91,7 @@ void FiguresBar::setFigures(const std::optional<ResultFigures>& figures) {
   };
   show(size_, maybe_about(QLocale().formattedDataSize(static_cast<qint64>(known.motion_bytes), 1,
                                                       QLocale::DataSizeSIFormat)));
-  show(ratio_, maybe_about(tr("%1 : 1").arg(shownFigure(known.ratio))));
+  show(ratio_, maybe_about(tr("%L1 : 1").arg(known.ratio, 0, 'f', 1)));
   show(bits_, maybe_about(QLocale().toString(known.bits_per_joint_sample, 'f', 2)));
 }
 

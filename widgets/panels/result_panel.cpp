@@ -208,7 +208,7 @@ void ResultPanel::setFigures(const std::optional<ResultFigures>& figures) {
   const auto maybe_about = [&](const QString& text) {
     return figures->size_is_estimated ? tr("about %1").arg(text) : text;
   };
-  ratio_->setText(maybe_about(tr("%1 : 1").arg(shownFigure(figures->ratio))));
+  ratio_->setText(maybe_about(tr("%L1 : 1").arg(figures->ratio, 0, 'f', 1)));
   eps_->setText(distance(figures->eps_cm));
   eps_name_->setText(tr("eps_x, %1").arg(displayName(figures->weighting).toLower()));
   setEnds(*figures);

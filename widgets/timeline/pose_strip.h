@@ -27,7 +27,7 @@ class PoseStrip : public QWidget {
   void setLabelWidth(int pixels);
   int labelWidth() const;
 
-  QSize sizeHint() const override { return {200, 42}; }
+  QSize sizeHint() const override { return {200, 32}; }
 
  signals:
   void seekRequested(int frame);
