@@ -18,6 +18,7 @@
 #include "core/codec/encode/track_encoder.h"
 #include "core/codec/format/source_section.h"
 #include "core/codec/format/tiers.h"
+#include "core/codec/methods/additive_encoder.h"
 #include "core/codec/methods/comparison_method.h"
 #include "core/codec/methods/compression_method.h"
 #include "core/formats/text_cursor.h"
@@ -58,6 +59,8 @@ struct Compress {
   ImportanceArguments importance;
   SightArguments sight;
   int tiers = 1;
+  std::optional<std::string> additive;  // the base
+  std::optional<int> base_frame;
   bool json = false;
 
   /// The requested settings, as far as they do not depend on the clip.
@@ -93,8 +96,10 @@ struct Compress {
 
   MotionFile read_source() const {
     if (!reads_stream()) {
-      if (!output.empty() && !writes_stream())
+      if (!output.empty() && !writes_stream()) {
         refuse_source(utf8_path(output), source.files(input));
+        if (additive) refuse_source(utf8_path(output), source.files(*additive));
+      }
       if (!review.empty()) refuse_source(utf8_path(review), source.files(input));
       return source.read_file(input);
     }
@@ -106,10 +111,12 @@ struct Compress {
 
   void run() {
     check_streams();
+    check_additive();
     const Settings asked = this->asked();
     or_usage_error([&] { check(asked); });
     const bool of_wavelets = find_comparison_method(asked.method) == nullptr;
     MotionFile file = read_source();
+    if (additive) return run_additive(std::move(file), asked);
     const MethodEncoder encoder(std::move(file.motion));
     const Skeleton& skeleton = encoder.wavelets().motion().skeleton;
     importance.require_names_of(skeleton);
@@ -155,6 +162,60 @@ struct Compress {
     json ? print(to_json(report)) : print(report);
   }
 
+  /// Throws CLI::ValidationError.
+  void check_additive() const {
+    if (base_frame && !additive) throw CLI::ValidationError("--base-frame", "is of --additive");
+    if (!additive) return;
+    if (tiers > 1) throw CLI::ValidationError("--additive", "takes no --tiers");
+    if (!review.empty()) throw CLI::ValidationError("--additive", "takes no --review");
+  }
+
+  /// The base: a whole clip, or one pose of it.
+  Motion read_base() const {
+    Motion base = source.read(*additive);
+    if (!base_frame) return base;
+    if (*base_frame >= base.clip.frames())
+      throw InputError(*additive, 0, 0, "has no frame " + std::to_string(*base_frame));
+    return frames_of(base, *base_frame, 1);
+  }
+
+  /// Compresses what the clip adds to the base.
+  void run_additive(MotionFile file, const Settings& asked) const {
+    importance.require_names_of(file.motion.skeleton);
+    EncodeSettings options;
+    or_usage_error([&] { options = encode_settings(asked, file.motion.skeleton); });
+    or_usage_error([&] { frame_factors(options.ranges, file.motion.clip.frames()); });
+    options.effort = effort;
+    options.figures_only = true;
+    const std::vector<ContactSpan> spans = contacts.spans(file.motion);
+    const AdditiveEncoder encoder(file.motion, read_base());
+    Encoding made = encoder.compress(*find_compression_method(asked.method), options, spans);
+    made.file = with_tracks(with_source(made.file, file.source), file.tracks, asked.track_error);
+    Comparison found;
+    write(made.file,
+          [&](std::span<const std::byte> mcpr) { found = encoder.measure(mcpr, spans); });
+    const Report report{.input = input,
+                        .original = &file.motion,
+                        .loop = made.compressed.loop,
+                        .method = asked.method,
+                        .weighting = options.weighting,
+                        .coding = Coding::Adaptive,
+                        .motion_bytes = made.compressed.motion_bytes(),
+                        .file_bytes = made.file.size(),
+                        .verified_by = "runtime",
+                        .distortion = std::move(found.distortion),
+                        .footskate = std::move(found.footskate),
+                        .visibility = std::move(found.visibility),
+                        .contacts = spans.size(),
+                        .correction_bytes = {},
+                        .correction = {},
+                        .coefficient_ratio = made.coefficient_ratio,
+                        .iterations = made.iterations,
+                        .encode_seconds = made.seconds,
+                        .tracks = track_figures(file.tracks, made.file)};
+    json ? print(to_json(report)) : print(report);
+  }
+
   void write_review(const Report& report, const MethodEncoder& encoder,
                     const Encoding& made) const {
     const Clip& original = encoder.wavelets().motion().clip;
@@ -167,20 +228,26 @@ struct Compress {
     write_text(utf8_path(review), review_page(title, facts, script));
   }
 
-  /// Writes the file and measures it as read back from the disk, before it replaces an older one.
   Verification write(const std::vector<std::byte>& file, const Encoder& original,
                      const VerificationRequest& request) const {
+    Verification found;
+    write(file, [&](std::span<const std::byte> mcpr) { found = verify(mcpr, original, request); });
+    return found;
+  }
+
+  /// Writes the file and measures it as read back from the disk, before it replaces an older one.
+  void write(const std::vector<std::byte>& file,
+             const std::function<void(std::span<const std::byte> mcpr)>& measure) const {
     if (output.empty() || writes_stream()) {
-      Verification found = verify(file, original, request);
+      measure(file);
       if (writes_stream())
         write_standard_output({reinterpret_cast<const char*>(file.data()), file.size()});
-      return found;
+      return;
     }
     StagedFile staged(utf8_path(output));
     staged.write(file);
-    Verification found = verify(staged.read_back(), original, request);
+    measure(staged.read_back());
     staged.commit();
-    return found;
   }
 };
 
@@ -253,6 +320,14 @@ void add_compress(CLI::App& app) {
                    "Parts of the file, coarse to fine: its first parts alone can be played")
       ->check(CLI::Range(1, runtime::kMostTiers))
       ->capture_default_str();
+  command
+      ->add_option(
+          "--additive", call->additive,
+          "Compress what the clip adds to this base: one pose, or a clip of as many frames. "
+          "Errors are those of base plus difference")
+      ->type_name("BASE");
+  command->add_option("--base-frame", call->base_frame, "Frame of BASE that is the pose, from 0")
+      ->check(CLI::NonNegativeNumber);
   command->add_flag("--json", call->json, "Print one JSON object");
   command->callback([call] { call->run(); });
 }
