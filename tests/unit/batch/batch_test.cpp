@@ -28,6 +28,7 @@ TEST(OutputName, FillsInWhatThePatternNames) {
   EXPECT_EQ(named("{stem}-{type}"), "walk.one-bvh");
   EXPECT_EQ(named("x/{method}-{stem}.v2"), "x/closed-loop-walk.one.v2");
   EXPECT_EQ(output_name(kUsualNames, {"walk.bvh", "", {}}, {}), "walk");
+  EXPECT_EQ(output_name("{stem}", {"moves.fbx", "", {}, "Run, fast"}, {}), "moves-run-fast");
 }
 
 TEST(OutputName, RefusesWhatIsNoNameInTheFolder) {

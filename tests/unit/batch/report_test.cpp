@@ -53,6 +53,18 @@ TEST(BatchReport, NotesAreOneFieldOfItsTable) {
               HasSubstr("\"frame 12, lfoot: slides <here> (ana, 2026-11-27); frame 40: pops\""));
 }
 
+TEST(BatchReport, NotesAreStaleAndLinked) {
+  BatchRow row = noted_row();
+  row.input = "/motion/walk.bvh";
+  row.review.notes.front().settings_hash = "other";
+  const std::string page = page_of(row);
+  EXPECT_THAT(page, HasSubstr("the settings changed"));
+  EXPECT_THAT(page,
+              HasSubstr("mocapress://open?clip=/motion/walk.bvh&amp;frame=12&amp;joint=lfoot"));
+  EXPECT_THAT(to_csv_line(row), HasSubstr("ana, 2026-11-27; stale: the settings changed)"));
+  EXPECT_THAT(to_report_line(row), HasSubstr("\"stale\":\"the settings changed\""));
+}
+
 TEST(BatchReport, NotesComeBackFromTheJournal) {
   const auto back = parse_batch_row(to_journal_line(noted_row()));
   ASSERT_TRUE(back);
