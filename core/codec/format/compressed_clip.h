@@ -129,10 +129,6 @@ struct CompressedClip {
   }
 };
 
-/// Returns the words of `clip.motion`; requires a coding of words. Throws FormatError when its
-/// bytes are not valid.
-std::vector<SignalNeighbours> signal_neighbours(const CompressedClip& clip);
-
 /// The words of `clip.motion`; requires a coding of words. Throws FormatError when its bytes are
 /// not valid.
 std::vector<std::byte> unpack_motion(const CompressedClip& clip);
