@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/codec/encode/encoder.h"
+#include "core/codec/encode/segmented_encode.h"
 #include "resources/samples/generator/samples.h"
 #include "tests/support/game_like.h"
 #include "tests/support/test_motion.h"
