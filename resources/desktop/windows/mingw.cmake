@@ -10,6 +10,7 @@ set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
+set(ZLIB_USE_STATIC_LIBS ON)  # else it would need zlib1.dll, which wine has and Windows has not
 # No DLL of the compiler beside the program; the second option links what release builds check arrays with.
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-static -fstack-protector-strong")
 find_program(MOCAPRESS_WINE NAMES wine64 wine PATHS /usr/lib/wine)
