@@ -24,6 +24,7 @@
 #include "core/base/make_folders.h"
 #include "core/base/number_text.h"
 #include "core/base/parallel_in_order.h"
+#include "core/base/path_kind.h"
 #include "core/base/staged_file.h"
 #include "core/base/utf8_path.h"
 #include "core/codec/format/format_error.h"
@@ -304,7 +305,7 @@ struct Extraction {
       const fs::path below = utf8_path(name + ".mcpr").lexically_normal();
       if (below.has_root_path() || *below.begin() == "..")
         throw InputError(bank, 0, 0, "the clip '" + name + "' leaves the folder");
-      if (!taken.insert(utf8(below)).second)
+      if (!taken.insert(name_key(utf8(below))).second)
         throw InputError(bank, 0, 0, "the clip '" + name + "' would take another's place");
       places.push_back(below);
       const fs::path place = utf8_path(folder) / below;

@@ -7,6 +7,8 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <system_error>
+#include <utility>
 
 namespace mocapress {
 namespace {
@@ -71,6 +73,16 @@ bool remove_file(const std::filesystem::path& path) {
 
 bool make_folder(const std::filesystem::path& folder) {
   return ::mkdir(folder.c_str(), 0777) == 0;
+}
+
+std::optional<std::filesystem::path> real_path(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::path real = std::filesystem::canonical(path, error);
+  return error ? std::nullopt : std::optional(std::move(real));
+}
+
+std::string name_key(std::string_view name) {
+  return std::string(name);
 }
 
 bool synchronise_folder_of(const std::filesystem::path& file) {

@@ -3,6 +3,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
 
 namespace mocapress {
 
@@ -18,5 +21,12 @@ bool is_there(const std::filesystem::path& path);
 /// True if two paths lead to the same file; false if either is absent. Throws InputError as
 /// path_kind() does.
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
+/// The absolute path with all links resolved, as realpath(3) gives it. Unset if nothing is there.
+std::optional<std::filesystem::path> real_path(const std::filesystem::path& path);
+
+/// Equal for two names in a folder that the system takes for one: Windows ignores the case of
+/// letters. `name` is UTF-8.
+std::string name_key(std::string_view name);
 
 }  // namespace mocapress

@@ -158,7 +158,7 @@ void mark_collisions(Batch& batch) {
   std::unordered_map<std::uint64_t, std::size_t> first;
   const auto place = [&](const std::string& output, std::size_t index) {
     Fnv1a hash;
-    hash.add(output);
+    hash.add(name_key(output));
     return first.emplace(hash.state(), index);
   };
   const auto find_place = [&](std::size_t i) {

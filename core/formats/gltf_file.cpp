@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/memory_limit.h"
+#include "core/base/path_kind.h"
 #include "core/base/printable.h"
 #include "core/base/utf8_path.h"
 #include "core/formats/gltf_meshopt.h"
@@ -329,14 +330,13 @@ std::string GltfFile::resource(const std::string& uri) const {
       relative.native().find('\0') != std::string::npos)
     fail("refers to " + shown + ", but only files in its own folder are read");
   const fs::path folder = path_.has_parent_path() ? path_.parent_path() : fs::path(".");
-  std::error_code error;
-  const fs::path place = fs::canonical(folder / relative, error);
-  if (error) fail("refers to " + shown + ", which is not there");
-  // With links resolved, the place may be elsewhere.
-  if (leaves_its_folder(place.lexically_relative(fs::canonical(folder, error))) ||
-      !fs::is_regular_file(place, error))
+  const auto place = real_path(folder / relative);
+  if (!place) fail("refers to " + shown + ", which is not there");
+  // With links resolved, the place may be elsewhere, and on Windows on another drive.
+  const fs::path below = place->lexically_relative(real_path(folder).value_or(fs::path()));
+  if (below.empty() || leaves_its_folder(below) || path_kind(*place) != PathKind::File)
     fail("refers to " + shown + ", but only files in its own folder are read");
-  return read_text(place);
+  return read_text(*place);
 }
 
 const std::string& GltfFile::buffer(std::size_t index) {

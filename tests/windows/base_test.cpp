@@ -24,6 +24,7 @@
 #include "core/base/mapped_file.h"
 #include "core/base/memory_limit.h"
 #include "core/base/open_file.h"
+#include "core/base/path_kind.h"
 #include "core/base/printable.h"
 #include "core/base/utf8_path.h"
 #include "core/base/windows/system.h"
@@ -192,6 +193,26 @@ TEST_F(FileOnWindows, NamesThatAreNotUnicodeAreRefused) {
             printable("a\xff.bvh") + ": is a name that is not UTF-8");
   EXPECT_THROW(utf8(fs::path(L"half \xd800 a pair")), InputError);
   EXPECT_EQ(generic_utf8(utf8_path("動\\き/a")), "動/き/a");
+}
+
+TEST_F(FileOnWindows, NamesThatDifferOnlyInCaseHaveOneKey) {
+  EXPECT_EQ(name_key("Łódź/Walk.mcpr"), name_key("łÓDŹ/wALK.mcpr"));
+  EXPECT_NE(name_key("straße"), name_key("strasse"))
+      << "by the rules of file systems, not of texts";
+  EXPECT_NE(name_key("walk"), name_key("walk2"));
+  EXPECT_EQ(name_key(""), "");
+}
+
+TEST_F(FileOnWindows, ARealPathIsOneForAllNamesOfAFile) {
+  make_folders(folder_ / "below");
+  write_text(folder_ / "below/clip.bin", "bytes");
+  const auto real = real_path(folder_ / "below/clip.bin");
+  ASSERT_TRUE(real);
+  EXPECT_EQ(real, real_path(folder_ / "BELOW/../below/CLIP.BIN"));
+  EXPECT_EQ(real->parent_path(), real_path(folder_ / "below"));
+  EXPECT_EQ(utf8(real->lexically_relative(*real_path(folder_))), "below\\clip.bin");
+  EXPECT_EQ(read_text(*real), "bytes");
+  EXPECT_EQ(real_path(folder_ / "none"), std::nullopt);
 }
 
 TEST_F(FileOnWindows, AServerThatDoesNotAnswerIsNotAbsence) {

@@ -7,6 +7,7 @@ Usage: command_line_test.py MOCAPRESS.exe MOCAPRESS HOLD_FILE.exe SAMPLES [CORPU
 MOCAPRESS is the same tree's program for Linux: both must write the same bytes. Wine stands for Windows in all of this;
 it keeps files on a Linux file system, where names differ by case.
 """
+import base64
 import hashlib
 import json
 import os
@@ -25,7 +26,7 @@ WINE = shutil.which("wine64")
 ANY_LETTERS = "動き 🕺 Łódź é"
 PATIENCE_S = 300
 CLIPS = ["human_walk.amc", "human_jump.amc", "character.glb", "character.fbx"]
-FROM_CORPUS = ["study/02_01.amc", "study/86_01.amc"]
+FROM_CORPUS = ["study/02_01.amc", "study/86_01.amc", "gltf/character_meshopt.glb", "gltf/character_draco.glb"]
 
 
 def windows_path(path):
@@ -75,6 +76,15 @@ class CommandLine(unittest.TestCase):
 
     def leaves_nothing(self):
         self.assertEqual([str(file) for file in self.folder.rglob(".mocapress-*")], [])
+
+
+class Program(unittest.TestCase):
+    def test_needs_no_library_that_windows_has_not(self):
+        # Wine brings libraries, such as zlib1.dll, that are no part of Windows.
+        listed = run(["x86_64-w64-mingw32-objdump", "-p", PROGRAM]).stdout.decode()
+        needed = {line.split()[-1].lower() for line in listed.splitlines() if "DLL Name:" in line}
+        self.assertIn("kernel32.dll", needed)
+        self.assertEqual(needed - {"kernel32.dll", "msvcrt.dll", "advapi32.dll", "shell32.dll", "user32.dll"}, set())
 
 
 class SameBytes(CommandLine):
@@ -153,6 +163,41 @@ class Names(CommandLine):
         self.assertTrue(mcpr.exists())
         self.done(windows("decompress", mcpr, "-o", mcpr.with_suffix(".csv")))
         self.assertTrue(mcpr.with_suffix(".csv").exists())
+
+    def test_of_gltf_buffers_are_found_beside_their_file(self):
+        clip = self.clip(f"{ANY_LETTERS}/walk.amc")
+        self.done(linux("compress", clip, "--ratio", "30", "-o", clip.with_suffix(".mcpr")))
+        gltf = clip.with_suffix(".gltf")
+        self.done(windows("decompress", clip.with_suffix(".mcpr"), "-o", gltf))
+        parts = json.loads(gltf.read_text())
+        data = base64.b64decode(parts["buffers"][0]["uri"].split(",")[1])
+        for name in ("beside.bin", f"below/{ANY_LETTERS}.bin"):
+            (clip.parent / name).parent.mkdir(exist_ok=True)
+            (clip.parent / name).write_bytes(data)
+            parts["buffers"][0]["uri"] = name
+            gltf.write_text(json.dumps(parts))
+            self.done(windows("info", gltf))
+        shutil.copy(clip.parent / "beside.bin", self.folder)
+        parts["buffers"][0]["uri"] = "../beside.bin"
+        gltf.write_text(json.dumps(parts))
+        self.refused(windows("info", gltf), 3, "only files in its own folder are read")
+
+    def test_that_differ_only_in_case_are_one(self):
+        clip = self.clip()
+        self.done(linux("compress", clip, "--ratio", "30", "-o", self.folder / "walk.mcpr"))
+        clips = self.folder / "clips"
+        for place in ("Łódź/walk.mcpr", "łódź/Walk.mcpr"):
+            (clips / place).parent.mkdir(parents=True)
+            shutil.copy(self.folder / "walk.mcpr", clips / place)
+        self.done(linux("bank", "make", self.folder / "all.mcpk", clips))
+        for options in ([], ["--overwrite"]):
+            self.refused(windows("bank", "extract", self.folder / "all.mcpk", "-o", self.folder / "out", *options), 3,
+                         "would take another's place")
+            self.assertFalse((self.folder / "out").exists())
+        self.clip("a/walk.amc")
+        self.clip("b/WALK.amc")
+        self.refused(windows("batch", self.folder / "a", self.folder / "b", "-o", self.folder / "out", "--name",
+                             "{stem}"), 7, "would be written to")
 
     def test_with_drive_letters_and_backslashes(self):
         clip = self.clip()

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 #include <string>
+#include <string_view>
 
 #include "core/base/error.h"
 #include "core/base/utf8_path.h"
@@ -182,6 +183,31 @@ bool make_folder(const fs::path& folder) {
   errno =
       status_of(folder) ? EEXIST : error;  // the root of a drive only says that access is denied
   return false;
+}
+
+/// Wine 8 fails beyond 260 characters, Windows does not by its documentation.
+std::optional<fs::path> real_path(const fs::path& path) {
+  const FileDescriptor end = opened(path, 0, OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS);
+  if (!end) return std::nullopt;
+  std::wstring found(32768, L'\0');  // longer than any path
+  const DWORD size = ::GetFinalPathNameByHandleW(handle_of(end.number()), found.data(),
+                                                 static_cast<DWORD>(found.size()), 0);
+  if (size == 0 || size >= found.size()) return std::nullopt;
+  found.resize(size);
+  // Without the prefix, in which fs::path finds no root. system_path() gives it back.
+  constexpr std::wstring_view kLong = L"\\\\?\\";
+  constexpr std::wstring_view kShare = L"\\\\?\\UNC\\";
+  if (found.starts_with(kShare)) return found.replace(0, kShare.size(), L"\\\\");
+  return found.starts_with(kLong) ? found.substr(kLong.size()) : found;
+}
+
+std::string name_key(std::string_view name) {
+  std::wstring letters = utf8_path(name).native();
+  // Upper case by the rules of file systems, which is the default of this call.
+  ::LCMapStringEx(LOCALE_NAME_INVARIANT, LCMAP_UPPERCASE, letters.data(),
+                  static_cast<int>(letters.size()), letters.data(),
+                  static_cast<int>(letters.size()), nullptr, nullptr, 0);
+  return utf8(letters);
 }
 
 bool synchronise_folder_of(const fs::path&) {

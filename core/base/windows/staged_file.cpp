@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <iterator>
+#include <optional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -119,13 +119,9 @@ fs::path end_of_links(const fs::path& path) {
   const DWORD attributes = ::GetFileAttributesW(system_path(path).c_str());
   if (attributes == INVALID_FILE_ATTRIBUTES || !(attributes & FILE_ATTRIBUTE_REPARSE_POINT))
     return path;
-  const FileDescriptor end = opened(path, 0, OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS);
-  if (!end) refuse(path, std::strerror(errno));
-  wchar_t found[32768];  // longer than any path
-  const DWORD size =
-      ::GetFinalPathNameByHandleW(handle_of(end.number()), found, std::size(found), 0);
-  if (size == 0 || size >= std::size(found)) refuse(path, "is a link that cannot be followed");
-  return std::wstring(found, size);
+  const std::optional<fs::path> end = real_path(path);
+  if (!end) refuse(path, "is a link that cannot be followed");
+  return *end;
 }
 
 /// `place_` is the whole path here. `name_` is only looked at for whether the file has a place yet.

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/base/file.h"
+#include "core/base/path_kind.h"
 #include "core/base/utf8_path.h"
 
 namespace mocapress {
@@ -380,11 +381,10 @@ std::shared_ptr<const SkinPicture> FbxMeshReader::read_picture(const std::string
     }
   const std::filesystem::path folder = utf8_path(file).parent_path();
   const std::filesystem::path beside = (folder.empty() ? "." : folder) / utf8_path(name);
-  std::error_code error;
-  const bool is_there = !name.empty() && std::filesystem::is_regular_file(beside, error) &&
-                        std::filesystem::canonical(beside, error).parent_path() ==
-                            std::filesystem::canonical(beside.parent_path(), error);
-  if (is_there) return picture_of(file, name, read_text(beside), warnings_);
+  const auto place = real_path(beside);
+  if (!name.empty() && place && path_kind(*place) == PathKind::File &&
+      place->parent_path() == real_path(beside.parent_path()))
+    return picture_of(file, name, read_text(beside), warnings_);
   warnings_.push_back(
       {file, 0, "the picture " + name + " is not shown: it is not beside the file"});
   return nullptr;

@@ -44,6 +44,13 @@ TEST_F(PathKindTest, OnlyWhatTheSystemDoesNotFindIsAbsent) {
       << "longer than a name may be";
 }
 
+TEST_F(PathKindTest, ARealPathHasItsLinksResolved) {
+  write_text(folder_ / "a.txt", "a");
+  fs::create_symlink("a.txt", folder_ / "link");
+  EXPECT_EQ(real_path(folder_ / "link"), fs::canonical(folder_) / "a.txt");
+  EXPECT_EQ(real_path(folder_ / "b.txt"), std::nullopt);
+}
+
 TEST_F(PathKindTest, AFolderThatMayNotBeEnteredHidesNothing) {
   fs::create_directory(folder_ / "closed");
   write_text(folder_ / "closed/a.txt", "a");

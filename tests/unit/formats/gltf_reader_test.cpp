@@ -525,13 +525,15 @@ TEST_F(GltfFolder, IsWhereBuffersAreReadFromAndNowhereElse) {
   const auto elsewhere = [](const std::string& uri) {
     return "refers to \"" + uri + "\", but only files in its own folder are read";
   };
+  std::vector<std::string> uris = {"../outside.bin",      "below/../../outside.bin",
+                                   "%2E%2E/outside.bin",  (folder_ / "below/keys.bin").string(),
+                                   "file:below/keys.bin", "https://example.org/keys.bin",
+                                   "below/keys.bin%00",   "below"};
+#ifndef _WIN32  // where the standard library makes no links
   fs::create_symlink("../outside.bin", folder_ / "link.bin");
-  for (const std::string& uri :
-       {std::string("../outside.bin"), std::string("below/../../outside.bin"),
-        std::string("%2E%2E/outside.bin"), (folder_ / "below/keys.bin").string(),
-        std::string("file:below/keys.bin"), std::string("https://example.org/keys.bin"),
-        std::string("below/keys.bin%00"), std::string("below"), std::string("link.bin")})
-    EXPECT_EQ(refusal_with(uri), elsewhere(uri)) << uri;
+  uris.push_back("link.bin");
+#endif
+  for (const std::string& uri : uris) EXPECT_EQ(refusal_with(uri), elsewhere(uri)) << uri;
   fs::remove(folder_.parent_path() / "outside.bin");
 }
 
