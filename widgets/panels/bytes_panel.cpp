@@ -96,6 +96,7 @@ QWidget* BytesPanel::makeSlopes() {
   hint_->setWordWrap(true);
   measure_ = new QPushButton(tr("Try Other Settings"), half);
   apply_ = new QPushButton(tr("Use These"), half);
+  apply_->setEnabled(false);
   apply_->setToolTip(tr("Compress with the settings of the chosen line; can be undone"));
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(measure_);

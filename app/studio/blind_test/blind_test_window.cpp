@@ -31,7 +31,7 @@
 namespace mocapress {
 namespace {
 
-const std::vector<double> kLevels = {0.5, 0.7, 1, 1.4, 2, 2.8, 4, 5.7, 8};
+const std::vector<double> kAskedLevels = {0.5, 0.7, 1, 1.4, 2, 2.8, 4, 5.7, 8};
 constexpr double kNear = 1.05;      // levels nearer than this factor are one
 constexpr double kLoopSeconds = 3;  // about the worst moment
 constexpr std::size_t kLeastLevels = 3;
@@ -91,7 +91,7 @@ QWidget* BlindTestWindow::makePreparation() {
   start_ = new QPushButton(tr("Begin"), page);
   start_->setDefault(true);
   progress_ = new QProgressBar(page);
-  progress_->setRange(0, static_cast<int>(kLevels.size()));
+  progress_->setRange(0, static_cast<int>(kAskedLevels.size()));
   progress_->setFormat(tr("Compressing the clip at %m levels: %v"));
   auto* form = new QFormLayout;
   form->addRow(tr("Viewer"), viewer_);
@@ -218,7 +218,7 @@ void BlindTestWindow::begin() {
   progress_->show();
   EncodeSettings options = session_->document().options();
   options.limits.distance_m = distance_->value();
-  encoder_.start(original_->encoder, options, kLevels);
+  encoder_.start(original_->encoder, options, kAskedLevels);
 }
 
 /// Keeps the level if it differs from the last one.
