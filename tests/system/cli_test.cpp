@@ -236,6 +236,28 @@ TEST_F(Cli, MeasureSaysWhatCompressSaid) {
   }
 }
 
+TEST_F(Cli, TellsTheErrorOfEachTier) {
+  compress({"--tiers", "3", "--target-error", "0.5"});
+  const json tiers = json_of({"info", "--json", packed_})[0]["tiers"];
+  ASSERT_EQ(tiers.size(), 3U);
+  const Motion original = read_motion(clip_).motion;
+  for (std::size_t t = 0; t < tiers.size(); ++t) {
+    const Clip coarse = decode(read_container(read_bytes(packed_), static_cast<int>(t) + 1));
+    const Distortion found = measure(original.skeleton, original.clip, coarse);
+    EXPECT_NEAR(found.surface.rms, tiers[t]["eps_x_cm"].get<double>(), 0.005 * found.surface.rms);
+  }
+}
+
+TEST_F(Cli, MeetsTheErrorOfBasePlusDifference) {
+  const json report = compress({"--additive", clip_, "--base-frame", "0", "--target-error", "0.5"});
+  EXPECT_LE(report["surface_rms_cm"].get<double>(), 0.5);
+  EXPECT_GT(report["surface_rms_cm"].get<double>(), 0.4);
+  EXPECT_EQ(report["verified_by"], "runtime");
+  EXPECT_EQ(mocapress({"compress", clip_, "--additive", clip_, "--tiers", "2"}).exit_code, 2);
+  EXPECT_EQ(mocapress({"compress", clip_, "--additive", clip_, "--base-frame", "600"}).exit_code,
+            3);
+}
+
 TEST_F(Cli, SolvesTheRatioWithinTwoPercent) {
   for (const char* method : {"per-channel", "standard", "annealed"})
     for (const char* coding : {"rle16", "deflate"})
