@@ -30,7 +30,7 @@ constexpr mcpr_convention kEngine = {{1, -3, 2}, 1, 0.01F};
 std::vector<mcpr_sample_request> requests() {
   std::vector<mcpr_sample_request> all;
   for (const mcpr_wrap wrap : mocapress::test::kWraps) {
-    const auto layout = static_cast<mcpr_layout>(wrap % MCPR_WRITER);
+    const auto layout = static_cast<mcpr_layout>(int{wrap} % int{MCPR_WRITER});
     all.push_back({.layout = layout, .wrap = wrap});
     all.push_back({.layout = layout, .wrap = wrap, .stepped = &kRoot, .stepped_count = 1});
   }

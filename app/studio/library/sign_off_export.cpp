@@ -5,7 +5,6 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QMarginsF>
 #include <QPageLayout>
 #include <QPageSize>
 #include <QPdfWriter>
@@ -19,7 +18,6 @@
 namespace mocapress {
 namespace {
 
-constexpr double kMargin = 12;    // mm
 constexpr int kResolution = 300;  // dots per inch
 
 QByteArray pdfOf(const SignOff& report) {
@@ -34,7 +32,7 @@ QByteArray pdfOf(const SignOff& report) {
   writer.setResolution(kResolution);
   writer.setPageSize(QPageSize(QPageSize::A4));
   writer.setPageOrientation(QPageLayout::Landscape);
-  writer.setPageMargins(QMarginsF(kMargin, kMargin, kMargin, kMargin), QPageLayout::Millimeter);
+  writer.setPageMargins({});  // the document has margins of its own
   document.print(&writer);
   buffer.close();
   return bytes;

@@ -3,13 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <iterator>
 #include <utility>
 
 #include "core/runtime/format/interpolation.h"
-#include "core/runtime/processor/processor.h"
 
 namespace mocapress::runtime {
 namespace {
@@ -43,27 +41,13 @@ constexpr Split split(const RowWeights& samples) {
   return {samples.first >> 1, {w[1], w[3], w[5]}, {w[0], w[2], w[4], 0}};
 }
 
-/// Weights with zeros around them. Reading those costs less than asking whether a row is inside.
-class PaddedWeights {
- public:
-  explicit PaddedWeights(const RowWeights& rows) : first_(rows.first) {
-    std::copy_n(rows.weight, kDetailWindow, weight_ + kDetailWindow);
-  }
-  /// The weights from a row on.
-  const float* from(int row) const {
-    return weight_ + std::clamp(row - first_ + kDetailWindow, 0, 2 * kDetailWindow);
-  }
-
- private:
-  int first_;
-  float weight_[3 * kDetailWindow] = {};
-};
-
 /// Splits from any position at or before the first sample.
 Split split_from(int middle, const RowWeights& samples) {
-  const PaddedWeights padded(samples);
-  const float* const w = padded.from(2 * middle);
-  return {middle, {w[1], w[3], w[5]}, {w[0], w[2], w[4], w[6]}};
+  const auto at = [&](int i) {
+    const int k = 2 * middle + i - samples.first;
+    return k >= 0 && k < 8 ? samples.weight[k] : 0.0F;
+  };
+  return {middle, {at(1), at(3), at(5)}, {at(0), at(2), at(4), at(6)}};
 }
 
 /// Weights of the even samples away from borders.
@@ -228,7 +212,10 @@ bool is_inside(int first_sample, int length) {
 RowWeights moved(const RowWeights& from, int first) {
   RowWeights to;
   to.first = first;
-  std::copy_n(PaddedWeights(from).from(first), kDetailWindow, to.weight);
+  for (int i = 0; i < 8; ++i) {
+    const int k = i - (from.first - first);
+    to.weight[i] = k >= 0 && k < 8 ? from.weight[k] : 0;
+  }
   return to;
 }
 
@@ -241,27 +228,21 @@ void set_samples(const RowWeights& from, int rows, SampleWeights& to) {
     std::copy_n(moved(from, first).weight, kSampleWindow, to.of_row);
 }
 
-/// Bit i is set if the weight i is not zero. Comparing all of them is faster than looking for the
-/// first and the last.
-unsigned nonzero_in(const RowWeights& rows) {
-  unsigned bits = 0;
-  MOCAPRESS_UNROLL(8)
-  for (unsigned i = 0; i < kDetailWindow; ++i) bits |= (rows.weight[i] != 0 ? 1U : 0U) << i;
-  return bits;
-}
-
 void set_band(const PoseKernels& kernels, const RowWeights& from, int rows, int depth, float unit,
               BandWeights& to) {
   const int padded = std::max((rows + 1) / 2 * 2, kDetailWindow);
-  const unsigned nonzero = nonzero_in(from);
-  const int before = std::countr_zero(nonzero | 1U << (kDetailWindow - 1));
+  int before = 0;  // leading rows with weight zero
+  while (before < kDetailWindow - 1 && from.weight[before] == 0) ++before;
   const int first = depth == 1 ? std::clamp((from.first + before) & ~1, 0, padded - kFinestWindow)
                                : std::clamp(from.first & ~1, 0, padded - kDetailWindow);
   to.first_row = first;
   const RowWeights weights = first == from.first ? from : moved(from, first);
-  const unsigned used = first == from.first ? nonzero : nonzero_in(weights);
-  to.first_used = first + std::countr_zero(used | 1U << (kDetailWindow - 1));
-  to.last_used = first + std::bit_width(used | 1U) - 1;
+  int used = 0;
+  while (used < kDetailWindow - 1 && weights.weight[used] == 0) ++used;
+  to.first_used = first + used;
+  used = kDetailWindow - 1;
+  while (used > 0 && weights.weight[used] == 0) --used;
+  to.last_used = first + used;
   float scaled[2 * kDetailWindow] = {};
   for (int i = 0; i < kDetailWindow; ++i)
     scaled[i] = weights.weight[i] * (scale_of_band(depth) / unit);
@@ -304,7 +285,10 @@ void InstantWeights::set(const PoseKernels& kernels, Wavelet wavelet, int length
                                     : wavelet == Wavelet::Linear ? &kLinearTables
                                                                  : &kCubicTables;
   unit = 1;
-  RowWeights row{frame, {1 - share, share}};
+  RowWeights row;
+  row.first = frame;
+  row.weight[0] = 1 - share;
+  row.weight[1] = share;
   RowWeights details[kMostKeptBands];
   int rows[kMostKeptBands];
   int inside = 0;  // number of levels away from the borders
@@ -335,10 +319,8 @@ void InstantWeights::set(const PoseKernels& kernels, Wavelet wavelet, int length
     rows[levels] = odds_in(length);
     row = evens;
     // Only the linear extrapolation after the last even sample has such large weights.
-    float most = 0;
     for (const float weight : details[levels].weight)
-      most = std::abs(weight) > most ? std::abs(weight) : most;
-    while (most > kMostWeight * unit) unit *= 2;
+      while (std::abs(weight) > kMostWeight * unit) unit *= 2;
   }
   for (int b = 0; b < inside && unit > 1; ++b) {
     float weights[2 * kDetailWindow] = {};

@@ -16,8 +16,8 @@ namespace mocapress::runtime {
 
 /// Weights of consecutive rows from `first` on. Rows that do not exist have weight zero.
 struct RowWeights {
-  int first;
-  float weight[8];
+  int first = 0;
+  float weight[8] = {};
 };
 
 /// Runs one level of the inverse transform backwards: from weights of samples (six at most, of a
