@@ -224,8 +224,9 @@ class Export {
     const bool asks_for_motion =
         std::any_of(batch_.formats.begin(), batch_.formats.end(),
                     [](OutputFormat format) { return format != OutputFormat::Mcpr; });
-    Verification found = mocapress::verify(bytes, clip.encoder().wavelets(),
-                                           {contacts, asks_for_motion, preset_.limits});
+    Verification found = mocapress::verify(
+        bytes, clip.encoder().wavelets(),
+        {.contacts = contacts, .motion = asks_for_motion, .limits = preset_.limits});
     row_.verified_by = found.by;
     made.distortion = std::move(found.distortion);
     made.footskate = std::move(found.footskate);

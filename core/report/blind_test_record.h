@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What viewers answered in blind tests, kept as JSON: one list, a test after the other.
+// Answers of viewers in blind tests, kept as JSON: one list, a test after the other.
 #pragma once
 
 #include <filesystem>

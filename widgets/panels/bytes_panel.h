@@ -33,7 +33,7 @@ class BytesPanel : public QWidget {
   /// Makes the row of that joint current. Emits nothing.
   void setCurrentJoint(int joint);
 
-  /// What other settings brought, in the order of applyRequested().
+  /// Shows the results of other settings, in the order of applyRequested().
   void setSlopes(const std::vector<SlopeRow>& slopes);
 
   /// `measuring`: more follow. `possible`: there is a clip to measure on.

@@ -19,7 +19,7 @@ constexpr double kRelaxed = 2;  // times the error
 constexpr double kMore = 1.1;   // times the bytes
 constexpr double kFewer = 0.9;
 
-/// Of joints of no body part, the ones with their own lines.
+// Joints outside of body parts that have lines of their own.
 constexpr int kDearest = 2;
 
 }  // namespace

@@ -5,27 +5,27 @@
 
 namespace mocapress {
 
-void OutlineReader::add(const QString& path) {
-  unread_.push_back(path);
+void OutlineReader::add(const QString& key) {
+  unread_.push_back(key);
   readNext();
 }
 
 void OutlineReader::readNext() {
   if (reading_.busy()) return;
   const ProjectClip* clip = nullptr;
-  QString path;
+  QString key;
   while (!clip && !unread_.empty()) {
-    path = unread_.front();
+    key = unread_.front();
     unread_.pop_front();
-    clip = project_->find(path);
+    clip = project_->find(key);
   }
   if (!clip) return;
-  const auto finish = [this, path](const ClipOutline& outline, const QString& trouble) {
-    emit read(path, outline, trouble);
+  const auto finish = [this, key](const ClipOutline& outline, const QString& trouble) {
+    emit read(key, outline, trouble);
     // The runner is busy until its delivery has returned.
     QMetaObject::invokeMethod(this, &OutlineReader::readNext, Qt::QueuedConnection);
   };
-  reading_.start([path, skeleton = clip->skeleton, reading = clip->reading](
+  reading_.start([path = clip->path, skeleton = clip->skeleton, reading = clip->reading](
                      const Job&) { return readOutline(path, skeleton, reading); },
                  [finish](const ClipOutline& outline) { finish(outline, {}); },
                  [finish](const QString& message) { finish({}, message); });

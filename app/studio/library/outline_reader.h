@@ -19,16 +19,16 @@ class OutlineReader : public QObject {
  public:
   explicit OutlineReader(Project* project) : project_(project) {}
 
-  /// Queues a clip. It is read as the project has it when its turn comes, and left out if the
-  /// project has it no more.
-  void add(const QString& path);
+  /// Queues the clip of that ProjectClip::key(). It is read as the project has it when its turn
+  /// comes, and left out if the project has it no more.
+  void add(const QString& key);
 
   /// Empties the queue; the clip that is being read is still delivered.
   void clear() { unread_.clear(); }
 
  signals:
   /// `trouble` is the reason why the clip could not be read; empty: it could.
-  void read(const QString& path, const ClipOutline& outline, const QString& trouble);
+  void read(const QString& key, const ClipOutline& outline, const QString& trouble);
 
  private:
   void readNext();

@@ -11,6 +11,8 @@
 namespace mocapress {
 namespace {
 
+constexpr double kNothing = 1.01;  // a smaller gain is not worth another encode
+
 /// The joints beside some others.
 std::vector<int> rest_of(const Skeleton& skeleton, const std::vector<int>& joints) {
   std::vector<int> rest;
@@ -91,13 +93,16 @@ Slope relax(const Encoder& encoder, const EncodeSettings& settings, const Standi
   for (const int joint : joints) weights[static_cast<std::size_t>(joint)] /= times * times;
   raise_promises(skeleton, joints, times, slope.settings.promises);
 
+  // At the same eps_x the others gain what these joints lose. Then the target is raised by that.
   slope.settings.target = {Target::Kind::Error, now.eps_cm};
-  EncodeSettings draft = slope.settings;
-  draft.effort = Effort::Draft;
   const std::vector<int> others = rest_of(skeleton, joints);
-  const double nearer = encoded(encoder, draft, observer).cm_of(others);
-  if (nearer > 0) slope.settings.target.value *= std::clamp(now.cm_of(others) / nearer, 1.0, times);
   slope.standing = encoded(encoder, slope.settings, observer);
+  const double nearer = slope.standing.cm_of(others);
+  const double gained = nearer > 0 ? std::clamp(now.cm_of(others) / nearer, 1.0, times) : 1;
+  if (gained > kNothing) {
+    slope.settings.target.value *= gained;
+    slope.standing = encoded(encoder, slope.settings, observer);
+  }
   slope.settings.target =
       settings.target.kind == Target::Kind::Error
           ? slope.settings.target
