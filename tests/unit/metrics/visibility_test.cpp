@@ -332,9 +332,9 @@ TEST(Visibility, LimbsUpToThreePerCentLongerAreNotNoticedAndTwentyAre) {  // Har
   const auto longer = [&](double share) {
     Skeleton other;
     for (const Joint& joint : skeleton.joints()) {
-      Joint longer = joint;
-      if (joint.parent > 0) longer.offset *= 1 + share;
-      other.add(longer);
+      Joint bone = joint;
+      if (joint.parent > 0) bone.offset *= 1 + share;
+      other.add(bone);
     }
     const Clip clip{kRate, Eigen::MatrixXd::Zero(240, 5)};
     return measure_visibility(skeleton, original, body_tracks(other, clip), kRate, {})
