@@ -10,7 +10,7 @@
 namespace mocapress {
 namespace {
 
-constexpr int kFree = 4;
+constexpr int kBytesTop = 4;
 
 }  // namespace
 
@@ -68,7 +68,7 @@ int ByteStrip::dearestJoint(int slice) const {
 void ByteStrip::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   const TimeAxis time = axis();
-  const QRectF area(time.left, kFree, time.right - time.left, height() - kFree);
+  const QRectF area(time.left, kBytesTop, time.right - time.left, height() - kBytesTop);
   painter.setPen(palette().color(QPalette::PlaceholderText));
   painter.drawText(QRectF(kStripMargin, area.top(), label_width_, area.height()),
                    Qt::AlignLeft | Qt::AlignVCenter, tr("Bytes"));
