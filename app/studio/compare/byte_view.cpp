@@ -30,6 +30,8 @@ ByteView::ByteView(Session* session, Playback* playback, ByteStrip* strip, ByteC
   Document* document = &session->document();
   connect(document, &Document::clipChanged, this, [this] {
     shown_ = nullptr;
+    dividing_.abandon();
+    forgetSlopes();
     show(nullptr);
     divide();
   });
@@ -61,6 +63,7 @@ void ByteView::divide() {
   // Drafts follow one another faster than they could be divided.
   if (decoded == shown_ || (decoded && (!document.final() || decoded->file.empty()))) return;
   shown_ = decoded;
+  dividing_.abandon();
   forgetSlopes();
   if (!decoded) return show(nullptr);
   const int slice =
