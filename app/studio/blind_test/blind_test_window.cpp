@@ -177,8 +177,8 @@ QWidget* BlindTestWindow::makeResult() {
 
 void BlindTestWindow::makeKeys() {
   const auto on = [this](const QKeySequence& key, auto act) {
+    // While the page is shown, also when the 3D view's own window has the focus.
     auto* shortcut = new QShortcut(key, pages_->widget(1));
-    shortcut->setContext(Qt::WidgetWithChildrenShortcut);
     connect(shortcut, &QShortcut::activated, this, act);
   };
   on(Qt::Key_1, [this] { look(A); });
