@@ -81,6 +81,9 @@ void PinnedResults::pinEngine() {
         return decodedClip(read_mcpr(made.file), original.get());
       },
       [this](const DecodedPtr& decoded) {
+        // Others may have been pinned meanwhile.
+        if (pins_.size() + unmade_.size() >= kMostPinned)
+          return emit failed(tr("The result is not final yet, or four are pinned."));
         const Result result{
             {freeName(methodTitle(kEngineMethod)), freeColour(), {}}, decoded, true};
         session_->history()->push(new EditStep(
