@@ -54,13 +54,16 @@ void ClipLinks::open(const QString& text) {
   ProjectClip clip{.path = path};
   if (known != clips.end()) clip = *known;
   if (link.take) clip.reading.take = link.take;
+  link.clip = clip.path.toStdString();
   under_way_ = link;
   session_->open(clip.path, clip.skeleton, clip.reading);
 }
 
-void ClipLinks::arrive() {
+void ClipLinks::arrive(const OpenRequest& request) {
   if (!under_way_) return;
   const ClipLink link = *std::exchange(under_way_, std::nullopt);
+  // Another clip may have been opened instead.
+  if (request.path != QFileInfo(QString::fromStdString(link.clip)).absoluteFilePath()) return;
   playback_->pause();
   if (link.frame) playback_->seek(std::min(*link.frame, playback_->frames() - 1));
   if (const Skeleton* skeleton = session_->document().skeleton())

@@ -13,6 +13,7 @@ class Library;
 class Playback;
 class Session;
 class Viewport;
+struct OpenRequest;
 
 /// Links to a clip, its frame, a joint and where the camera looks from: core/report/clip_link.h.
 class ClipLinks : public QObject {
@@ -39,7 +40,7 @@ class ClipLinks : public QObject {
   void failed(const QString& message);
 
  private:
-  void arrive();
+  void arrive(const OpenRequest& request);
 
   Session* session_;
   Library* library_;
