@@ -193,8 +193,8 @@ void BlindTestWindow::prepare() {
   encoder_.abandon();
   playback_->pause();
   original_ = session_->document().original();
-  const EncodeSettings& options = session_->document().options();
-  const bool possible = original_ && options.method == Method::ClosedLoop;
+  options_ = session_->document().options();
+  const bool possible = original_ && options_.method == Method::ClosedLoop;
   about_->setText(
       possible
           ? tr("A is the original of %1, B the same clip compressed, more or less visibly. X is "
@@ -202,7 +202,7 @@ void BlindTestWindow::prepare() {
                "in about five minutes. Nobody is told whether an answer was right.")
                 .arg(QFileInfo(original_->path).fileName())
           : tr("Open a motion and compress it by the closed loop: the test takes the open clip."));
-  distance_->setValue(options.limits.distance_m);
+  distance_->setValue(options_.limits.distance_m);
   start_->setEnabled(possible);
   progress_->hide();
   pages_->setCurrentIndex(0);
@@ -216,9 +216,8 @@ void BlindTestWindow::begin() {
   test_.reset();
   progress_->setValue(0);
   progress_->show();
-  EncodeSettings options = session_->document().options();
-  options.limits.distance_m = distance_->value();
-  encoder_.start(original_->encoder, options, kAskedLevels);
+  options_.limits.distance_m = distance_->value();
+  encoder_.start(original_->encoder, options_, kAskedLevels);
 }
 
 /// Keeps the level if it differs from the last one.
@@ -296,14 +295,12 @@ BlindTestRecord BlindTestWindow::record() const {
   for (const DecodedPtr& decoded : levels_)
     ++counts[static_cast<std::size_t>(decoded->visibility->worst().cue)];
   const auto most = std::max_element(counts.begin(), counts.end()) - counts.begin();
-  SightLimits limits = session_->document().options().limits;
-  limits.distance_m = distance_->value();
   return {.viewer = viewer_->text().toStdString(),
           .clip = QFileInfo(original_->path).fileName().toStdString(),
           .character = QFileInfo(original_->character).fileName().toStdString(),
           .time = utc_text(std::time(nullptr)),
           .cue = static_cast<Cue>(most),
-          .limits = limits,
+          .limits = options_.limits,
           .levels = test_->levels(),
           .answers = {test_->answers().begin(), test_->answers().end()}};
 }

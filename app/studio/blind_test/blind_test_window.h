@@ -77,6 +77,7 @@ class BlindTestWindow : public QWidget {
   QString file_;
   LevelEncoder encoder_;
   OriginalPtr original_;
+  EncodeSettings options_;          // by which levels are compressed and measured
   std::vector<DecodedPtr> levels_;  // ascending by visibility
   std::optional<BlindTest> test_;
   Playback* playback_;
