@@ -288,8 +288,8 @@
         <translation>&amp;Revue</translation>
     </message>
     <message>
-        <source>Export Si&amp;gn-off…</source>
-        <translation>Exporter la valida&amp;tion…</translation>
+        <source>Ex&amp;port Sign-off…</source>
+        <translation>Exporter la validation…</translation>
     </message>
     <message>
         <source>Write verdicts, worst frames and notes of the library as HTML, PDF or CSV</source>
@@ -361,19 +361,19 @@
     </message>
     <message>
         <source>Keyboard &amp;Map…</source>
-        <translation>Raccourcis &amp;personnels…</translation>
+        <translation>Raccourcis per&amp;sonnels…</translation>
     </message>
     <message>
         <source>Choose the keys of all commands</source>
         <translation>Choisir les touches de toutes les commandes</translation>
     </message>
     <message>
-        <source>Pictures and Fi&amp;lms</source>
-        <translation>Images et fi&amp;lms</translation>
+        <source>Pict&amp;ures and Films</source>
+        <translation>Images et &amp;films</translation>
     </message>
     <message>
-        <source>Timeli&amp;ne</source>
-        <translation>Ligne de &amp;temps</translation>
+        <source>Timeline</source>
+        <translation>Ligne de temps</translation>
     </message>
     <message>
         <source>Pin What an &amp;Engine Would Do</source>
@@ -6157,7 +6157,7 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Poses de la traî&amp;née</translation>
     </message>
     <message>
-        <source>Four Vie&amp;ws</source>
+        <source>Fo&amp;ur Views</source>
         <translation>&amp;Quatre vues</translation>
     </message>
     <message>
@@ -6186,7 +6186,7 @@ Cliquer pour le charger dans le studio.</translation>
     </message>
     <message>
         <source>From the S&amp;ide</source>
-        <translation>De pro&amp;fil</translation>
+        <translation>De &amp;profil</translation>
     </message>
     <message>
         <source>Look along the x axis; again: as before</source>
@@ -6217,12 +6217,12 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Garder la place de la caméra, relative à la figure</translation>
     </message>
     <message>
-        <source>Exa&amp;ggeration</source>
-        <translation>Exa&amp;gération</translation>
+        <source>Exaggeration</source>
+        <translation>Exagération</translation>
     </message>
     <message>
-        <source>&amp;Cameras</source>
-        <translation>&amp;Caméras</translation>
+        <source>Cameras</source>
+        <translation>Caméras</translation>
     </message>
 </context>
 <context>

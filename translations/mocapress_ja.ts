@@ -288,8 +288,8 @@
         <translation>レビュー(&amp;R)</translation>
     </message>
     <message>
-        <source>Export Si&amp;gn-off…</source>
-        <translation>承認レポートを書き出す(&amp;G)…</translation>
+        <source>Ex&amp;port Sign-off…</source>
+        <translation>承認レポートを書き出す(&amp;P)…</translation>
     </message>
     <message>
         <source>Write verdicts, worst frames and notes of the library as HTML, PDF or CSV</source>
@@ -368,12 +368,12 @@
         <translation>すべてのコマンドのキーを選びます</translation>
     </message>
     <message>
-        <source>Pictures and Fi&amp;lms</source>
-        <translation>画像と動画(&amp;L)</translation>
+        <source>Pict&amp;ures and Films</source>
+        <translation>画像と動画(&amp;U)</translation>
     </message>
     <message>
-        <source>Timeli&amp;ne</source>
-        <translation>タイムライン(&amp;N)</translation>
+        <source>Timeline</source>
+        <translation>タイムライン</translation>
     </message>
     <message>
         <source>Pin What an &amp;Engine Would Do</source>
@@ -6109,8 +6109,8 @@ Click to load it into the studio.</source>
         <translation>軌跡の姿勢数(&amp;I)</translation>
     </message>
     <message>
-        <source>Four Vie&amp;ws</source>
-        <translation>四面ビュー(&amp;W)</translation>
+        <source>Fo&amp;ur Views</source>
+        <translation>四面ビュー(&amp;U)</translation>
     </message>
     <message>
         <source>The same figures from anywhere, from the front, the side and the top</source>
@@ -6169,12 +6169,12 @@ Click to load it into the studio.</source>
         <translation>人形に対するカメラの位置を保存します</translation>
     </message>
     <message>
-        <source>Exa&amp;ggeration</source>
-        <translation>誇張の倍率(&amp;G)</translation>
+        <source>Exaggeration</source>
+        <translation>誇張の倍率</translation>
     </message>
     <message>
-        <source>&amp;Cameras</source>
-        <translation>カメラ(&amp;C)</translation>
+        <source>Cameras</source>
+        <translation>カメラ</translation>
     </message>
 </context>
 <context>

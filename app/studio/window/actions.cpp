@@ -112,7 +112,7 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
   actions.export_library = make(window, Texts::tr("Batch Export of the &Library…"));
   actions.export_library->setToolTip(
       Texts::tr("Export all clips of the library, each with its own settings"));
-  actions.export_sign_off = make(window, Texts::tr("Export Si&gn-off…"));
+  actions.export_sign_off = make(window, Texts::tr("Ex&port Sign-off…"));
   actions.export_sign_off->setToolTip(
       Texts::tr("Write verdicts, worst frames and notes of the library as HTML, PDF or CSV"));
   actions.add_clips = make(window, Texts::tr("A&dd Clips to Library…"));
@@ -303,7 +303,7 @@ RecentMenus addMenus(QMainWindow* window, const Actions& actions,
   file->addActions({actions.save_project, actions.add_clips, actions.add_folder});
   file->addSeparator();
   file->addActions({actions.save, actions.save_as, actions.export_motion, actions.export_review});
-  QMenu* pictures = file->addMenu(Texts::tr("Pictures and Fi&lms"));
+  QMenu* pictures = file->addMenu(Texts::tr("Pict&ures and Films"));
   pictures->addActions(
       {actions.copy_picture, actions.save_picture, actions.film, actions.turntable});
   file->addSeparator();
@@ -343,7 +343,7 @@ RecentMenus addMenus(QMainWindow* window, const Actions& actions,
   view->addActions({actions.hold_feet, actions.without_ik});
   view->addSeparator();
   for (const QDockWidget* dock : docks) view->addAction(dock->toggleViewAction());
-  recent.timeline = view->addMenu(Texts::tr("Timeli&ne"));
+  recent.timeline = view->addMenu(Texts::tr("Timeline"));
   view->addSeparator();
   view->addAction(actions.reset_layout);
   view->addMenu(Texts::tr("The&me"))->addActions(actions.themes->actions());

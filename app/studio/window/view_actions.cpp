@@ -131,7 +131,7 @@ ViewActions makeViewActions(QMainWindow* window) {
   }
   actions.mode[0]->setChecked(true);
   actions.quarters = make_here(
-      "quarters", ViewTexts::tr("Four Vie&ws"), Qt::Key_4,
+      "quarters", ViewTexts::tr("Fo&ur Views"), Qt::Key_4,
       ViewTexts::tr("The same figures from anywhere, from the front, the side and the top"));
   actions.swap = make_here("swap", ViewTexts::tr("Sw&ap"), Qt::Key_X,
                            ViewTexts::tr("Swap original and compressed figure"));
@@ -221,8 +221,8 @@ void connectViewActions(const ViewActions& actions, Viewport* viewport) {
 void addInGroups(QMenu* menu, const ViewActions& actions) {
   addAll(menu, actions);
   menu->addMenu(ViewTexts::tr("Poses of the Tra&il"))->addActions(actions.trail_poses->actions());
-  menu->addMenu(ViewTexts::tr("Exa&ggeration"))->addActions(actions.exaggeration->actions());
-  QMenu* cameras = menu->addMenu(ViewTexts::tr("&Cameras"));
+  menu->addMenu(ViewTexts::tr("Exaggeration"))->addActions(actions.exaggeration->actions());
+  QMenu* cameras = menu->addMenu(ViewTexts::tr("Cameras"));
   cameras->addActions({actions.frame_joint, actions.front, actions.side});
   cameras->addSeparator();
   cameras->addActions({actions.go_to.begin(), actions.go_to.end()});
