@@ -251,7 +251,6 @@ void Viewport::setNotes(std::vector<PlacedNote> notes) {
 void Viewport::setFrame(int frame) {
   frame_ = frame;
   showFigures();
-  showNotes();
 }
 
 void Viewport::setSelectedJoint(int joint) {
@@ -347,7 +346,7 @@ void Viewport::showFigures() {
   showMarks();
   showPinned();
   showGhosts();
-  scene_->announce();
+  showNotes();
 }
 
 void Viewport::showFigure(const Parts& parts, const Role& role, const FigureMarks& marks) {
@@ -538,8 +537,15 @@ void Viewport::showNotes() {
     const QVector3D place = note.place_cm.value_or(
         note.joint < 0 ? QVector3D() : landmarkAt(*tracks, frameOf(*tracks), note.joint));
     const Placement& placement = on_compressed ? arrangement_.compressed : arrangement_.original;
-    if (const auto pixel = camera_.project(place + offset()))
-      shown.push_back({*pixel + QPointF(leftOfPane(placement.pane), 0), note.text});
+    const auto pixel = camera_.project(place + offset());
+    if (!pixel) continue;
+    // Outside of its own part of the window it would be taken for a place in another one's.
+    const QPointF at = *pixel + QPointF(leftOfPane(placement.pane), 0);
+    const auto device_x = static_cast<float>(2 * at.x() / quarterWidth() - 1);
+    const bool beside = arrangement_.panes > 1 && !placement.pane.contains(device_x);
+    const bool off_quarter =
+        arrangement_.quartered && (std::abs(device_x) > 1 || 2 * at.y() > scene_->height());
+    if (!beside && !off_quarter) shown.push_back({at, note.text});
   }
   scene_->overlay().showNotes(shown, scene_->size(), devicePixelRatioF());
   scene_->announce();
