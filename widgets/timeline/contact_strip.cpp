@@ -205,7 +205,7 @@ void ContactStrip::mouseReleaseEvent(QMouseEvent*) {
 void ContactStrip::contextMenuEvent(QContextMenuEvent* event) {
   const int contact = contactAt(event->pos());
   const int landmark = laneAt(event->pos().y());
-  if (landmark < 0) return;
+  if (landmark < 0) return event->ignore();
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   if (contact >= 0)

@@ -133,7 +133,7 @@ void NoteStrip::mousePressEvent(QMouseEvent* event) {
 
 void NoteStrip::contextMenuEvent(QContextMenuEvent* event) {
   const int note = noteAt(event->pos().x());
-  if (note < 0) return;
+  if (note < 0) return event->ignore();
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   menu->addAction(tr("Edit Note…"), this, [=, this] { emit editRequested(note); });
