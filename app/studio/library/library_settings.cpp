@@ -134,6 +134,7 @@ NamedSettings Library::settingsNow() const {
     settings.preset.contacts = own.contacts;
     settings.preset.ranges = own.ranges;
     settings.preset.loop = own.loop;
+    settings.preset.limits = own.limits;  // the user's, which no batch adds
   }
   return settings;
 }
