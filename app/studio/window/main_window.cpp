@@ -131,7 +131,13 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   leaving_ = new Leaving(session_, files_, library_, projects_, this);
   tools_ = new ToolWindows(session_, library_, files_, presets_, this);
   if (!ownLimits().problem.isEmpty())
-    notices_->keep(tr("Your own limits of visibility are not used: %1").arg(ownLimits().problem));
+    connect(
+        session_, &Session::opened, notices_,
+        [this] {
+          notices_->say(
+              tr("Your own limits of visibility are not used: %1").arg(ownLimits().problem));
+        },
+        Qt::SingleShotConnection);
   pictures_ = new ViewPictures(session_, playback_, panels_.views.viewport, this);
   notices_->tellOf(pictures_);
   connectFileActions();
