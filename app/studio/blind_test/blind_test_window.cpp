@@ -283,6 +283,10 @@ void BlindTestWindow::look(Figure figure) {
                          : QString(QLatin1Char(kNames[figure])));
 }
 
+bool BlindTestWindow::running() const {
+  return isVisible() && pages_->currentIndex() == 1;
+}
+
 void BlindTestWindow::answer(bool x_is_b) {
   if (!test_ || test_->finished()) return;
   test_->answer(x_is_b);

@@ -44,6 +44,9 @@ class BlindTestWindow : public QWidget {
   /// Answers the question, as the arrow keys do.
   void answer(bool x_is_b);
 
+  /// True while the viewer answers questions.
+  bool running() const;
+
   QPushButton* start() const { return start_; }
   QPushButton* useAsLimits() const { return use_; }
   const std::optional<BlindTest>& test() const { return test_; }

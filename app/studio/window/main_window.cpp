@@ -297,8 +297,8 @@ void MainWindow::addContextMenus() {
 void MainWindow::changeLanguage(const QString& code) {
   if (code == chosenLanguage()) return;
   chooseLanguage(code);
-  const bool is_in_project = !session_->document().original() || library_->currentRow() >= 0;
-  if (tools_->busy() || !is_in_project)
+  const bool comes_back = !session_->document().skeleton() || library_->currentRow() >= 0;
+  if (tools_->busy() || !comes_back || library_->stuck())
     return notices_->say(tr("The language changes when Mocapress is started again."));
   changes_language_ = true;
   leaving_->expectReturn();

@@ -122,7 +122,8 @@ void ToolWindows::exportClips(const std::vector<int>& rows) {
 }
 
 bool ToolWindows::busy() const {
-  return (study_session_ && study_session_->running()) || (batch_ && batch_->session()->running());
+  return (study_session_ && study_session_->running()) ||
+         (batch_ && batch_->session()->running()) || (blind_test_ && blind_test_->running());
 }
 
 void ToolWindows::close() {

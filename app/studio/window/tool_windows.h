@@ -39,7 +39,7 @@ class ToolWindows : public QObject {
   /// Exports clips of the library with their own settings; no rows: all of them.
   void exportClips(const std::vector<int>& rows);
 
-  /// True while a study or a batch runs, which would end with the window.
+  /// True while a study, a batch or a blind test runs, which would end with the window.
   bool busy() const;
 
   void close();
