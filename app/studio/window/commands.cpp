@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QMenu>
 #include <QMenuBar>
+#include <QRegularExpression>
 #include <QSettings>
 #include <algorithm>
 
@@ -33,7 +34,9 @@ QString ending(const QKeySequence& key) {
 }  // namespace
 
 QString plainText(QString text) {
-  return text.remove(QLatin1Char('&')).remove(QStringLiteral("…"));
+  // Japanese has the letter in parentheses behind the words.
+  static const QRegularExpression letter(QStringLiteral(R"(\(&.\)|&|…)"));
+  return text.remove(letter);
 }
 
 std::vector<Command> commandsOf(const QMenuBar& menus) {
