@@ -32,6 +32,7 @@ struct ViewOptions {
   int trail = 0;            // number of faded poses before the current frame, and as many after
   bool quartered = false;   // four views: from anywhere, front, side and top; figures overlaid
   double exaggeration = 1;  // factor on the difference from the original
+  bool titles = true;       // names the figures
 
   bool operator==(const ViewOptions&) const = default;
 };

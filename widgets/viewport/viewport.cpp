@@ -517,7 +517,8 @@ void Viewport::sizeCamera() {
 void Viewport::showOverlay() {
   if (!scene_) return;
   const bool coloured = options_.by_error && errors_ && compressed_;
-  scene_->overlay().show({arrangement_, original_ != nullptr, compressed_ != nullptr, pinned_,
+  scene_->overlay().show({arrangement_, options_.titles && original_ != nullptr,
+                          options_.titles && compressed_ != nullptr, pinned_,
                           coloured ? std::optional(error_scale_) : std::nullopt,
                           exaggerates() && compressed_ ? options_.exaggeration : 1, scene_->size(),
                           devicePixelRatioF()});

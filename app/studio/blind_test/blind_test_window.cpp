@@ -126,6 +126,7 @@ QWidget* BlindTestWindow::makeQuestions() {
   for (Viewport*& view : views_) {
     view = new Viewport(page);
     view->setFocusPolicy(Qt::NoFocus);
+    view->setOptions({.titles = false});  // "Original" would be on all of them
     row->addWidget(view, 1);
   }
   auto* keys = new QLabel(
