@@ -65,6 +65,7 @@ bool Leaving::mayClose() {
     return false;
   }
   if (!may_lose_project_ && !library_->end()) {
+    may_lose_clip_ = false;  // the window may stay
     projects_->askToQuit([this] {
       may_lose_clip_ = may_lose_project_ = true;
       window_->close();
@@ -334,7 +335,10 @@ void MainWindow::updateTitle() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!leaving_->mayClose()) return event->ignore();
+  if (!leaving_->mayClose()) {
+    changes_language_ = false;
+    return event->ignore();
+  }
   layout_.remember();
   tools_->close();
   event->accept();
