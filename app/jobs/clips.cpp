@@ -207,9 +207,10 @@ void saveClip(const QString& path, const DecodedClip& decoded, const OriginalCli
 }
 
 void saveReviewPage(const QString& path, const DecodedClip& decoded, const OriginalClip& original,
-                    const CodedTracks& tracks, const std::vector<std::string>& remarks) {
+                    const CodedTracks& tracks, const SightLimits& limits,
+                    const std::vector<std::string>& remarks) {
   const std::vector<std::byte> file = savedFile(decoded, &original, tracks);
-  const Verification found = verify(file, *original.encoder, {.motion = true});
+  const Verification found = verify(file, *original.encoder, {.motion = true, .limits = limits});
   std::vector<std::string> facts =
       review_facts(decoded.method, decoded.ratio, found.distortion, found.visibility);
   facts.insert(facts.end(), remarks.begin(), remarks.end());

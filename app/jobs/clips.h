@@ -126,7 +126,8 @@ OriginalPtr dressed(const OriginalClip& original, const PutCharacter& character)
 /// Writes a page that shows a clip and its original in a browser; `remarks` are short texts about
 /// it. Throws Error.
 void saveReviewPage(const QString& path, const DecodedClip& decoded, const OriginalClip& original,
-                    const CodedTracks& tracks, const std::vector<std::string>& remarks);
+                    const CodedTracks& tracks, const SightLimits& limits,
+                    const std::vector<std::string>& remarks);
 
 /// Writes a compressed clip. The written bytes are read back and verified before they replace an
 /// older file: against the original for a clip encoded here, otherwise by decoding. Throws Error.

@@ -420,8 +420,8 @@ void Session::exportReview(const QString& path, const std::vector<std::string>& 
   const OriginalPtr original = document_.original();
   if (!decoded || !original) return;
   exporting_.start(
-      [=, tracks = document_.codedTracks()](const Job&) {
-        saveReviewPage(path, *decoded, *original, tracks, remarks);
+      [=, tracks = document_.codedTracks(), limits = document_.options().limits](const Job&) {
+        saveReviewPage(path, *decoded, *original, tracks, limits, remarks);
         return path;
       },
       [this](const QString& written) { emit exported(written); },
