@@ -92,7 +92,7 @@ class Viewport : public QWidget {
   void setOptions(const ViewOptions& options);
   const ViewOptions& options() const { return options_; }
 
-  /// Notes on frames, drawn over the picture near their frames.
+  /// Notes on frames, drawn over the picture near their frames; of four views, over the first.
   void setNotes(std::vector<PlacedNote> notes);
 
   void setFrame(int frame);
