@@ -74,7 +74,7 @@ QWidget* BlindTestWindow::makePreparation() {
   auto* page = new QWidget(this);
   about_ = new QLabel(page);
   about_->setWordWrap(true);
-  viewer_ = new QLineEdit(qEnvironmentVariable("USER"), page);
+  viewer_ = new QLineEdit(qEnvironmentVariable("USER", qEnvironmentVariable("USERNAME")), page);
   viewer_->setAccessibleName(tr("Viewer"));
   distance_ = new QDoubleSpinBox(page);
   distance_->setRange(kLeastDistance, kMostDistance);
