@@ -148,7 +148,8 @@ std::string_view part_name(std::string_view tag) {
 ByteCosts byte_costs(std::span<const std::byte> mcpr, int slice_frames) {
   const Container container = read_any_container(mcpr);
   const CompressedClip& clip = container.clip;
-  ByteCosts costs{.slice_frames = std::max(slice_frames, 1), .file_bytes = mcpr.size()};
+  ByteCosts costs{.slice_frames = std::clamp(slice_frames, 1, std::max(clip.frames, 1)),
+                  .file_bytes = mcpr.size()};
   const int slices = (clip.frames + costs.slice_frames - 1) / costs.slice_frames;
   costs.bytes = Eigen::MatrixXd::Zero(slices, clip.skeleton.joint_count());
 

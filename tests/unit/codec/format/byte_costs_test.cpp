@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "core/codec/encode/encoder.h"
@@ -64,6 +65,13 @@ TEST(ByteCosts, LeaveOnlyRoundingOutsideOfJoints) {
     EXPECT_GE(part(costs, "scale and rounding"), 0);
     EXPECT_LT(part(costs, "scale and rounding"), 8);
   }
+}
+
+TEST(ByteCosts, AreOneSliceForTheLongestSliceThereIs) {
+  const std::vector<std::byte> file = compressed(test::smooth_motion(50), closed_loop());
+  const ByteCosts costs = byte_costs(file, std::numeric_limits<int>::max());
+  EXPECT_EQ(costs.bytes.rows(), 1);
+  EXPECT_NEAR(sum_of(costs), static_cast<double>(file.size()), 1e-6);
 }
 
 TEST(ByteCosts, FallOnTheJointAndTheTimeThatMove) {
