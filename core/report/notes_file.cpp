@@ -21,9 +21,10 @@ constexpr JsonLimits kLimits{.depth = 8, .values = 1'000'000};
 /// Checks the form. Throws InputError.
 Json read_json(const std::filesystem::path& file) {
   const Json json = parse_json(utf8(file), read_text(file), kLimits);
-  if (!json.is_object() || json.value("format", "") != kFormat)
+  if (!json.is_object() || json.value("format", Json()) != kFormat ||
+      !json.value("clip", Json("")).is_string())
     throw InputError(utf8(file), 0, 0, "is no file of notes");
-  if (json.value("version", 0) > kVersion)
+  if (json.value("version", Json()) > kVersion)
     throw InputError(utf8(file), 0, 0, "was written by a newer version of Mocapress");
   return json;
 }

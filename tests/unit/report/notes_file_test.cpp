@@ -50,7 +50,9 @@ TEST_F(NotesFile, KeepsThoseOfAClipInAnotherFormat) {
 TEST_F(NotesFile, RefusesOtherFilesWithTheirName) {
   const auto clip = folder_ / "walk.bvh";
   for (const char* text :
-       {"[]", "{", "{\"format\":\"mocapress-notes\",\"version\":9}",
+       {"[]", "{", "{\"format\":7}", "{\"format\":\"mocapress-notes\",\"version\":9}",
+        "{\"format\":\"mocapress-notes\",\"clip\":7,\"takes\":{}}",
+        "{\"format\":\"mocapress-notes\",\"version\":\"x\",\"takes\":{}}",
         "{\"format\":\"mocapress-notes\",\"version\":1}",
         "{\"format\":\"mocapress-notes\",\"takes\":{\"\":[{\"frame\":\"x\"}]}}"}) {
     write_text(notes_file_of(clip), text);
