@@ -192,8 +192,9 @@ struct Compress {
     Encoding made = encoder.compress(*find_compression_method(asked.method), options, spans);
     made.file = with_tracks(with_source(made.file, file.source), file.tracks, asked.track_error);
     Comparison found;
-    write(made.file,
-          [&](std::span<const std::byte> mcpr) { found = encoder.measure(mcpr, spans); });
+    write(made.file, [&](std::span<const std::byte> mcpr) {
+      found = encoder.measure(mcpr, spans, options.limits);
+    });
     const Report report{.input = input,
                         .original = &file.motion,
                         .loop = made.compressed.loop,

@@ -48,7 +48,7 @@ Encoding AdditiveEncoder::compress(const CompressionMethod& method, EncodeSettin
     Encoding made = on_base_pose_.compress(method, settings, observer);
     CompressedClip& clip = made.compressed;
     clip.skeleton = difference_.skeleton;  // the same channels, about the joints' own axes
-    const Comparison found = measure(write_container(clip), contacts);
+    const Comparison found = measure(write_container(clip), contacts, settings.limits);
     const double found_cm = error_cm(found);
     if (is_error && found_cm > wanted_cm && made.complete) {
       if (left == 1) throw TargetMissed("the target error was not met on the base");
@@ -64,13 +64,14 @@ Encoding AdditiveEncoder::compress(const CompressionMethod& method, EncodeSettin
 }
 
 Comparison AdditiveEncoder::measure(std::span<const std::byte> file,
-                                    const std::vector<ContactSpan>& contacts) const {
+                                    const std::vector<ContactSpan>& contacts,
+                                    const SightLimits& limits) const {
   const RuntimeClip coded(file);
   const Clip decoded = in_source_channels(
       read_container(file),
       {difference_.clip.sample_rate_hz, coded.frames(0, difference_.clip.frames())});
   const Motion sum = sum_of(base_, {difference_.skeleton, decoded});
-  return compare(sum_, body_, sum.clip, contacts);
+  return compare(sum_, body_, sum.clip, contacts, limits);
 }
 
 }  // namespace mocapress

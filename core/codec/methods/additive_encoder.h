@@ -4,6 +4,7 @@
 #include <span>
 
 #include "core/codec/methods/compression_method.h"
+#include "core/metrics/sight_limits.h"
 
 namespace mocapress {
 
@@ -25,8 +26,8 @@ class AdditiveEncoder {
 
   /// Decodes a file that compress() made as an engine does, adds the base, and compares the sum
   /// with the motion. Throws FormatError.
-  Comparison measure(std::span<const std::byte> file,
-                     const std::vector<ContactSpan>& contacts) const;
+  Comparison measure(std::span<const std::byte> file, const std::vector<ContactSpan>& contacts,
+                     const SightLimits& limits = {}) const;
 
  private:
   Motion base_;
