@@ -664,7 +664,9 @@ void Viewport::drag(const QMouseEvent& event) {
   if ((event.buttons() & Qt::LeftButton) && pressed_quarter_ == 0) {
     camera_.orbit(step);
   } else {
-    OrbitCamera dragged = cameras()[static_cast<std::size_t>(pressed_quarter_)];
+    const std::vector<OrbitCamera> seen = cameras();  // fewer, if the quarters went meanwhile
+    OrbitCamera dragged =
+        seen[std::min(static_cast<std::size_t>(pressed_quarter_), seen.size() - 1)];
     dragged.pan(step);
     camera_.moveBy(dragged.target() - camera_.target());
   }
