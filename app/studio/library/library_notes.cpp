@@ -70,7 +70,8 @@ void Library::writeNotes() {
         for (auto [path, notes] : by_file) {
           if (job.stopRequested()) break;
           for (auto& [take, there] : read_notes(path.toStdU16String())) {
-            std::erase_if(there, [&me](const FrameNote& note) { return note.reviewer == me; });
+            if (notes.contains(take))  // else the library lacks the take
+              std::erase_if(there, [&me](const FrameNote& note) { return note.reviewer == me; });
             add_notes(notes[take], there);
           }
           write_notes(path.toStdU16String(), notes);
