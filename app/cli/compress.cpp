@@ -95,11 +95,10 @@ struct Compress {
   }
 
   MotionFile read_source() const {
+    const bool writes_file = !output.empty() && !writes_stream();
+    if (writes_file && additive) refuse_source(utf8_path(output), source.files(*additive));
     if (!reads_stream()) {
-      if (!output.empty() && !writes_stream()) {
-        refuse_source(utf8_path(output), source.files(input));
-        if (additive) refuse_source(utf8_path(output), source.files(*additive));
-      }
+      if (writes_file) refuse_source(utf8_path(output), source.files(input));
       if (!review.empty()) refuse_source(utf8_path(review), source.files(input));
       return source.read_file(input);
     }

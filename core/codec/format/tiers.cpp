@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/codec/format/tiers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <numeric>
@@ -240,8 +241,8 @@ std::vector<std::byte> file_of_tiers(std::span<const std::byte> mcpr, int tiers)
   }
   const runtime::Tier& tier = sections.tiers.tier[tiers - 1];
   std::vector<std::byte> file =
-      write_whole(mcpr.first(sections.tiers.tier[0].file_bytes), std::move(motion),
-                  TierError{tier.eps_cm, tier.max_error_cm});
+      write_whole(mcpr.first(std::min<std::size_t>(sections.tiers.tier[0].file_bytes, mcpr.size())),
+                  std::move(motion), TierError{tier.eps_cm, tier.max_error_cm});
   sections_of(file);  // throws if a file of so few bytes may not have so many values
   return file;
 }
