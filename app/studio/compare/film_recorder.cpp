@@ -45,6 +45,10 @@ FilmRecorder::FilmRecorder(Viewport* viewport, QObject* parent)
         QString::fromLocal8Bit(video_.readAllStandardError()).trimmed().split(QLatin1Char('\n'));
     fail(tr("%1: ffmpeg could not write the video (%2)").arg(path_, lines.last().trimmed()));
   });
+  connect(&video_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
+    if (stage_ == Stage::Video && error == QProcess::FailedToStart)  // then it does not finish
+      fail(tr("%1: ffmpeg could not write the video (%2)").arg(path_, video_.errorString()));
+  });
 }
 
 QString FilmRecorder::ffmpeg() {
@@ -100,9 +104,10 @@ void FilmRecorder::encodeVideo() {
   emit encoding();
   const QString base = QFileInfo(path_).completeBaseName();
   video_.setWorkingDirectory(folder_->path());
-  // A name with % in it would be taken for the number's place.
-  const QString pictures =
-      QString(base).replace(QLatin1Char('%'), QStringLiteral("%%")) + QStringLiteral("_%04d.png");
+  // A name with % in it would be taken for the number's place, and one with : for a protocol.
+  const QString pictures = QStringLiteral("./") +
+                           QString(base).replace(QLatin1Char('%'), QStringLiteral("%%")) +
+                           QStringLiteral("_%04d.png");
   video_.start(ffmpeg(),
                {QStringLiteral("-v"), QStringLiteral("error"), QStringLiteral("-framerate"),
                 QString::number(film_.rate_hz), QStringLiteral("-start_number"),
