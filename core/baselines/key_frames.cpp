@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What engines do with a clip: each track by itself, without those that stand still, with key
+// Compresses a clip as engines do: each track by itself, without those that stand still, with key
 // frames left out where a line comes near enough, and no more steps than the track needs, as the
 // bit rates of N. Frechette's Animation Compression Library (ACL). Our own, on channels. The bytes:
 // METHODS.md.
@@ -20,7 +20,7 @@ constexpr int kMostGap = 255;           // frames between keys, in a byte
 constexpr double kSteps16 = 65535;      // between the least and the greatest value
 constexpr std::size_t kHeadBytes = 12;  // of a channel
 
-/// How far a radian (or a cm) of each channel moves the body on average, cm.
+/// The distance in cm by which a radian (or a cm) of each channel moves the body on average.
 Eigen::VectorXd moved_by_channels(const Motion& motion, Weighting weighting) {
   constexpr double kLeast = 1;  // so that no channel is lost altogether
   const ErrorModel model(motion.skeleton, motion.clip, weighting);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a motion adds to a base, joint by joint, as engines add it (mcpr_pose_difference and
-// mcpr_blend_additive in the runtime):
+// Differences that a motion adds to a base, joint by joint, as engines add them
+// (mcpr_pose_difference and mcpr_blend_additive in the runtime):
 //
 //   rotation    = difference * rotation of the base
 //   translation = difference + translation of the base

@@ -49,7 +49,7 @@ export class MocapressMotion {
 export interface MixerOptions extends ScaleOptions {
   /** Begins again after the end: 'loop' for a clip that is a loop, 'loopJump' for others. True by default. */
   loop?: boolean;
-  /** What comes after the end, in place of `loop`; 'loop' is for clips with `loopFrames`. */
+  /** The motion after the end, in place of `loop`; 'loop' is for clips with `loopFrames`. */
   wrap?: Wrap;
   bandsLeftOut?: number;
   timeScale?: number;

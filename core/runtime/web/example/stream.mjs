@@ -40,7 +40,7 @@ function positionsOf(clip) {
 
 const distance = (a, b, at) => Math.hypot(a[at] - b[at], a[at + 1] - b[at + 1], a[at + 2] - b[at + 2]);
 
-/** How far the joints of a clip are from where all tiers place them: sum of squared cm, their number, the largest cm. */
+/** The distances of a clip's joints from where all tiers place them: sum of squared cm, their number, the largest cm. */
 function errorOf(clip, finest) {
   const error = { squares: 0, count: 0, largest: 0 };
   const atLast = positionsOf(finest);
