@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/report/verdict.h"
 
+#include <algorithm>
 #include <array>
 
 #include "core/report/json_value.h"
@@ -39,7 +40,8 @@ Json to_json(const std::vector<FrameNote>& notes) {
 std::vector<FrameNote> frame_notes_from(const Json& json) {
   std::vector<FrameNote> notes;
   for (const Json& one : json) {
-    notes.push_back({.frame = one.at("frame").get<int>(),
+    const double frame = std::clamp(one.at("frame").get<double>(), -1.0, 1e9);
+    notes.push_back({.frame = static_cast<int>(frame),
                      .joint = text_at(one, "joint"),
                      .text = text_at(one, "text"),
                      .reviewer = text_at(one, "reviewer"),

@@ -121,7 +121,10 @@ class Player {
  private:
   mcpr_result sample_into(void* out, mcpr_sample_request& request, double time) {
     const std::size_t bytes = mcpr_sample_scratch_bytes(clip_, &request);
-    if (bytes > scratch_bytes_) scratch_ = allocate(scratch_bytes_ = bytes);
+    if (bytes > scratch_bytes_) {
+      scratch_ = allocate(bytes);
+      scratch_bytes_ = scratch_ ? bytes : 0;
+    }
     request.scratch = scratch_.get();
     request.scratch_size = scratch_bytes_;
     return mcpr_sample_next(cursor_, &request, time, out);

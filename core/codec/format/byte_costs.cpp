@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <string_view>
 #include <utility>
 
+#include "core/base/memory_limit.h"
 #include "core/codec/format/adaptive.h"
 #include "core/codec/format/container.h"
 #include "core/codec/format/format_error.h"
@@ -151,6 +153,9 @@ ByteCosts byte_costs(std::span<const std::byte> mcpr, int slice_frames) {
   ByteCosts costs{.slice_frames = std::clamp(slice_frames, 1, std::max(clip.frames, 1)),
                   .file_bytes = mcpr.size()};
   const int slices = (clip.frames + costs.slice_frames - 1) / costs.slice_frames;
+  const auto entries =
+      static_cast<std::uint64_t>(slices) * static_cast<std::uint64_t>(clip.skeleton.joint_count());
+  if (const auto why = beyond_memory_limit(entries * sizeof(double))) throw FormatError(0, *why);
   costs.bytes = Eigen::MatrixXd::Zero(slices, clip.skeleton.joint_count());
 
   runtime::Cursor file(reinterpret_cast<const std::uint8_t*>(mcpr.data()), mcpr.size());
