@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/codec/methods/additive_encoder.h"
 
+#include <algorithm>
+
 #include "core/base/error.h"
 #include "core/codec/decode/decoder.h"
 #include "core/codec/decode/runtime_clip.h"
@@ -11,7 +13,8 @@
 namespace mocapress {
 namespace {
 
-constexpr int kTries = 4;        // to meet a target error on a base that is no pose
+constexpr int kTries = 8;        // to meet a target error on a base that is no pose
+constexpr double kShrink = 0.9;  // each try's target at most, beside the last one's
 constexpr double kSafe = 0.995;  // of the error that the last try leads to expect
 
 void require_possible(const EncodeSettings& settings) {
@@ -52,7 +55,7 @@ Encoding AdditiveEncoder::compress(const CompressionMethod& method, EncodeSettin
     const double found_cm = error_cm(found);
     if (is_error && found_cm > wanted_cm && made.complete) {
       if (left == 1) throw TargetMissed("the target error was not met on the base");
-      settings.target.value *= kSafe * wanted_cm / found_cm;
+      settings.target.value *= std::min(kSafe * wanted_cm / found_cm, kShrink);
       continue;
     }
     static_cast<Comparison&>(made) = found;

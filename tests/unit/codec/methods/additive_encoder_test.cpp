@@ -52,7 +52,8 @@ TEST(AdditiveEncoder, MeetsTheErrorOfBasePlusDifferenceInTheWorld) {
     for (const double cm : {0.1, 0.5}) {
       const Encoding made = compressed(base, to_error(cm));
       EXPECT_LE(made.distortion.eps_joint_origins, cm);
-      EXPECT_GT(made.distortion.eps_joint_origins, 0.8 * cm);
+      // The search knows a base pose, but of a clip only its first frame.
+      EXPECT_GT(made.distortion.eps_joint_origins, (base.clip.frames() == 1 ? 0.9 : 0.5) * cm);
       EXPECT_NEAR(sections_of(made.file).eps_cm, made.distortion.eps_joint_origins, 1e-3 * cm);
       const Encoding largest =
           AdditiveEncoder(leaning(), base)
