@@ -12,6 +12,7 @@ void LevelEncoder::start(std::shared_ptr<const Encoder> encoder, const EncodeSet
       if (job.stopRequested()) break;
       EncodeSettings wanted = options;
       wanted.target = {Target::Kind::Visibility, level};
+      wanted.effort = Effort::Draft;  // near is near enough: each result is judged as it is
       wanted.promises = {};
       wanted.ranges.clear();
       try {

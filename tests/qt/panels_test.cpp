@@ -266,7 +266,7 @@ TEST(CompressionPanel, EveryControlHasANameAndAnExplanation) {
   for (QWidget* control : panel.findChildren<QComboBox*>()) controls << control;
   for (QWidget* control : panel.findChildren<QAbstractSpinBox*>()) controls << control;
   for (QWidget* control : panel.findChildren<QSlider*>()) controls << control;
-  EXPECT_EQ(controls.size(), 13);
+  EXPECT_EQ(controls.size(), 14);
   for (const QWidget* control : controls) {
     EXPECT_FALSE(control->accessibleName().isEmpty());
     EXPECT_FALSE(control->toolTip().isEmpty()) << control->accessibleName().toStdString();
