@@ -6209,8 +6209,8 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Regarder d&apos;où était la caméra quand elle a été gardée</translation>
     </message>
     <message>
-        <source>Keep as Camera &amp;%L1</source>
-        <translation>Garder comme caméra &amp;%L1</translation>
+        <source>Keep as Camera %L1</source>
+        <translation>Garder comme caméra %L1</translation>
     </message>
     <message>
         <source>Keep the camera&apos;s place, relative to the figure</source>

@@ -6161,8 +6161,8 @@ Click to load it into the studio.</source>
         <translation>保存したときのカメラ位置から見ます</translation>
     </message>
     <message>
-        <source>Keep as Camera &amp;%L1</source>
-        <translation>カメラ &amp;%L1 として保存</translation>
+        <source>Keep as Camera %L1</source>
+        <translation>カメラ %L1 として保存</translation>
     </message>
     <message>
         <source>Keep the camera&apos;s place, relative to the figure</source>

@@ -177,7 +177,7 @@ ViewActions makeViewActions(QMainWindow* window) {
     actions.go_to[at] =
         makePlain(window, ViewTexts::tr("Camera &%L1").arg(i + 1), Qt::Key(Qt::Key_F5 + i),
                   ViewTexts::tr("Look from where the camera was when it was kept"));
-    actions.keep[at] = makePlain(window, ViewTexts::tr("Keep as Camera &%L1").arg(i + 1),
+    actions.keep[at] = makePlain(window, ViewTexts::tr("Keep as Camera %L1").arg(i + 1),
                                  Qt::SHIFT | Qt::Key(Qt::Key_F5 + i),
                                  ViewTexts::tr("Keep the camera's place, relative to the figure"));
   }
