@@ -308,8 +308,8 @@ void VisibilityMeter::see(Visibility& seen, int window, const Deviation& error) 
 }
 
 void VisibilityMeter::see_jitter(Visibility& seen) const {
-  constexpr float kLeast = 1e-8F;  // cm^2: below a thousandth of a mm there is no jitter
-  if (original_jitter().squares().size() > 0 && original_jitter().squares().maxCoeff() > kLeast)
+  constexpr float kStill = 1e-8F;  // cm^2: below a thousandth of a mm there is no jitter
+  if (original_jitter().squares().size() > 0 && original_jitter().squares().maxCoeff() > kStill)
     seen.jitter_ratio = decoded_jitter_.energy() / original_jitter().energy();
   // Judges two windows at a time, so that movement that is a little late does not count as
   // trembling.
