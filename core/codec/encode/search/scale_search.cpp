@@ -276,10 +276,17 @@ void approach_bound(const Goal& goal, const Target& target, int frames, const Co
 Trial search_scale(const ScaleGuess& guess, const Target& target, const Goal& goal, Effort effort,
                    int frames, const ScaleTrials& trials) {
   const ClosedLoopWork work = work_of(effort);
-  Trial rough = trials.attempt(guess.likely, ClosedLoopWork::Rounding, {});
-  if (!rough.complete) return rough;
-  const double first_scale =
-      guess.likely * coarser_after_rough_trial(rough.excess, target, work, guess.corrected);
+  // A rough trial this much too coarse predicts too little; another one costs a quarter of a trial
+  // with sweeps.
+  constexpr double kFarTooCoarse = -3;
+  constexpr int kMostRough = 4;
+  double first_scale = guess.likely;
+  for (int i = 0; i < kMostRough; ++i) {
+    const Trial rough = trials.attempt(first_scale, ClosedLoopWork::Rounding, {});
+    if (!rough.complete) return rough;
+    first_scale *= coarser_after_rough_trial(rough.excess, target, work, guess.corrected);
+    if (!(rough.excess < kFarTooCoarse)) break;
+  }
   if (effort == Effort::Draft) return trials.attempt(first_scale, work, {});
   constexpr double kSettledNear = 0.02;
   ScaleSearch search(goal, target, trials.attempt, guess.finest);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/codec/encode/encoder.h"
 #include "core/metrics/rate.h"
 #include "resources/samples/generator/samples.h"
@@ -91,6 +93,24 @@ TEST(ScaleSearch, ADraftIsNearTheTarget) {
   const Encoding by_ratio = encoded({Target::Kind::Ratio, 60}, Effort::Draft);
   EXPECT_NEAR(compression_ratio(run().motion().clip, by_ratio.compressed.motion_bytes()) / 60, 1,
               0.35);
+}
+
+TEST(ScaleSearch, LooksRoughlyAgainWhereARoughTrialIsFarTooCoarse) {
+  const Motion motion = test::smooth_motion(3);
+  const Target target{Target::Kind::Ratio, 25};
+  const Goal goal(Original(motion), target, Weighting::Surface, {});
+  constexpr double kWanted = 1e-5;  // the scale that meets the target
+  int rough = 0;
+  int swept = 0;
+  const auto attempt = [&](double scale, ClosedLoopWork work, const Eigen::VectorXd&) {
+    ++(work == ClosedLoopWork::Rounding ? rough : swept);
+    return Trial{.scale = scale, .excess = std::log(kWanted / scale) / 1.7};
+  };
+  const ScaleGuess guess{.likely = 1, .finest = [] { return 1e-9; }};
+  const Trial best = search_scale(guess, target, goal, Effort::Default, 3, {attempt, {}});
+  EXPECT_TRUE(goal.met(best.excess));
+  EXPECT_EQ(rough, 3);
+  EXPECT_LE(swept, 3);
 }
 
 TEST(ScaleSearch, EndsWhereTheFinestScaleFallsShort) {
