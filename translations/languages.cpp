@@ -4,7 +4,7 @@
 namespace mocapress {
 
 QStringList shippedLanguages() {
-  return {QStringLiteral("en"), QStringLiteral("fr"), QStringLiteral("ja")};
+  return {QStringLiteral("en"), QStringLiteral("es"), QStringLiteral("fr"), QStringLiteral("ja")};
 }
 
 }  // namespace mocapress

@@ -25,7 +25,7 @@ TEST(MethodNames, AreTheOnesOfTheOneTable) {
 }
 
 TEST(MethodNames, AreTranslated) {
-  for (const char* language : {"fr", "ja"}) {
+  for (const char* language : {"es", "fr", "ja"}) {
     QTranslator texts;
     ASSERT_TRUE(texts.load(QStringLiteral(":/i18n/mocapress_%1.qm").arg(QLatin1String(language))));
     for (const CompressionMethod& compression_method : compression_methods())

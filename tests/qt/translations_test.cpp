@@ -118,7 +118,8 @@ TEST(Translations, KeepThePlacesOfNumbersAndNames) {
 
 TEST(Translations, HaveThePluralFormsOfTheirLanguage) {
   for (const auto& [language, forms] :
-       {std::pair(QStringLiteral("fr"), 2), std::pair(QStringLiteral("ja"), 1)}) {
+       {std::pair(QStringLiteral("es"), 2), std::pair(QStringLiteral("fr"), 2),
+        std::pair(QStringLiteral("ja"), 1)}) {
     int plurals = 0;
     for (const Text& text : textsOf(fileOf(language)))
       if (text.plural) {
@@ -142,6 +143,31 @@ TEST(Translations, AreInTheProgram) {
             QStringLiteral("%Ln image"));
   EXPECT_EQ(french.translate("mocapress::LibraryModel", "%Ln frame(s)", nullptr, 2),
             QStringLiteral("%Ln images"));
+}
+
+QString contentsOf(const QString& path) {
+  QFile file(QStringLiteral(MOCAPRESS_SOURCE_DIR "/") + path);
+  EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << qPrintable(path);
+  return QString::fromUtf8(file.readAll());
+}
+
+TEST(Translations, EachLanguageIsInTheMenuAndOnTheDesktop) {
+  QSettings().clear();
+  MainWindow window;
+  QStringList offered;
+  for (const QAction* action : window.actions().languages->actions())
+    offered << action->data().toString();
+  offered.removeAll(QString());  // the system's
+  EXPECT_EQ(offered.join(QLatin1Char(' ')), shippedLanguages().join(QLatin1Char(' ')));
+  const QString desktop = QStringLiteral("resources/desktop/org.mocapress.Studio.");
+  for (const QString& language : translated()) {
+    const QString entry = contentsOf(desktop + QStringLiteral("desktop"));
+    EXPECT_EQ(entry.count(QStringLiteral("[%1]=").arg(language)), 2) << qPrintable(language);
+    const QString lang = QStringLiteral("xml:lang=\"%1\"").arg(language);
+    EXPECT_EQ(contentsOf(desktop + QStringLiteral("metainfo.xml")).count(lang), 2);
+    EXPECT_EQ(contentsOf(desktop + QStringLiteral("mime.xml")).count(lang), 4);
+  }
+  QSettings().clear();
 }
 
 /// Visible labels and buttons that are narrower than their text.

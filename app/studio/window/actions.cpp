@@ -187,6 +187,7 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
   // Each language has its own name in itself, which its speakers can read.
   actions.languages = makeChoices(window, {{Texts::tr("Like the &System"), QString()},
                                            {QStringLiteral("English"), QStringLiteral("en")},
+                                           {QStringLiteral("Español"), QStringLiteral("es")},
                                            {QStringLiteral("Français"), QStringLiteral("fr")},
                                            {QStringLiteral("日本語"), QStringLiteral("ja")}});
   actions.about = make(window, Texts::tr("&About Mocapress"));
