@@ -4075,6 +4075,145 @@
     </message>
 </context>
 <context>
+    <name>mocapress::Report</name>
+    <message>
+        <source>approved</source>
+        <translation>approuvé</translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation>rejeté</translation>
+    </message>
+    <message>
+        <source>the clip&apos;s file changed</source>
+        <translation>le fichier du clip a changé</translation>
+    </message>
+    <message>
+        <source>the settings changed</source>
+        <translation>les réglages ont changé</translation>
+    </message>
+    <message>
+        <source>the clip&apos;s file and the settings changed</source>
+        <translation>le fichier du clip et les réglages ont changé</translation>
+    </message>
+    <message>
+        <source>it does not say which file and settings were reviewed</source>
+        <translation>il ne dit pas quels fichier et réglages ont été relus</translation>
+    </message>
+    <message>
+        <source>the file is missing</source>
+        <translation>le fichier manque</translation>
+    </message>
+    <message>
+        <source>not visible</source>
+        <translation>invisible</translation>
+    </message>
+    <message>
+        <source>borderline</source>
+        <translation>limite</translation>
+    </message>
+    <message>
+        <source>visible</source>
+        <translation>visible</translation>
+    </message>
+    <message>
+        <source>Sign-off</source>
+        <translation>Validation</translation>
+    </message>
+    <message>
+        <source>Sign-off: %1</source>
+        <translation>Validation : %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 reviewed: %3 approved, %4 rejected</source>
+        <translation>%1 relus sur %2 : %3 approuvés, %4 rejetés</translation>
+    </message>
+    <message>
+        <source>; %1 verdicts stale</source>
+        <translation> ; %1 verdicts périmés</translation>
+    </message>
+    <message>
+        <source>; %1 without a verdict</source>
+        <translation> ; %1 sans verdict</translation>
+    </message>
+    <message>
+        <source>Worst frames</source>
+        <translation>Pires images</translation>
+    </message>
+    <message>
+        <source>The frame with the largest error of each clip, the largest first. Frames count from 0.</source>
+        <translation>L&apos;image de plus grande erreur de chaque clip, la plus grande d&apos;abord. Les images se comptent à partir de 0.</translation>
+    </message>
+    <message>
+        <source>Every clip</source>
+        <translation>Tous les clips</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notes</translation>
+    </message>
+    <message>
+        <source>Clip</source>
+        <translation>Clip</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>image</translation>
+    </message>
+    <message>
+        <source>error, cm</source>
+        <translation>erreur, cm</translation>
+    </message>
+    <message>
+        <source>largest, cm</source>
+        <translation>maximum, cm</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>point</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <translation>articulation</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>note</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>verdict</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>par</translation>
+    </message>
+    <message>
+        <source>when</source>
+        <translation>quand</translation>
+    </message>
+    <message>
+        <source>stale</source>
+        <translation>périmé</translation>
+    </message>
+    <message>
+        <source>eye</source>
+        <translation>œil</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>taux</translation>
+    </message>
+    <message>
+        <source>bytes</source>
+        <translation>octets</translation>
+    </message>
+    <message>
+        <source>A verdict or note is stale if the clip&apos;s file or its settings have changed since; stale verdicts do not count as reviewed. Links open the clip in Mocapress on this computer.</source>
+        <translation>Un verdict ou une note est périmé si le fichier du clip ou ses réglages ont changé depuis ; les verdicts périmés ne comptent pas comme relus. Les liens ouvrent le clip dans Mocapress sur cet ordinateur.</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::ResultPanel</name>
     <message>
         <source>%1, %L2 : 1</source>
@@ -5110,6 +5249,1362 @@
     <message>
         <source>the target of %1 is out of reach with this method: the nearest is %2, a larger file</source>
         <translation>l&apos;objectif de %1 est hors de portée de cette méthode : le plus proche est %2, un fichier plus gros</translation>
+    </message>
+    <message>
+        <source>%1 (byte %2)</source>
+        <translation>%1 (octet %2)</translation>
+    </message>
+    <message>
+        <source>%1 (line %2)</source>
+        <translation>%1 (ligne %2)</translation>
+    </message>
+    <message>
+        <source>byte %1: %2</source>
+        <translation>octet %1 : %2</translation>
+    </message>
+    <message>
+        <source>not a Mocapress file</source>
+        <translation>pas un fichier Mocapress</translation>
+    </message>
+    <message>
+        <source>not a bank of clips</source>
+        <translation>pas une banque de clips</translation>
+    </message>
+    <message>
+        <source>a clip of a bank: the bank is what is opened</source>
+        <translation>un clip d&apos;une banque : c&apos;est la banque qui s&apos;ouvre</translation>
+    </message>
+    <message>
+        <source>the version is unknown: a newer Mocapress is needed</source>
+        <translation>la version est inconnue : il faut un Mocapress plus récent</translation>
+    </message>
+    <message>
+        <source>the file ends within its header</source>
+        <translation>le fichier se termine dans son en-tête</translation>
+    </message>
+    <message>
+        <source>the file ends within a section</source>
+        <translation>le fichier se termine dans une section</translation>
+    </message>
+    <message>
+        <source>a section is damaged: its checksum differs</source>
+        <translation>une section est abîmée : sa somme de contrôle diffère</translation>
+    </message>
+    <message>
+        <source>a section is missing</source>
+        <translation>il manque une section</translation>
+    </message>
+    <message>
+        <source>a section for the second time</source>
+        <translation>une section pour la seconde fois</translation>
+    </message>
+    <message>
+        <source>a section that is not expected here</source>
+        <translation>une section inattendue à cet endroit</translation>
+    </message>
+    <message>
+        <source>a section after the first FINE</source>
+        <translation>une section après le premier FINE</translation>
+    </message>
+    <message>
+        <source>a second section loop</source>
+        <translation>une seconde section loop</translation>
+    </message>
+    <message>
+        <source>bytes after the last section</source>
+        <translation>des octets après la dernière section</translation>
+    </message>
+    <message>
+        <source>bytes after the coded motion</source>
+        <translation>des octets après le mouvement codé</translation>
+    </message>
+    <message>
+        <source>bytes after the last joint</source>
+        <translation>des octets après la dernière articulation</translation>
+    </message>
+    <message>
+        <source>bytes after the DEFLATE stream</source>
+        <translation>des octets après le flux DEFLATE</translation>
+    </message>
+    <message>
+        <source>bytes of curves where there are none</source>
+        <translation>des octets de courbes là où il n&apos;y en a pas</translation>
+    </message>
+    <message>
+        <source>%1 has the wrong size</source>
+        <translation>%1 n&apos;a pas la bonne taille</translation>
+    </message>
+    <message>
+        <source>%1 is too short</source>
+        <translation>%1 est trop court</translation>
+    </message>
+    <message>
+        <source>ENDS has an impossible reach</source>
+        <translation>ENDS a une portée impossible</translation>
+    </message>
+    <message>
+        <source>ENDS has impossible steps</source>
+        <translation>ENDS a des pas impossibles</translation>
+    </message>
+    <message>
+        <source>TIER has an impossible number of tiers</source>
+        <translation>TIER a un nombre de niveaux impossible</translation>
+    </message>
+    <message>
+        <source>TIER has tiers that do not follow each other</source>
+        <translation>TIER a des niveaux qui ne se suivent pas</translation>
+    </message>
+    <message>
+        <source>a tier does not end where TIER says</source>
+        <translation>un niveau ne finit pas là où TIER le dit</translation>
+    </message>
+    <message>
+        <source>a tier is missing</source>
+        <translation>il manque un niveau</translation>
+    </message>
+    <message>
+        <source>a tier that is not expected here</source>
+        <translation>un niveau inattendu à cet endroit</translation>
+    </message>
+    <message>
+        <source>tiers of another coding</source>
+        <translation>des niveaux d&apos;un autre codage</translation>
+    </message>
+    <message>
+        <source>the file has %1 tiers, not %2</source>
+        <translation>le fichier a %1 niveaux au lieu de %2</translation>
+    </message>
+    <message>
+        <source>a file with tiers takes no further section</source>
+        <translation>un fichier à niveaux n&apos;admet plus de section</translation>
+    </message>
+    <message>
+        <source>a number of the motion is out of bounds</source>
+        <translation>un nombre du mouvement est hors limites</translation>
+    </message>
+    <message>
+        <source>a number of the skeleton is not finite</source>
+        <translation>un nombre du squelette n&apos;est pas fini</translation>
+    </message>
+    <message>
+        <source>a step is larger than 2^64</source>
+        <translation>un pas dépasse 2^64</translation>
+    </message>
+    <message>
+        <source>a run of zeros passes the end of its channel</source>
+        <translation>une suite de zéros dépasse la fin de son canal</translation>
+    </message>
+    <message>
+        <source>a track has unknown flags</source>
+        <translation>une piste a des indicateurs inconnus</translation>
+    </message>
+    <message>
+        <source>a joint has unknown flags</source>
+        <translation>une articulation a des indicateurs inconnus</translation>
+    </message>
+    <message>
+        <source>a joint stands before its parent</source>
+        <translation>une articulation précède son parent</translation>
+    </message>
+    <message>
+        <source>a joint has more than 6 channels</source>
+        <translation>une articulation a plus de 6 canaux</translation>
+    </message>
+    <message>
+        <source>the axes are not a unit quaternion</source>
+        <translation>les axes ne sont pas un quaternion unitaire</translation>
+    </message>
+    <message>
+        <source>not as many channels as JNTS states</source>
+        <translation>pas autant de canaux que JNTS l&apos;annonce</translation>
+    </message>
+    <message>
+        <source>an effector is not a joint</source>
+        <translation>un effecteur n&apos;est pas une articulation</translation>
+    </message>
+    <message>
+        <source>a basis where there are no wavelets</source>
+        <translation>une base là où il n&apos;y a pas d&apos;ondelettes</translation>
+    </message>
+    <message>
+        <source>impossible orders of rotations</source>
+        <translation>des ordres de rotation impossibles</translation>
+    </message>
+    <message>
+        <source>an impossible unit of length</source>
+        <translation>une unité de longueur impossible</translation>
+    </message>
+    <message>
+        <source>more frames than the limits allow</source>
+        <translation>plus d&apos;images que les limites ne le permettent</translation>
+    </message>
+    <message>
+        <source>more joints or channels than the limits allow</source>
+        <translation>plus d&apos;articulations ou de canaux que les limites ne le permettent</translation>
+    </message>
+    <message>
+        <source>more values than the limits allow</source>
+        <translation>plus de valeurs que les limites ne le permettent</translation>
+    </message>
+    <message>
+        <source>more than 2^22 frames</source>
+        <translation>plus de 2^22 images</translation>
+    </message>
+    <message>
+        <source>more than 2^26 values</source>
+        <translation>plus de 2^26 valeurs</translation>
+    </message>
+    <message>
+        <source>reading takes more scratch memory than the limits allow</source>
+        <translation>la lecture demande plus de mémoire de travail que les limites ne le permettent</translation>
+    </message>
+    <message>
+        <source>the resident form takes more memory than the limits allow</source>
+        <translation>la forme résidente demande plus de mémoire que les limites ne le permettent</translation>
+    </message>
+    <message>
+        <source>the coding is not adaptive</source>
+        <translation>le codage n&apos;est pas adaptatif</translation>
+    </message>
+    <message>
+        <source>%1 ends early</source>
+        <translation>%1 finit trop tôt</translation>
+    </message>
+    <message>
+        <source>%1 end early</source>
+        <translation>%1 finissent trop tôt</translation>
+    </message>
+    <message>
+        <source>%1 is damaged</source>
+        <translation>%1 est abîmé</translation>
+    </message>
+    <message>
+        <source>%1 are damaged</source>
+        <translation>%1 sont abîmés</translation>
+    </message>
+    <message>
+        <source>the coded motion</source>
+        <translation>le mouvement codé</translation>
+    </message>
+    <message>
+        <source>the coded tracks</source>
+        <translation>les pistes codées</translation>
+    </message>
+    <message>
+        <source>the coded ends</source>
+        <translation>les extrémités codées</translation>
+    </message>
+    <message>
+        <source>the coded skeleton</source>
+        <translation>le squelette codé</translation>
+    </message>
+    <message>
+        <source>the DEFLATE stream</source>
+        <translation>le flux DEFLATE</translation>
+    </message>
+    <message>
+        <source>the skeleton</source>
+        <translation>le squelette</translation>
+    </message>
+    <message>
+        <source>the tracks</source>
+        <translation>les pistes</translation>
+    </message>
+    <message>
+        <source>more runs of tracks than was promised</source>
+        <translation>plus de suites de pistes qu&apos;annoncé</translation>
+    </message>
+    <message>
+        <source>other tracks than was promised</source>
+        <translation>d&apos;autres pistes que celles annoncées</translation>
+    </message>
+    <message>
+        <source>the number of segments does not fit the frames</source>
+        <translation>le nombre de segments ne va pas avec les images</translation>
+    </message>
+    <message>
+        <source>the sample rate is not a positive number</source>
+        <translation>la cadence n&apos;est pas un nombre positif</translation>
+    </message>
+    <message>
+        <source>the scale of steps is not a positive number</source>
+        <translation>l&apos;échelle des pas n&apos;est pas un nombre positif</translation>
+    </message>
+    <message>
+        <source>the segments have an impossible length</source>
+        <translation>les segments ont une longueur impossible</translation>
+    </message>
+    <message>
+        <source>the sizes of the segments do not add up to MOTN or FINE</source>
+        <translation>les tailles des segments ne font pas celle de MOTN ou FINE</translation>
+    </message>
+    <message>
+        <source>the skeleton has an impossible size</source>
+        <translation>le squelette a une taille impossible</translation>
+    </message>
+    <message>
+        <source>the tracks have an impossible size</source>
+        <translation>les pistes ont une taille impossible</translation>
+    </message>
+    <message>
+        <source>too many samples for so few coded bytes</source>
+        <translation>trop d&apos;échantillons pour si peu d&apos;octets codés</translation>
+    </message>
+    <message>
+        <source>inflates to more bytes than allowed</source>
+        <translation>se décompresse en plus d&apos;octets que permis</translation>
+    </message>
+    <message>
+        <source>unknown basis of tracks</source>
+        <translation>base de pistes inconnue</translation>
+    </message>
+    <message>
+        <source>unknown basis</source>
+        <translation>base inconnue</translation>
+    </message>
+    <message>
+        <source>unknown coding</source>
+        <translation>codage inconnu</translation>
+    </message>
+    <message>
+        <source>unknown kind of loop</source>
+        <translation>sorte de boucle inconnue</translation>
+    </message>
+    <message>
+        <source>unknown kind of track</source>
+        <translation>sorte de piste inconnue</translation>
+    </message>
+    <message>
+        <source>unknown kind of channel</source>
+        <translation>sorte de canal inconnue</translation>
+    </message>
+    <message>
+        <source>unknown kind of source</source>
+        <translation>sorte de source inconnue</translation>
+    </message>
+    <message>
+        <source>unknown method</source>
+        <translation>méthode inconnue</translation>
+    </message>
+    <message>
+        <source>unknown solver</source>
+        <translation>solveur inconnu</translation>
+    </message>
+    <message>
+        <source>unknown weighting</source>
+        <translation>pondération inconnue</translation>
+    </message>
+    <message>
+        <source>unknown axis</source>
+        <translation>axe inconnu</translation>
+    </message>
+    <message>
+        <source>unknown convention</source>
+        <translation>convention inconnue</translation>
+    </message>
+    <message>
+        <source>unknown order of rotations</source>
+        <translation>ordre de rotations inconnu</translation>
+    </message>
+    <message>
+        <source>unknown method of compression: %1</source>
+        <translation>méthode de compression inconnue : %1</translation>
+    </message>
+    <message>
+        <source>not a wavelet clip: it was made by a comparison method (section COMP)</source>
+        <translation>pas un clip d&apos;ondelettes : il vient d&apos;une méthode de comparaison (section COMP)</translation>
+    </message>
+    <message>
+        <source>the motion has values that are not finite</source>
+        <translation>le mouvement a des valeurs non finies</translation>
+    </message>
+    <message>
+        <source>ends here: %1 bytes wanted, %2 left</source>
+        <translation>finit ici : %1 octets voulus, il en reste %2</translation>
+    </message>
+    <message>
+        <source>%1 bytes too many</source>
+        <translation>%1 octets de trop</translation>
+    </message>
+    <message>
+        <source>the clips of the bank are damaged: their checksum differs</source>
+        <translation>les clips de la banque sont abîmés : leur somme de contrôle diffère</translation>
+    </message>
+    <message>
+        <source>clips of the bank are damaged: their checksum differs</source>
+        <translation>des clips de la banque sont abîmés : leur somme de contrôle diffère</translation>
+    </message>
+    <message>
+        <source>the head of the bank is damaged: its checksum differs</source>
+        <translation>l&apos;en-tête de la banque est abîmé : sa somme de contrôle diffère</translation>
+    </message>
+    <message>
+        <source>the index of the bank is damaged: its checksum differs</source>
+        <translation>l&apos;index de la banque est abîmé : sa somme de contrôle diffère</translation>
+    </message>
+    <message>
+        <source>the index of the bank makes no sense</source>
+        <translation>l&apos;index de la banque n&apos;a pas de sens</translation>
+    </message>
+    <message>
+        <source>the tiers of the bank make no sense</source>
+        <translation>les niveaux de la banque n&apos;ont pas de sens</translation>
+    </message>
+    <message>
+        <source>a tier of the bank is damaged: its checksum differs</source>
+        <translation>un niveau de la banque est abîmé : sa somme de contrôle diffère</translation>
+    </message>
+    <message>
+        <source>the bank is cut short</source>
+        <translation>la banque est tronquée</translation>
+    </message>
+    <message>
+        <source>the bank has an impossible head</source>
+        <translation>la banque a un en-tête impossible</translation>
+    </message>
+    <message>
+        <source>an unknown form of bank</source>
+        <translation>une forme de banque inconnue</translation>
+    </message>
+    <message>
+        <source>an impossible item of the bank</source>
+        <translation>un élément impossible de la banque</translation>
+    </message>
+    <message>
+        <source>the parts of the bank are out of order</source>
+        <translation>les parties de la banque sont en désordre</translation>
+    </message>
+    <message>
+        <source>a clip of the bank has another size than it says</source>
+        <translation>un clip de la banque n&apos;a pas la taille qu&apos;il annonce</translation>
+    </message>
+    <message>
+        <source>a clip of the bank has another skeleton than it says</source>
+        <translation>un clip de la banque n&apos;a pas le squelette qu&apos;il annonce</translation>
+    </message>
+    <message>
+        <source>a clip of the bank</source>
+        <translation>un clip de la banque</translation>
+    </message>
+    <message>
+        <source>what the bank&apos;s clips taught makes no sense</source>
+        <translation>ce que les clips de la banque ont appris n&apos;a pas de sens</translation>
+    </message>
+    <message>
+        <source>a number that is not finite</source>
+        <translation>un nombre qui n&apos;est pas fini</translation>
+    </message>
+    <message>
+        <source>a value that is not finite</source>
+        <translation>une valeur qui n&apos;est pas finie</translation>
+    </message>
+    <message>
+        <source>a range that is not finite</source>
+        <translation>une plage qui n&apos;est pas finie</translation>
+    </message>
+    <message>
+        <source>a step that is not finite</source>
+        <translation>un pas qui n&apos;est pas fini</translation>
+    </message>
+    <message>
+        <source>segments that are too short</source>
+        <translation>des segments trop courts</translation>
+    </message>
+    <message>
+        <source>more components than possible</source>
+        <translation>plus de composantes que possible</translation>
+    </message>
+    <message>
+        <source>fewer components than stated</source>
+        <translation>moins de composantes qu&apos;annoncé</translation>
+    </message>
+    <message>
+        <source>a component whose reach is not above 0</source>
+        <translation>une composante dont la portée ne dépasse pas 0</translation>
+    </message>
+    <message>
+        <source>an unknown cluster</source>
+        <translation>un groupe inconnu</translation>
+    </message>
+    <message>
+        <source>a segment of an unknown kind</source>
+        <translation>un segment d&apos;une sorte inconnue</translation>
+    </message>
+    <message>
+        <source>two keys at one frame</source>
+        <translation>deux clés à une image</translation>
+    </message>
+    <message>
+        <source>a key after the clip&apos;s end</source>
+        <translation>une clé après la fin du clip</translation>
+    </message>
+    <message>
+        <source>a key after the segment&apos;s end</source>
+        <translation>une clé après la fin du segment</translation>
+    </message>
+    <message>
+        <source>no key at the clip&apos;s end</source>
+        <translation>pas de clé à la fin du clip</translation>
+    </message>
+    <message>
+        <source>no key at the segment&apos;s end</source>
+        <translation>pas de clé à la fin du segment</translation>
+    </message>
+    <message>
+        <source>a stride longer than the clip</source>
+        <translation>un pas plus long que le clip</translation>
+    </message>
+    <message>
+        <source>a curve has %1 key times, but %2 values</source>
+        <translation>une courbe a %1 temps de clé, mais %2 valeurs</translation>
+    </message>
+    <message>
+        <source>a curve ends within a key</source>
+        <translation>une courbe finit au milieu d&apos;une clé</translation>
+    </message>
+    <message>
+        <source>has a key with unknown tangents</source>
+        <translation>a une clé aux tangentes inconnues</translation>
+    </message>
+    <message>
+        <source>has a key of an unknown kind</source>
+        <translation>a une clé d&apos;une sorte inconnue</translation>
+    </message>
+    <message>
+        <source>has meshes of more than %1 corners</source>
+        <translation>a des maillages de plus de %1 coins</translation>
+    </message>
+    <message>
+        <source>has a polygon with a point that its mesh has not</source>
+        <translation>a un polygone avec un point que son maillage n&apos;a pas</translation>
+    </message>
+    <message>
+        <source>has a bone with more or fewer weights than points</source>
+        <translation>a un os avec plus ou moins de poids que de points</translation>
+    </message>
+    <message>
+        <source>has a bone with a weight of a point that its mesh has not</source>
+        <translation>a un os avec le poids d&apos;un point que son maillage n&apos;a pas</translation>
+    </message>
+    <message>
+        <source>has more than %1 weights</source>
+        <translation>a plus de %1 poids</translation>
+    </message>
+    <message>
+        <source>has more than %1 records</source>
+        <translation>a plus de %1 enregistrements</translation>
+    </message>
+    <message>
+        <source>nests records deeper than %1</source>
+        <translation>imbrique des enregistrements à plus de %1 niveaux</translation>
+    </message>
+    <message>
+        <source>is FBX %1: versions from 6.0 on are read</source>
+        <translation>est du FBX %1 : les versions sont lues à partir de 6.0</translation>
+    </message>
+    <message>
+        <source>ends within its head</source>
+        <translation>se termine dans son en-tête</translation>
+    </message>
+    <message>
+        <source>cannot be read as FBX: it begins neither like a binary file nor like an ASCII one</source>
+        <translation>ne peut être lu comme FBX : il ne commence ni comme un fichier binaire ni comme un fichier ASCII</translation>
+    </message>
+    <message>
+        <source>cannot be read as FBX: it states no version</source>
+        <translation>ne peut être lu comme FBX : il n&apos;annonce pas de version</translation>
+    </message>
+    <message>
+        <source>has an array of an unknown encoding</source>
+        <translation>a un tableau d&apos;un encodage inconnu</translation>
+    </message>
+    <message>
+        <source>an array has fewer values than it states</source>
+        <translation>un tableau a moins de valeurs qu&apos;il n&apos;annonce</translation>
+    </message>
+    <message>
+        <source>an array states more values than its bytes can hold</source>
+        <translation>un tableau annonce plus de valeurs que ses octets n&apos;en contiennent</translation>
+    </message>
+    <message>
+        <source>has an array that cannot be unpacked</source>
+        <translation>a un tableau qui ne peut être décompressé</translation>
+    </message>
+    <message>
+        <source>its take %1 has no first layer that is heard: a motion cannot be written there</source>
+        <translation>sa prise %1 n&apos;a pas de première couche active : un mouvement ne peut y être écrit</translation>
+    </message>
+    <message>
+        <source>numbers its objects too high to add any</source>
+        <translation>numérote ses objets trop haut pour en ajouter</translation>
+    </message>
+    <message>
+        <source>has curves that several takes share: a motion cannot be written onto one</source>
+        <translation>a des courbes que plusieurs prises partagent : un mouvement ne peut être écrit sur une seule</translation>
+    </message>
+    <message>
+        <source>is ASCII, big-endian or older than 7.0: a motion is put only onto other binary FBX files</source>
+        <translation>est en ASCII, gros-boutiste ou antérieur à 7.0 : un mouvement n&apos;est mis que sur d&apos;autres fichiers FBX binaires</translation>
+    </message>
+    <message>
+        <source>a text is too long for an FBX</source>
+        <translation>un texte est trop long pour un FBX</translation>
+    </message>
+    <message>
+        <source>a curve is too long for an FBX</source>
+        <translation>une courbe est trop longue pour un FBX</translation>
+    </message>
+    <message>
+        <source>an FBX of a version before 7.5 has at most 4 GiB</source>
+        <translation>un FBX d&apos;une version antérieure à 7.5 fait au plus 4 Gio</translation>
+    </message>
+    <message>
+        <source>a record states no end: nothing is written onto it</source>
+        <translation>un enregistrement n&apos;annonce pas de fin : rien n&apos;est écrit dessus</translation>
+    </message>
+    <message>
+        <source>has no %1</source>
+        <translation>n&apos;a pas de %1</translation>
+    </message>
+    <message>
+        <source>is no glTF: its JSON is not an object</source>
+        <translation>n&apos;est pas un glTF : son JSON n&apos;est pas un objet</translation>
+    </message>
+    <message>
+        <source>is no glTF 2.0: %1</source>
+        <translation>n&apos;est pas un glTF 2.0 : %1</translation>
+    </message>
+    <message>
+        <source>it states no version</source>
+        <translation>il n&apos;annonce pas de version</translation>
+    </message>
+    <message>
+        <source>its version is %1</source>
+        <translation>sa version est %1</translation>
+    </message>
+    <message>
+        <source>ends before the length it states</source>
+        <translation>se termine avant la longueur qu&apos;il annonce</translation>
+    </message>
+    <message>
+        <source>is version %1 of .glb, not 2</source>
+        <translation>est de la version %1 de .glb, et non 2</translation>
+    </message>
+    <message>
+        <source>has a chunk that reaches beyond its end</source>
+        <translation>a un bloc qui dépasse sa fin</translation>
+    </message>
+    <message>
+        <source>does not begin with JSON</source>
+        <translation>ne commence pas par du JSON</translation>
+    </message>
+    <message>
+        <source>holds no JSON</source>
+        <translation>ne contient pas de JSON</translation>
+    </message>
+    <message>
+        <source>%1 is not a list of objects</source>
+        <translation>%1 n&apos;est pas une liste d&apos;objets</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number from 0</source>
+        <translation>%1 n&apos;est pas un entier à partir de 0</translation>
+    </message>
+    <message>
+        <source>%1 names number %2 of only %3</source>
+        <translation>%1 désigne le numéro %2, mais il n&apos;y a que %3</translation>
+    </message>
+    <message>
+        <source>lacks a %1 that should name one of its %2</source>
+        <translation>n&apos;a pas de %1 qui désigne un de ses %2</translation>
+    </message>
+    <message>
+        <source>%1 names what is none of its %2</source>
+        <translation>%1 désigne ce qui n&apos;est aucun de ses %2</translation>
+    </message>
+    <message>
+        <source>%1 is not %2 numbers up to 1e9</source>
+        <translation>%1 n&apos;est pas %2 nombres d&apos;au plus 1e9</translation>
+    </message>
+    <message>
+        <source>%1 is not a list</source>
+        <translation>%1 n&apos;est pas une liste</translation>
+    </message>
+    <message>
+        <source>%1 is not a text</source>
+        <translation>%1 n&apos;est pas un texte</translation>
+    </message>
+    <message>
+        <source>has a data URI without base64</source>
+        <translation>a une URI de données sans base64</translation>
+    </message>
+    <message>
+        <source>has a data URI that is not base64</source>
+        <translation>a une URI de données qui n&apos;est pas en base64</translation>
+    </message>
+    <message>
+        <source>refers to %1, but only files in its own folder are read</source>
+        <translation>renvoie à %1, mais seuls les fichiers de son dossier sont lus</translation>
+    </message>
+    <message>
+        <source>refers to %1, which is not there</source>
+        <translation>renvoie à %1, qui n&apos;est pas là</translation>
+    </message>
+    <message>
+        <source>%1 has neither a uri nor a chunk of a .glb</source>
+        <translation>%1 n&apos;a ni uri ni bloc d&apos;un .glb</translation>
+    </message>
+    <message>
+        <source>%1 has %2 of the %3 bytes it states</source>
+        <translation>%1 a %2 des %3 octets qu&apos;il annonce</translation>
+    </message>
+    <message>
+        <source>%1 reaches beyond its buffer</source>
+        <translation>%1 dépasse son buffer</translation>
+    </message>
+    <message>
+        <source>has an accessor of an unknown componentType</source>
+        <translation>a un accessor d&apos;un componentType inconnu</translation>
+    </message>
+    <message>
+        <source>%1 has a byteStride that is too small</source>
+        <translation>%1 a un byteStride trop petit</translation>
+    </message>
+    <message>
+        <source>has an accessor that reaches beyond %1</source>
+        <translation>a un accessor qui dépasse %1</translation>
+    </message>
+    <message>
+        <source>%1 holds a number that is not finite or beyond 1e9</source>
+        <translation>%1 contient un nombre non fini ou au-delà de 1e9</translation>
+    </message>
+    <message>
+        <source>accessor %1 is not %2</source>
+        <translation>l&apos;accessor %1 n&apos;est pas %2</translation>
+    </message>
+    <message>
+        <source>states more zeros that have no bytes than are read</source>
+        <translation>annonce plus de zéros sans octets qu&apos;il n&apos;en est lu</translation>
+    </message>
+    <message>
+        <source>%1 has sparse values without sense</source>
+        <translation>%1 a des valeurs éparses dénuées de sens</translation>
+    </message>
+    <message>
+        <source>%1 has a sparse value for an element that it has not</source>
+        <translation>%1 a une valeur éparse pour un élément qu&apos;il n&apos;a pas</translation>
+    </message>
+    <message>
+        <source>has a skin with %1 joints, but only %2 bind matrices</source>
+        <translation>a une peau de %1 articulations, mais seulement %2 matrices de liaison</translation>
+    </message>
+    <message>
+        <source>has a mesh packed without attributes</source>
+        <translation>a un maillage compacté sans attributs</translation>
+    </message>
+    <message>
+        <source>has a packed mesh without the attributes it states</source>
+        <translation>a un maillage compacté sans les attributs qu&apos;il annonce</translation>
+    </message>
+    <message>
+        <source>has a mesh with more or fewer normals than positions</source>
+        <translation>a un maillage avec plus ou moins de normales que de positions</translation>
+    </message>
+    <message>
+        <source>has a triangle with a vertex that its mesh has not</source>
+        <translation>a un triangle avec un sommet que son maillage n&apos;a pas</translation>
+    </message>
+    <message>
+        <source>has a mesh with more or fewer weights than positions</source>
+        <translation>a un maillage avec plus ou moins de poids que de positions</translation>
+    </message>
+    <message>
+        <source>has a vertex on a joint that its skin has not</source>
+        <translation>a un sommet sur une articulation que sa peau n&apos;a pas</translation>
+    </message>
+    <message>
+        <source>has a mesh with more or fewer places in its picture than positions</source>
+        <translation>a un maillage avec plus ou moins de places dans son image que de positions</translation>
+    </message>
+    <message>
+        <source>the motion is too large for a .glb: 4 GB are the most</source>
+        <translation>le mouvement est trop grand pour un .glb : 4 Go au plus</translation>
+    </message>
+    <message>
+        <source>verification: %1</source>
+        <translation>vérification : %1</translation>
+    </message>
+    <message>
+        <source>no project: %1</source>
+        <translation>pas un projet : %1</translation>
+    </message>
+    <message>
+        <source>the preset &quot;%1&quot; %2</source>
+        <translation>le préréglage « %1 » %2</translation>
+    </message>
+    <message>
+        <source>the compression %1</source>
+        <translation>la compression %1</translation>
+    </message>
+    <message>
+        <source>this clip cannot be written as .mcpr: %1</source>
+        <translation>ce clip ne peut être écrit en .mcpr : %1</translation>
+    </message>
+    <message>
+        <source>its tracks cannot be kept: %1</source>
+        <translation>ses pistes ne peuvent être gardées : %1</translation>
+    </message>
+    <message>
+        <source>the name of joint %1... has %2 bytes, at most %3 are possible</source>
+        <translation>le nom de l&apos;articulation %1... a %2 octets, %3 au plus sont possibles</translation>
+    </message>
+    <message>
+        <source>joint %1 has %2 channels, at most %3 are possible</source>
+        <translation>l&apos;articulation %1 a %2 canaux, %3 au plus sont possibles</translation>
+    </message>
+    <message>
+        <source>joint %1 is too far away for 32-bit floats</source>
+        <translation>l&apos;articulation %1 est trop loin pour des flottants de 32 bits</translation>
+    </message>
+    <message>
+        <source>it has no joints</source>
+        <translation>il n&apos;a pas d&apos;articulations</translation>
+    </message>
+    <message>
+        <source>its sample rate is not a positive number</source>
+        <translation>sa cadence n&apos;est pas un nombre positif</translation>
+    </message>
+    <message>
+        <source>there are %1, at most %2 are possible</source>
+        <translation>il y en a %1, %2 au plus sont possibles</translation>
+    </message>
+    <message>
+        <source>motion and tracks have %1 values, at most %2 are possible</source>
+        <translation>le mouvement et les pistes ont %1 valeurs, %2 au plus sont possibles</translation>
+    </message>
+    <message>
+        <source>an .asf of this skeleton would have %1 bones, at most %2 are possible</source>
+        <translation>un .asf de ce squelette aurait %1 os, %2 au plus sont possibles</translation>
+    </message>
+    <message>
+        <source>%1, at most %2 are possible</source>
+        <translation>%1, %2 au plus sont possibles</translation>
+    </message>
+    <message>
+        <source>%1 values (frames times channels)</source>
+        <translation>%1 valeurs (images fois canaux)</translation>
+    </message>
+    <message>
+        <source>%1 values are too many for a motion of so few bytes</source>
+        <translation>%1 valeurs sont trop pour un mouvement de si peu d&apos;octets</translation>
+    </message>
+    <message>
+        <source>the name of one has more than %1 bytes</source>
+        <translation>le nom de l&apos;une dépasse %1 octets</translation>
+    </message>
+    <message>
+        <source>%1 has another number of frames than the clip</source>
+        <translation>%1 n&apos;a pas le même nombre d&apos;images que le clip</translation>
+    </message>
+    <message>
+        <source>%1 has a value that is not finite</source>
+        <translation>%1 a une valeur qui n&apos;est pas finie</translation>
+    </message>
+    <message>
+        <source>the motion to be written is not coded yet</source>
+        <translation>le mouvement à écrire n&apos;est pas encore codé</translation>
+    </message>
+    <message>
+        <source>the motion to be written lacks its finest bands</source>
+        <translation>il manque au mouvement à écrire ses bandes les plus fines</translation>
+    </message>
+    <message>
+        <source>an .amc holds one figure with one root, but this clip has %1 roots: .bvh and .glb can hold it</source>
+        <translation>un .amc contient une figure à une racine, mais ce clip a %1 racines : .bvh et .glb peuvent le contenir</translation>
+    </message>
+    <message>
+        <source>a bone&apos;s name would be too long for an .asf: %1</source>
+        <translation>un nom d&apos;os serait trop long pour un .asf : %1</translation>
+    </message>
+    <message>
+        <source>in an .asf bones of this skeleton would be nested deeper than %1</source>
+        <translation>dans un .asf, des os de ce squelette seraient imbriqués à plus de %1 niveaux</translation>
+    </message>
+    <message>
+        <source>a joint is scaled to nothing: what hangs from it has no place</source>
+        <translation>une articulation est réduite à rien : ce qui y tient n&apos;a pas de place</translation>
+    </message>
+    <message>
+        <source>has no joint %1, which the motion has</source>
+        <translation>n&apos;a pas l&apos;articulation %1, que le mouvement a</translation>
+    </message>
+    <message>
+        <source>scales %1 to nothing: it cannot follow a motion</source>
+        <translation>réduit %1 à rien : elle ne peut suivre un mouvement</translation>
+    </message>
+    <message>
+        <source>no feet were found on this skeleton: name the joints to be corrected</source>
+        <translation>aucun pied n&apos;a été trouvé sur ce squelette : nommez les articulations à corriger</translation>
+    </message>
+    <message>
+        <source>no joint above %1 can turn to move it</source>
+        <translation>aucune articulation au-dessus de %1 ne peut tourner pour la déplacer</translation>
+    </message>
+    <message>
+        <source>a chain of joints that ends at %1 does not begin at a joint above it that can turn</source>
+        <translation>une chaîne qui finit à %1 ne commence pas à une articulation au-dessus qui peut tourner</translation>
+    </message>
+    <message>
+        <source>more than %1 effectors</source>
+        <translation>plus de %1 effecteurs</translation>
+    </message>
+    <message>
+        <source>these effectors are not one limb</source>
+        <translation>ces effecteurs ne forment pas un membre</translation>
+    </message>
+    <message>
+        <source>the importance of frames %1 to %2 is not a number from 1 to %3</source>
+        <translation>l&apos;importance des images %1 à %2 n&apos;est pas un nombre de 1 à %3</translation>
+    </message>
+    <message>
+        <source>frames %1 to %2 are not a range of the clip, which has %3 frames</source>
+        <translation>les images %1 à %2 ne sont pas une plage du clip, qui a %3 images</translation>
+    </message>
+    <message>
+        <source>inverse kinematics can correct wavelet methods only</source>
+        <translation>la cinématique inverse ne corrige que les méthodes à ondelettes</translation>
+    </message>
+    <message>
+        <source>the coefficient ratio is a target of wavelet methods only</source>
+        <translation>le taux de coefficients n&apos;est une cible que des méthodes à ondelettes</translation>
+    </message>
+    <message>
+        <source>is not a compressed form of the original: it has %1, the original %2</source>
+        <translation>n&apos;est pas une forme compressée de l&apos;original : il a %1, l&apos;original %2</translation>
+    </message>
+    <message>
+        <source>the clip has no frames</source>
+        <translation>le clip n&apos;a pas d&apos;images</translation>
+    </message>
+    <message>
+        <source>the clip is not a loop</source>
+        <translation>le clip n&apos;est pas une boucle</translation>
+    </message>
+    <message>
+        <source>the tracks are not those of the original</source>
+        <translation>les pistes ne sont pas celles de l&apos;original</translation>
+    </message>
+    <message>
+        <source>the tracks have not as many frames as those of the original</source>
+        <translation>les pistes n&apos;ont pas autant d&apos;images que celles de l&apos;original</translation>
+    </message>
+    <message>
+        <source>has an unknown method: %1</source>
+        <translation>a une méthode inconnue : %1</translation>
+    </message>
+    <message>
+        <source>unknown method: %1</source>
+        <translation>méthode inconnue : %1</translation>
+    </message>
+    <message>
+        <source>has a coding other than adaptive, the only one of the closed loop</source>
+        <translation>a un autre codage que l&apos;adaptatif, le seul de la boucle fermée</translation>
+    </message>
+    <message>
+        <source>has a target that is not above 0</source>
+        <translation>a une cible qui ne dépasse pas 0</translation>
+    </message>
+    <message>
+        <source>has a coefficient ratio, a target of wavelet methods only</source>
+        <translation>a un taux de coefficients, cible des seules méthodes à ondelettes</translation>
+    </message>
+    <message>
+        <source>has a track error that is not above 0</source>
+        <translation>a une erreur de pistes qui ne dépasse pas 0</translation>
+    </message>
+    <message>
+        <source>has a promise that is not above 0: %1</source>
+        <translation>a une promesse qui ne dépasse pas 0 : %1</translation>
+    </message>
+    <message>
+        <source>has the effort draft, which does not promise its target</source>
+        <translation>a l&apos;effort « ébauche », qui ne promet pas sa cible</translation>
+    </message>
+    <message>
+        <source>has an importance of frames that is not a number from 1 to %1</source>
+        <translation>a une importance d&apos;images qui n&apos;est pas un nombre de 1 à %1</translation>
+    </message>
+    <message>
+        <source>has an importance of %1 that is not a number of 0 or more</source>
+        <translation>a une importance de %1 qui n&apos;est pas un nombre de 0 ou plus</translation>
+    </message>
+    <message>
+        <source>has an IK correction, which can correct wavelet methods only</source>
+        <translation>a une correction IK, qui ne corrige que les méthodes à ondelettes</translation>
+    </message>
+    <message>
+        <source>has an IK ratio that is not above 0</source>
+        <translation>a un taux IK qui ne dépasse pas 0</translation>
+    </message>
+    <message>
+        <source>%1 is not a JSON object</source>
+        <translation>%1 n&apos;est pas un objet JSON</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 n&apos;est pas un nombre</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number</source>
+        <translation>%1 n&apos;est pas un entier</translation>
+    </message>
+    <message>
+        <source>%1 is not a frame</source>
+        <translation>%1 n&apos;est pas une image</translation>
+    </message>
+    <message>
+        <source>%1 is not above 0</source>
+        <translation>%1 ne dépasse pas 0</translation>
+    </message>
+    <message>
+        <source>%1 is below 0</source>
+        <translation>%1 est inférieur à 0</translation>
+    </message>
+    <message>
+        <source>%1 is neither a number nor &quot;auto&quot;</source>
+        <translation>%1 n&apos;est ni un nombre ni « auto »</translation>
+    </message>
+    <message>
+        <source>%1 is not a list of names</source>
+        <translation>%1 n&apos;est pas une liste de noms</translation>
+    </message>
+    <message>
+        <source>%1 is not a list of contacts</source>
+        <translation>%1 n&apos;est pas une liste de contacts</translation>
+    </message>
+    <message>
+        <source>%1 is not a list of joints with a first and a last frame</source>
+        <translation>%1 n&apos;est pas une liste d&apos;articulations avec une première et une dernière image</translation>
+    </message>
+    <message>
+        <source>%1 is not a list of ranges with a first and a last frame</source>
+        <translation>%1 n&apos;est pas une liste de plages avec une première et une dernière image</translation>
+    </message>
+    <message>
+        <source>%1 is not a list of ranges</source>
+        <translation>%1 n&apos;est pas une liste de plages</translation>
+    </message>
+    <message>
+        <source>%1 of %2 is not a number</source>
+        <translation>%1 de %2 n&apos;est pas un nombre</translation>
+    </message>
+    <message>
+        <source>%1 is &quot;%2&quot;, not one of %3</source>
+        <translation>%1 est « %2 », aucun de %3</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is unknown</source>
+        <translation>« %1 » est inconnu</translation>
+    </message>
+    <message>
+        <source>&quot;distance_m&quot; is not from %1 to %2</source>
+        <translation>« distance_m » n&apos;est pas de %1 à %2</translation>
+    </message>
+    <message>
+        <source>what should be limits is not a JSON object</source>
+        <translation>ce qui devrait être des limites n&apos;est pas un objet JSON</translation>
+    </message>
+    <message>
+        <source>a preset has no &quot;name&quot;</source>
+        <translation>un préréglage n&apos;a pas de « name »</translation>
+    </message>
+    <message>
+        <source>holds no preset</source>
+        <translation>ne contient pas de préréglage</translation>
+    </message>
+    <message>
+        <source>is not JSON from here on</source>
+        <translation>n&apos;est plus du JSON à partir d&apos;ici</translation>
+    </message>
+    <message>
+        <source>holds a number that is too large</source>
+        <translation>contient un nombre trop grand</translation>
+    </message>
+    <message>
+        <source>nests its JSON more than %1 deep</source>
+        <translation>imbrique son JSON à plus de %1 niveaux</translation>
+    </message>
+    <message>
+        <source>holds too many JSON values</source>
+        <translation>contient trop de valeurs JSON</translation>
+    </message>
+    <message>
+        <source>has a clip without a path</source>
+        <translation>a un clip sans chemin</translation>
+    </message>
+    <message>
+        <source>is not a project: %1</source>
+        <translation>n&apos;est pas un projet : %1</translation>
+    </message>
+    <message>
+        <source>is not a project</source>
+        <translation>n&apos;est pas un projet</translation>
+    </message>
+    <message>
+        <source>was saved by a newer version of Mocapress</source>
+        <translation>a été enregistré par une version plus récente de Mocapress</translation>
+    </message>
+    <message>
+        <source>was written by a newer version of Mocapress</source>
+        <translation>a été écrit par une version plus récente de Mocapress</translation>
+    </message>
+    <message>
+        <source>is no file of notes</source>
+        <translation>n&apos;est pas un fichier de notes</translation>
+    </message>
+    <message>
+        <source>has notes of another form: %1</source>
+        <translation>a des notes d&apos;une autre forme : %1</translation>
+    </message>
+    <message>
+        <source>holds the notes of a clip in another format</source>
+        <translation>contient les notes d&apos;un clip d&apos;un autre format</translation>
+    </message>
+    <message>
+        <source>the link is refused, for it names no clip by an absolute path on this computer: %1</source>
+        <translation>le lien est refusé, car il ne nomme aucun clip par un chemin absolu sur cet ordinateur : %1</translation>
+    </message>
+    <message>
+        <source>is not a list of blind tests</source>
+        <translation>n&apos;est pas une liste de tests à l&apos;aveugle</translation>
+    </message>
+    <message>
+        <source>a blind test has an unknown cue: %1</source>
+        <translation>un test à l&apos;aveugle a un indice inconnu : %1</translation>
+    </message>
+    <message>
+        <source>a blind test has a level that is not above 0</source>
+        <translation>un test à l&apos;aveugle a un niveau qui ne dépasse pas 0</translation>
+    </message>
+    <message>
+        <source>a blind test lacks a value, or has one of another type</source>
+        <translation>il manque une valeur à un test à l&apos;aveugle, ou il en a une d&apos;un autre type</translation>
+    </message>
+    <message>
+        <source>{%1} means nothing in a name: there are {folder}, {stem}, {type}, {preset} and {method}</source>
+        <translation>{%1} ne veut rien dire dans un nom : il y a {folder}, {stem}, {type}, {preset} et {method}</translation>
+    </message>
+    <message>
+        <source>the name pattern has a { without its }: %1</source>
+        <translation>le modèle de noms a une { sans sa } : %1</translation>
+    </message>
+    <message>
+        <source>is not a file name below the batch&apos;s folder: %1</source>
+        <translation>n&apos;est pas un nom de fichier sous le dossier du lot : %1</translation>
+    </message>
+    <message>
+        <source>a bank is made of .mcpr files, which are not among the formats</source>
+        <translation>une banque est faite de fichiers .mcpr, qui ne sont pas parmi les formats</translation>
+    </message>
+    <message>
+        <source>only a packed bank is coded by what its clips teach</source>
+        <translation>seule une banque compacte est codée par ce que ses clips apprennent</translation>
+    </message>
+    <message>
+        <source>%1 exists: not overwritten</source>
+        <translation>%1 existe : non remplacé</translation>
+    </message>
+    <message>
+        <source>%1 exists and is not this batch&apos;s: not overwritten</source>
+        <translation>%1 existe et n&apos;est pas de ce lot : non remplacé</translation>
+    </message>
+    <message>
+        <source>%1 is a file that clips of this batch are made from</source>
+        <translation>%1 est un fichier dont viennent des clips de ce lot</translation>
+    </message>
+    <message>
+        <source>is one of the inputs: not overwritten</source>
+        <translation>est une des entrées : non remplacé</translation>
+    </message>
+    <message>
+        <source>reads back with another number of frames</source>
+        <translation>se relit avec un autre nombre d&apos;images</translation>
+    </message>
+    <message>
+        <source>reads back without %1</source>
+        <translation>se relit sans %1</translation>
+    </message>
+    <message>
+        <source>reads back %1 cm off at %2</source>
+        <translation>se relit avec %1 cm d&apos;écart à %2</translation>
+    </message>
+    <message>
+        <source>the preset has a contact up to frame %1, but the clip ends before</source>
+        <translation>le préréglage a un contact jusqu&apos;à l&apos;image %1, mais le clip finit avant</translation>
+    </message>
+    <message>
+        <source>%1 was asked for, but it came to %2</source>
+        <translation>%1 était demandé, mais le résultat est %2</translation>
+    </message>
+    <message>
+        <source>%1 does not read back as it was written</source>
+        <translation>%1 ne se relit pas tel qu&apos;il a été écrit</translation>
+    </message>
+    <message>
+        <source>the written file has another shape</source>
+        <translation>le fichier écrit a une autre forme</translation>
+    </message>
+    <message>
+        <source>the written file cannot be read: %1</source>
+        <translation>le fichier écrit ne peut être lu : %1</translation>
+    </message>
+    <message>
+        <source>another run is using it: %1; if it is gone, --take-over continues</source>
+        <translation>un autre travail s&apos;en sert : %1 ; s&apos;il a disparu, --take-over continue</translation>
+    </message>
+    <message>
+        <source>another run is using it: %1</source>
+        <translation>un autre travail s&apos;en sert : %1</translation>
+    </message>
+    <message>
+        <source>another run is using it</source>
+        <translation>un autre travail s&apos;en sert</translation>
+    </message>
+    <message>
+        <source>%1 on %2, process %3, since %4</source>
+        <translation>%1 sur %2, processus %3, depuis %4</translation>
+    </message>
+    <message>
+        <source>cannot be listed, but holds clips that are done</source>
+        <translation>ne peut être listé, mais contient des clips finis</translation>
+    </message>
+    <message>
+        <source>is not the journal of a batch</source>
+        <translation>n&apos;est pas le journal d&apos;un lot</translation>
+    </message>
+    <message>
+        <source>changed while it was read</source>
+        <translation>a changé pendant sa lecture</translation>
+    </message>
+    <message>
+        <source>holds a batch already: it can be resumed, or overwritten</source>
+        <translation>contient déjà un lot : il peut être repris, ou remplacé</translation>
+    </message>
+    <message>
+        <source>is not of the same batch as the others</source>
+        <translation>n&apos;est pas du même lot que les autres</translation>
+    </message>
+    <message>
+        <source>holds no journal of a batch</source>
+        <translation>ne contient pas de journal d&apos;un lot</translation>
+    </message>
+    <message>
+        <source>%1 has an unknown preset</source>
+        <translation>%1 a un préréglage inconnu</translation>
+    </message>
+    <message>
+        <source>is not a queue of clips: %1</source>
+        <translation>n&apos;est pas une file de clips : %1</translation>
+    </message>
+    <message>
+        <source>is not a queue of clips</source>
+        <translation>n&apos;est pas une file de clips</translation>
+    </message>
+    <message>
+        <source>has an unknown format: %1</source>
+        <translation>a un format inconnu : %1</translation>
+    </message>
+    <message>
+        <source>has an unknown form of bank: %1</source>
+        <translation>a une forme de banque inconnue : %1</translation>
+    </message>
+    <message>
+        <source>a script for sbatch cannot name %1: it has %2 in it</source>
+        <translation>un script pour sbatch ne peut nommer %1 : il contient %2</translation>
+    </message>
+    <message>
+        <source>a line break or another control character</source>
+        <translation>un saut de ligne ou un autre caractère de contrôle</translation>
+    </message>
+    <message>
+        <source>a backslash</source>
+        <translation>une barre oblique inverse</translation>
+    </message>
+    <message>
+        <source>cannot be made: %1</source>
+        <translation>ne peut être créé : %1</translation>
+    </message>
+    <message>
+        <source>is written, but a power cut may undo it: its folder cannot be synchronised: %1</source>
+        <translation>est écrit, mais une coupure de courant peut l&apos;annuler : son dossier ne peut être synchronisé : %1</translation>
+    </message>
+    <message>
+        <source>is not a regular file</source>
+        <translation>n&apos;est pas un fichier ordinaire</translation>
+    </message>
+    <message>
+        <source>is a link that somebody else put into a folder shared by all</source>
+        <translation>est un lien que quelqu&apos;un d&apos;autre a mis dans un dossier commun à tous</translation>
+    </message>
+    <message>
+        <source>became shorter while it was read</source>
+        <translation>s&apos;est raccourci pendant sa lecture</translation>
+    </message>
+    <message>
+        <source>takes more memory than this machine has to give</source>
+        <translation>demande plus de mémoire que cette machine n&apos;en a</translation>
+    </message>
+    <message>
+        <source>is a name that is not UTF-8</source>
+        <translation>est un nom qui n&apos;est pas en UTF-8</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>Permission refusée</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>Opération non permise</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>Plus de place sur le disque</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>Quota de disque dépassé</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>Système de fichiers en lecture seule</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>Nom de fichier trop long</translation>
+    </message>
+    <message>
+        <source>File exists</source>
+        <translation>Le fichier existe</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>N&apos;est pas un dossier</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>Est un dossier</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>Trop de fichiers ouverts</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Erreur d&apos;entrée/sortie</translation>
+    </message>
+    <message>
+        <source>Too many levels of symbolic links</source>
+        <translation>Trop de niveaux de liens symboliques</translation>
     </message>
 </context>
 <context>

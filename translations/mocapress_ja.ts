@@ -4045,6 +4045,145 @@
     </message>
 </context>
 <context>
+    <name>mocapress::Report</name>
+    <message>
+        <source>approved</source>
+        <translation>承認</translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation>却下</translation>
+    </message>
+    <message>
+        <source>the clip&apos;s file changed</source>
+        <translation>クリップのファイルが変わりました</translation>
+    </message>
+    <message>
+        <source>the settings changed</source>
+        <translation>設定が変わりました</translation>
+    </message>
+    <message>
+        <source>the clip&apos;s file and the settings changed</source>
+        <translation>クリップのファイルと設定が変わりました</translation>
+    </message>
+    <message>
+        <source>it does not say which file and settings were reviewed</source>
+        <translation>どのファイルと設定を確認したか記録がありません</translation>
+    </message>
+    <message>
+        <source>the file is missing</source>
+        <translation>ファイルがありません</translation>
+    </message>
+    <message>
+        <source>not visible</source>
+        <translation>見えない</translation>
+    </message>
+    <message>
+        <source>borderline</source>
+        <translation>境界</translation>
+    </message>
+    <message>
+        <source>visible</source>
+        <translation>見える</translation>
+    </message>
+    <message>
+        <source>Sign-off</source>
+        <translation>承認報告</translation>
+    </message>
+    <message>
+        <source>Sign-off: %1</source>
+        <translation>承認報告：%1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 reviewed: %3 approved, %4 rejected</source>
+        <translation>%2 件中 %1 件を確認：承認 %3、却下 %4</translation>
+    </message>
+    <message>
+        <source>; %1 verdicts stale</source>
+        <translation>、期限切れの判定 %1</translation>
+    </message>
+    <message>
+        <source>; %1 without a verdict</source>
+        <translation>、判定なし %1</translation>
+    </message>
+    <message>
+        <source>Worst frames</source>
+        <translation>最悪のフレーム</translation>
+    </message>
+    <message>
+        <source>The frame with the largest error of each clip, the largest first. Frames count from 0.</source>
+        <translation>各クリップで誤差が最大のフレームを、大きい順に示します。フレームは 0 から数えます。</translation>
+    </message>
+    <message>
+        <source>Every clip</source>
+        <translation>すべてのクリップ</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>メモ</translation>
+    </message>
+    <message>
+        <source>Clip</source>
+        <translation>クリップ</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>フレーム</translation>
+    </message>
+    <message>
+        <source>error, cm</source>
+        <translation>誤差 cm</translation>
+    </message>
+    <message>
+        <source>largest, cm</source>
+        <translation>最大 cm</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <translation>関節</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>メモ</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>確認者</translation>
+    </message>
+    <message>
+        <source>when</source>
+        <translation>日時</translation>
+    </message>
+    <message>
+        <source>stale</source>
+        <translation>期限切れ</translation>
+    </message>
+    <message>
+        <source>eye</source>
+        <translation>見え方</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>圧縮率</translation>
+    </message>
+    <message>
+        <source>bytes</source>
+        <translation>バイト</translation>
+    </message>
+    <message>
+        <source>A verdict or note is stale if the clip&apos;s file or its settings have changed since; stale verdicts do not count as reviewed. Links open the clip in Mocapress on this computer.</source>
+        <translation>判定やメモは、その後にクリップのファイルや設定が変わると期限切れになります。期限切れの判定は確認済みに数えません。リンクはこのコンピューターの Mocapress でクリップを開きます。</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::ResultPanel</name>
     <message>
         <source>%1, %L2 : 1</source>
@@ -5069,6 +5208,1362 @@
     <message>
         <source>the target of %1 is out of reach with this method: the nearest is %2, a larger file</source>
         <translation>この方法では目標 %1 に届きません。最も近い値は %2 で、より大きいファイルです</translation>
+    </message>
+    <message>
+        <source>%1 (byte %2)</source>
+        <translation>%1（バイト %2）</translation>
+    </message>
+    <message>
+        <source>%1 (line %2)</source>
+        <translation>%1（%2 行目）</translation>
+    </message>
+    <message>
+        <source>byte %1: %2</source>
+        <translation>バイト %1：%2</translation>
+    </message>
+    <message>
+        <source>not a Mocapress file</source>
+        <translation>Mocapress のファイルではありません</translation>
+    </message>
+    <message>
+        <source>not a bank of clips</source>
+        <translation>クリップのバンクではありません</translation>
+    </message>
+    <message>
+        <source>a clip of a bank: the bank is what is opened</source>
+        <translation>バンクのクリップです。バンクのほうを開いてください</translation>
+    </message>
+    <message>
+        <source>the version is unknown: a newer Mocapress is needed</source>
+        <translation>未知のバージョンです。新しい Mocapress が必要です</translation>
+    </message>
+    <message>
+        <source>the file ends within its header</source>
+        <translation>ファイルがヘッダーの途中で終わっています</translation>
+    </message>
+    <message>
+        <source>the file ends within a section</source>
+        <translation>ファイルがセクションの途中で終わっています</translation>
+    </message>
+    <message>
+        <source>a section is damaged: its checksum differs</source>
+        <translation>セクションが壊れています。チェックサムが合いません</translation>
+    </message>
+    <message>
+        <source>a section is missing</source>
+        <translation>セクションが足りません</translation>
+    </message>
+    <message>
+        <source>a section for the second time</source>
+        <translation>同じセクションが 2 度あります</translation>
+    </message>
+    <message>
+        <source>a section that is not expected here</source>
+        <translation>ここにあるはずのないセクションです</translation>
+    </message>
+    <message>
+        <source>a section after the first FINE</source>
+        <translation>最初の FINE の後にセクションがあります</translation>
+    </message>
+    <message>
+        <source>a second section loop</source>
+        <translation>loop セクションが 2 つあります</translation>
+    </message>
+    <message>
+        <source>bytes after the last section</source>
+        <translation>最後のセクションの後にバイトがあります</translation>
+    </message>
+    <message>
+        <source>bytes after the coded motion</source>
+        <translation>符号化した動きの後にバイトがあります</translation>
+    </message>
+    <message>
+        <source>bytes after the last joint</source>
+        <translation>最後の関節の後にバイトがあります</translation>
+    </message>
+    <message>
+        <source>bytes after the DEFLATE stream</source>
+        <translation>DEFLATE ストリームの後にバイトがあります</translation>
+    </message>
+    <message>
+        <source>bytes of curves where there are none</source>
+        <translation>曲線がないのに曲線のバイトがあります</translation>
+    </message>
+    <message>
+        <source>%1 has the wrong size</source>
+        <translation>%1 の大きさが合いません</translation>
+    </message>
+    <message>
+        <source>%1 is too short</source>
+        <translation>%1 が短すぎます</translation>
+    </message>
+    <message>
+        <source>ENDS has an impossible reach</source>
+        <translation>ENDS の範囲がありえません</translation>
+    </message>
+    <message>
+        <source>ENDS has impossible steps</source>
+        <translation>ENDS の刻みがありえません</translation>
+    </message>
+    <message>
+        <source>TIER has an impossible number of tiers</source>
+        <translation>TIER の段数がありえません</translation>
+    </message>
+    <message>
+        <source>TIER has tiers that do not follow each other</source>
+        <translation>TIER の段が続いていません</translation>
+    </message>
+    <message>
+        <source>a tier does not end where TIER says</source>
+        <translation>段が TIER の示すところで終わっていません</translation>
+    </message>
+    <message>
+        <source>a tier is missing</source>
+        <translation>段が足りません</translation>
+    </message>
+    <message>
+        <source>a tier that is not expected here</source>
+        <translation>ここにあるはずのない段です</translation>
+    </message>
+    <message>
+        <source>tiers of another coding</source>
+        <translation>別の符号化の段です</translation>
+    </message>
+    <message>
+        <source>the file has %1 tiers, not %2</source>
+        <translation>ファイルの段は %2 でなく %1 です</translation>
+    </message>
+    <message>
+        <source>a file with tiers takes no further section</source>
+        <translation>段のあるファイルにセクションは足せません</translation>
+    </message>
+    <message>
+        <source>a number of the motion is out of bounds</source>
+        <translation>動きの数値が範囲外です</translation>
+    </message>
+    <message>
+        <source>a number of the skeleton is not finite</source>
+        <translation>骨格の数値が有限ではありません</translation>
+    </message>
+    <message>
+        <source>a step is larger than 2^64</source>
+        <translation>刻みが 2^64 を超えています</translation>
+    </message>
+    <message>
+        <source>a run of zeros passes the end of its channel</source>
+        <translation>ゼロの並びがチャンネルの終わりを越えています</translation>
+    </message>
+    <message>
+        <source>a track has unknown flags</source>
+        <translation>トラックに未知のフラグがあります</translation>
+    </message>
+    <message>
+        <source>a joint has unknown flags</source>
+        <translation>関節に未知のフラグがあります</translation>
+    </message>
+    <message>
+        <source>a joint stands before its parent</source>
+        <translation>関節が親より前にあります</translation>
+    </message>
+    <message>
+        <source>a joint has more than 6 channels</source>
+        <translation>関節のチャンネルが 6 つを超えています</translation>
+    </message>
+    <message>
+        <source>the axes are not a unit quaternion</source>
+        <translation>軸が単位四元数ではありません</translation>
+    </message>
+    <message>
+        <source>not as many channels as JNTS states</source>
+        <translation>チャンネルの数が JNTS と合いません</translation>
+    </message>
+    <message>
+        <source>an effector is not a joint</source>
+        <translation>エフェクターが関節ではありません</translation>
+    </message>
+    <message>
+        <source>a basis where there are no wavelets</source>
+        <translation>ウェーブレットがないのに基底があります</translation>
+    </message>
+    <message>
+        <source>impossible orders of rotations</source>
+        <translation>回転順序がありえません</translation>
+    </message>
+    <message>
+        <source>an impossible unit of length</source>
+        <translation>長さの単位がありえません</translation>
+    </message>
+    <message>
+        <source>more frames than the limits allow</source>
+        <translation>フレーム数が上限を超えています</translation>
+    </message>
+    <message>
+        <source>more joints or channels than the limits allow</source>
+        <translation>関節またはチャンネルの数が上限を超えています</translation>
+    </message>
+    <message>
+        <source>more values than the limits allow</source>
+        <translation>値の数が上限を超えています</translation>
+    </message>
+    <message>
+        <source>more than 2^22 frames</source>
+        <translation>フレームが 2^22 を超えています</translation>
+    </message>
+    <message>
+        <source>more than 2^26 values</source>
+        <translation>値が 2^26 を超えています</translation>
+    </message>
+    <message>
+        <source>reading takes more scratch memory than the limits allow</source>
+        <translation>読み込みの作業メモリが上限を超えています</translation>
+    </message>
+    <message>
+        <source>the resident form takes more memory than the limits allow</source>
+        <translation>常駐形式のメモリが上限を超えています</translation>
+    </message>
+    <message>
+        <source>the coding is not adaptive</source>
+        <translation>符号化が適応型ではありません</translation>
+    </message>
+    <message>
+        <source>%1 ends early</source>
+        <translation>%1が途中で終わっています</translation>
+    </message>
+    <message>
+        <source>%1 end early</source>
+        <translation>%1が途中で終わっています</translation>
+    </message>
+    <message>
+        <source>%1 is damaged</source>
+        <translation>%1が壊れています</translation>
+    </message>
+    <message>
+        <source>%1 are damaged</source>
+        <translation>%1が壊れています</translation>
+    </message>
+    <message>
+        <source>the coded motion</source>
+        <translation>符号化した動き</translation>
+    </message>
+    <message>
+        <source>the coded tracks</source>
+        <translation>符号化したトラック</translation>
+    </message>
+    <message>
+        <source>the coded ends</source>
+        <translation>符号化した両端</translation>
+    </message>
+    <message>
+        <source>the coded skeleton</source>
+        <translation>符号化した骨格</translation>
+    </message>
+    <message>
+        <source>the DEFLATE stream</source>
+        <translation>DEFLATE ストリーム</translation>
+    </message>
+    <message>
+        <source>the skeleton</source>
+        <translation>骨格</translation>
+    </message>
+    <message>
+        <source>the tracks</source>
+        <translation>トラック</translation>
+    </message>
+    <message>
+        <source>more runs of tracks than was promised</source>
+        <translation>トラックの並びが示された数を超えています</translation>
+    </message>
+    <message>
+        <source>other tracks than was promised</source>
+        <translation>示されたトラックと異なります</translation>
+    </message>
+    <message>
+        <source>the number of segments does not fit the frames</source>
+        <translation>セグメントの数がフレームと合いません</translation>
+    </message>
+    <message>
+        <source>the sample rate is not a positive number</source>
+        <translation>サンプルレートが正の数ではありません</translation>
+    </message>
+    <message>
+        <source>the scale of steps is not a positive number</source>
+        <translation>刻みの縮尺が正の数ではありません</translation>
+    </message>
+    <message>
+        <source>the segments have an impossible length</source>
+        <translation>セグメントの長さがありえません</translation>
+    </message>
+    <message>
+        <source>the sizes of the segments do not add up to MOTN or FINE</source>
+        <translation>セグメントの大きさの合計が MOTN や FINE と合いません</translation>
+    </message>
+    <message>
+        <source>the skeleton has an impossible size</source>
+        <translation>骨格の大きさがありえません</translation>
+    </message>
+    <message>
+        <source>the tracks have an impossible size</source>
+        <translation>トラックの大きさがありえません</translation>
+    </message>
+    <message>
+        <source>too many samples for so few coded bytes</source>
+        <translation>バイト数のわりにサンプルが多すぎます</translation>
+    </message>
+    <message>
+        <source>inflates to more bytes than allowed</source>
+        <translation>展開すると許されたバイト数を超えます</translation>
+    </message>
+    <message>
+        <source>unknown basis of tracks</source>
+        <translation>未知のトラックの基底です</translation>
+    </message>
+    <message>
+        <source>unknown basis</source>
+        <translation>未知の基底です</translation>
+    </message>
+    <message>
+        <source>unknown coding</source>
+        <translation>未知の符号化です</translation>
+    </message>
+    <message>
+        <source>unknown kind of loop</source>
+        <translation>未知の種類のループです</translation>
+    </message>
+    <message>
+        <source>unknown kind of track</source>
+        <translation>未知の種類のトラックです</translation>
+    </message>
+    <message>
+        <source>unknown kind of channel</source>
+        <translation>未知の種類のチャンネルです</translation>
+    </message>
+    <message>
+        <source>unknown kind of source</source>
+        <translation>未知の種類のソースです</translation>
+    </message>
+    <message>
+        <source>unknown method</source>
+        <translation>未知の手法です</translation>
+    </message>
+    <message>
+        <source>unknown solver</source>
+        <translation>未知のソルバーです</translation>
+    </message>
+    <message>
+        <source>unknown weighting</source>
+        <translation>未知の重み付けです</translation>
+    </message>
+    <message>
+        <source>unknown axis</source>
+        <translation>未知の軸です</translation>
+    </message>
+    <message>
+        <source>unknown convention</source>
+        <translation>未知の規約です</translation>
+    </message>
+    <message>
+        <source>unknown order of rotations</source>
+        <translation>未知の回転順序です</translation>
+    </message>
+    <message>
+        <source>unknown method of compression: %1</source>
+        <translation>未知の圧縮手法です：%1</translation>
+    </message>
+    <message>
+        <source>not a wavelet clip: it was made by a comparison method (section COMP)</source>
+        <translation>ウェーブレットのクリップではなく、比較用の手法のものです（セクション COMP）</translation>
+    </message>
+    <message>
+        <source>the motion has values that are not finite</source>
+        <translation>動きに有限でない値があります</translation>
+    </message>
+    <message>
+        <source>ends here: %1 bytes wanted, %2 left</source>
+        <translation>ここで終わっています。%1 バイト必要ですが残りは %2 です</translation>
+    </message>
+    <message>
+        <source>%1 bytes too many</source>
+        <translation>%1 バイト余っています</translation>
+    </message>
+    <message>
+        <source>the clips of the bank are damaged: their checksum differs</source>
+        <translation>バンクのクリップが壊れています。チェックサムが合いません</translation>
+    </message>
+    <message>
+        <source>clips of the bank are damaged: their checksum differs</source>
+        <translation>バンクのクリップが壊れています。チェックサムが合いません</translation>
+    </message>
+    <message>
+        <source>the head of the bank is damaged: its checksum differs</source>
+        <translation>バンクの先頭が壊れています。チェックサムが合いません</translation>
+    </message>
+    <message>
+        <source>the index of the bank is damaged: its checksum differs</source>
+        <translation>バンクの索引が壊れています。チェックサムが合いません</translation>
+    </message>
+    <message>
+        <source>the index of the bank makes no sense</source>
+        <translation>バンクの索引が意味を成しません</translation>
+    </message>
+    <message>
+        <source>the tiers of the bank make no sense</source>
+        <translation>バンクの段が意味を成しません</translation>
+    </message>
+    <message>
+        <source>a tier of the bank is damaged: its checksum differs</source>
+        <translation>バンクの段が壊れています。チェックサムが合いません</translation>
+    </message>
+    <message>
+        <source>the bank is cut short</source>
+        <translation>バンクが途中で切れています</translation>
+    </message>
+    <message>
+        <source>the bank has an impossible head</source>
+        <translation>バンクの先頭がありえません</translation>
+    </message>
+    <message>
+        <source>an unknown form of bank</source>
+        <translation>未知のバンク形式です</translation>
+    </message>
+    <message>
+        <source>an impossible item of the bank</source>
+        <translation>バンクにありえない項目があります</translation>
+    </message>
+    <message>
+        <source>the parts of the bank are out of order</source>
+        <translation>バンクの部分の順序が違います</translation>
+    </message>
+    <message>
+        <source>a clip of the bank has another size than it says</source>
+        <translation>バンクのクリップの大きさが合いません</translation>
+    </message>
+    <message>
+        <source>a clip of the bank has another skeleton than it says</source>
+        <translation>バンクのクリップの骨格が合いません</translation>
+    </message>
+    <message>
+        <source>a clip of the bank</source>
+        <translation>バンクのクリップ</translation>
+    </message>
+    <message>
+        <source>what the bank&apos;s clips taught makes no sense</source>
+        <translation>バンクのクリップから得た統計が意味を成しません</translation>
+    </message>
+    <message>
+        <source>a number that is not finite</source>
+        <translation>有限でない数値です</translation>
+    </message>
+    <message>
+        <source>a value that is not finite</source>
+        <translation>有限でない値です</translation>
+    </message>
+    <message>
+        <source>a range that is not finite</source>
+        <translation>有限でない範囲です</translation>
+    </message>
+    <message>
+        <source>a step that is not finite</source>
+        <translation>有限でない刻みです</translation>
+    </message>
+    <message>
+        <source>segments that are too short</source>
+        <translation>セグメントが短すぎます</translation>
+    </message>
+    <message>
+        <source>more components than possible</source>
+        <translation>成分が多すぎます</translation>
+    </message>
+    <message>
+        <source>fewer components than stated</source>
+        <translation>成分が示された数より少ないです</translation>
+    </message>
+    <message>
+        <source>a component whose reach is not above 0</source>
+        <translation>範囲が 0 より大きくない成分があります</translation>
+    </message>
+    <message>
+        <source>an unknown cluster</source>
+        <translation>未知のクラスターです</translation>
+    </message>
+    <message>
+        <source>a segment of an unknown kind</source>
+        <translation>未知の種類のセグメントです</translation>
+    </message>
+    <message>
+        <source>two keys at one frame</source>
+        <translation>1 つのフレームにキーが 2 つあります</translation>
+    </message>
+    <message>
+        <source>a key after the clip&apos;s end</source>
+        <translation>クリップの終わりより後にキーがあります</translation>
+    </message>
+    <message>
+        <source>a key after the segment&apos;s end</source>
+        <translation>セグメントの終わりより後にキーがあります</translation>
+    </message>
+    <message>
+        <source>no key at the clip&apos;s end</source>
+        <translation>クリップの終わりにキーがありません</translation>
+    </message>
+    <message>
+        <source>no key at the segment&apos;s end</source>
+        <translation>セグメントの終わりにキーがありません</translation>
+    </message>
+    <message>
+        <source>a stride longer than the clip</source>
+        <translation>間隔がクリップより長いです</translation>
+    </message>
+    <message>
+        <source>a curve has %1 key times, but %2 values</source>
+        <translation>曲線のキー時刻が %1 個なのに値が %2 個です</translation>
+    </message>
+    <message>
+        <source>a curve ends within a key</source>
+        <translation>曲線がキーの途中で終わっています</translation>
+    </message>
+    <message>
+        <source>has a key with unknown tangents</source>
+        <translation>接線の種類が未知のキーがあります</translation>
+    </message>
+    <message>
+        <source>has a key of an unknown kind</source>
+        <translation>種類が未知のキーがあります</translation>
+    </message>
+    <message>
+        <source>has meshes of more than %1 corners</source>
+        <translation>メッシュの頂点が %1 個を超えています</translation>
+    </message>
+    <message>
+        <source>has a polygon with a point that its mesh has not</source>
+        <translation>メッシュにない頂点を使うポリゴンがあります</translation>
+    </message>
+    <message>
+        <source>has a bone with more or fewer weights than points</source>
+        <translation>ウェイトと頂点の数が合わないボーンがあります</translation>
+    </message>
+    <message>
+        <source>has a bone with a weight of a point that its mesh has not</source>
+        <translation>メッシュにない頂点のウェイトを持つボーンがあります</translation>
+    </message>
+    <message>
+        <source>has more than %1 weights</source>
+        <translation>ウェイトが %1 個を超えています</translation>
+    </message>
+    <message>
+        <source>has more than %1 records</source>
+        <translation>レコードが %1 個を超えています</translation>
+    </message>
+    <message>
+        <source>nests records deeper than %1</source>
+        <translation>レコードの入れ子が %1 段を超えています</translation>
+    </message>
+    <message>
+        <source>is FBX %1: versions from 6.0 on are read</source>
+        <translation>FBX %1 です。6.0 以降を読めます</translation>
+    </message>
+    <message>
+        <source>ends within its head</source>
+        <translation>先頭部の途中で終わっています</translation>
+    </message>
+    <message>
+        <source>cannot be read as FBX: it begins neither like a binary file nor like an ASCII one</source>
+        <translation>FBX として読めません。バイナリ形式でも ASCII 形式でもない始まり方です</translation>
+    </message>
+    <message>
+        <source>cannot be read as FBX: it states no version</source>
+        <translation>FBX として読めません。バージョンの記載がありません</translation>
+    </message>
+    <message>
+        <source>has an array of an unknown encoding</source>
+        <translation>エンコードが未知の配列があります</translation>
+    </message>
+    <message>
+        <source>an array has fewer values than it states</source>
+        <translation>配列の値が示された数より少ないです</translation>
+    </message>
+    <message>
+        <source>an array states more values than its bytes can hold</source>
+        <translation>配列の値の数がバイト数を超えています</translation>
+    </message>
+    <message>
+        <source>has an array that cannot be unpacked</source>
+        <translation>展開できない配列があります</translation>
+    </message>
+    <message>
+        <source>its take %1 has no first layer that is heard: a motion cannot be written there</source>
+        <translation>テイク %1 に有効な最初のレイヤーがないため、動きを書けません</translation>
+    </message>
+    <message>
+        <source>numbers its objects too high to add any</source>
+        <translation>オブジェクトの番号が大きすぎて追加できません</translation>
+    </message>
+    <message>
+        <source>has curves that several takes share: a motion cannot be written onto one</source>
+        <translation>複数のテイクが共有する曲線があるため、1 つのテイクに動きを書けません</translation>
+    </message>
+    <message>
+        <source>is ASCII, big-endian or older than 7.0: a motion is put only onto other binary FBX files</source>
+        <translation>ASCII、ビッグエンディアン、または 7.0 より前の形式です。動きを書き込めるのはそれ以外のバイナリ FBX だけです</translation>
+    </message>
+    <message>
+        <source>a text is too long for an FBX</source>
+        <translation>FBX には長すぎるテキストがあります</translation>
+    </message>
+    <message>
+        <source>a curve is too long for an FBX</source>
+        <translation>FBX には長すぎる曲線があります</translation>
+    </message>
+    <message>
+        <source>an FBX of a version before 7.5 has at most 4 GiB</source>
+        <translation>7.5 より前の FBX は 4 GiB までです</translation>
+    </message>
+    <message>
+        <source>a record states no end: nothing is written onto it</source>
+        <translation>終わりの記載がないレコードには書けません</translation>
+    </message>
+    <message>
+        <source>has no %1</source>
+        <translation>%1 がありません</translation>
+    </message>
+    <message>
+        <source>is no glTF: its JSON is not an object</source>
+        <translation>glTF ではありません。JSON がオブジェクトではありません</translation>
+    </message>
+    <message>
+        <source>is no glTF 2.0: %1</source>
+        <translation>glTF 2.0 ではありません：%1</translation>
+    </message>
+    <message>
+        <source>it states no version</source>
+        <translation>バージョンの記載がありません</translation>
+    </message>
+    <message>
+        <source>its version is %1</source>
+        <translation>バージョンは %1 です</translation>
+    </message>
+    <message>
+        <source>ends before the length it states</source>
+        <translation>示された長さより前に終わっています</translation>
+    </message>
+    <message>
+        <source>is version %1 of .glb, not 2</source>
+        <translation>.glb のバージョンが 2 でなく %1 です</translation>
+    </message>
+    <message>
+        <source>has a chunk that reaches beyond its end</source>
+        <translation>終わりを越えるチャンクがあります</translation>
+    </message>
+    <message>
+        <source>does not begin with JSON</source>
+        <translation>JSON で始まっていません</translation>
+    </message>
+    <message>
+        <source>holds no JSON</source>
+        <translation>JSON がありません</translation>
+    </message>
+    <message>
+        <source>%1 is not a list of objects</source>
+        <translation>%1 がオブジェクトのリストではありません</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number from 0</source>
+        <translation>%1 が 0 以上の整数ではありません</translation>
+    </message>
+    <message>
+        <source>%1 names number %2 of only %3</source>
+        <translation>%1 が %2 番を指していますが、%3 しかありません</translation>
+    </message>
+    <message>
+        <source>lacks a %1 that should name one of its %2</source>
+        <translation>%2 のいずれかを指す %1 がありません</translation>
+    </message>
+    <message>
+        <source>%1 names what is none of its %2</source>
+        <translation>%1 が %2 のいずれでもないものを指しています</translation>
+    </message>
+    <message>
+        <source>%1 is not %2 numbers up to 1e9</source>
+        <translation>%1 が 1e9 以下の %2 個の数値ではありません</translation>
+    </message>
+    <message>
+        <source>%1 is not a list</source>
+        <translation>%1 がリストではありません</translation>
+    </message>
+    <message>
+        <source>%1 is not a text</source>
+        <translation>%1 がテキストではありません</translation>
+    </message>
+    <message>
+        <source>has a data URI without base64</source>
+        <translation>base64 のないデータ URI があります</translation>
+    </message>
+    <message>
+        <source>has a data URI that is not base64</source>
+        <translation>base64 でないデータ URI があります</translation>
+    </message>
+    <message>
+        <source>refers to %1, but only files in its own folder are read</source>
+        <translation>%1 を参照していますが、読めるのは同じフォルダーのファイルだけです</translation>
+    </message>
+    <message>
+        <source>refers to %1, which is not there</source>
+        <translation>%1 を参照していますが、見つかりません</translation>
+    </message>
+    <message>
+        <source>%1 has neither a uri nor a chunk of a .glb</source>
+        <translation>%1 に uri も .glb のチャンクもありません</translation>
+    </message>
+    <message>
+        <source>%1 has %2 of the %3 bytes it states</source>
+        <translation>%1 は示された %3 バイトのうち %2 バイトしかありません</translation>
+    </message>
+    <message>
+        <source>%1 reaches beyond its buffer</source>
+        <translation>%1 がバッファーを越えています</translation>
+    </message>
+    <message>
+        <source>has an accessor of an unknown componentType</source>
+        <translation>componentType が未知のアクセサーがあります</translation>
+    </message>
+    <message>
+        <source>%1 has a byteStride that is too small</source>
+        <translation>%1 の byteStride が小さすぎます</translation>
+    </message>
+    <message>
+        <source>has an accessor that reaches beyond %1</source>
+        <translation>%1 を越えるアクセサーがあります</translation>
+    </message>
+    <message>
+        <source>%1 holds a number that is not finite or beyond 1e9</source>
+        <translation>%1 に有限でないか 1e9 を超える数値があります</translation>
+    </message>
+    <message>
+        <source>accessor %1 is not %2</source>
+        <translation>アクセサー %1 が %2 ではありません</translation>
+    </message>
+    <message>
+        <source>states more zeros that have no bytes than are read</source>
+        <translation>バイトのないゼロが読める数を超えています</translation>
+    </message>
+    <message>
+        <source>%1 has sparse values without sense</source>
+        <translation>%1 の疎な値が意味を成しません</translation>
+    </message>
+    <message>
+        <source>%1 has a sparse value for an element that it has not</source>
+        <translation>%1 に存在しない要素の疎な値があります</translation>
+    </message>
+    <message>
+        <source>has a skin with %1 joints, but only %2 bind matrices</source>
+        <translation>スキンの関節は %1 個ですが、バインド行列が %2 個しかありません</translation>
+    </message>
+    <message>
+        <source>has a mesh packed without attributes</source>
+        <translation>属性なしで圧縮されたメッシュがあります</translation>
+    </message>
+    <message>
+        <source>has a packed mesh without the attributes it states</source>
+        <translation>圧縮されたメッシュに示された属性がありません</translation>
+    </message>
+    <message>
+        <source>has a mesh with more or fewer normals than positions</source>
+        <translation>法線と位置の数が合わないメッシュがあります</translation>
+    </message>
+    <message>
+        <source>has a triangle with a vertex that its mesh has not</source>
+        <translation>メッシュにない頂点を使う三角形があります</translation>
+    </message>
+    <message>
+        <source>has a mesh with more or fewer weights than positions</source>
+        <translation>ウェイトと位置の数が合わないメッシュがあります</translation>
+    </message>
+    <message>
+        <source>has a vertex on a joint that its skin has not</source>
+        <translation>スキンにない関節に付いた頂点があります</translation>
+    </message>
+    <message>
+        <source>has a mesh with more or fewer places in its picture than positions</source>
+        <translation>テクスチャ座標と位置の数が合わないメッシュがあります</translation>
+    </message>
+    <message>
+        <source>the motion is too large for a .glb: 4 GB are the most</source>
+        <translation>動きが .glb には大きすぎます。上限は 4 GB です</translation>
+    </message>
+    <message>
+        <source>verification: %1</source>
+        <translation>検証：%1</translation>
+    </message>
+    <message>
+        <source>no project: %1</source>
+        <translation>プロジェクトではありません：%1</translation>
+    </message>
+    <message>
+        <source>the preset &quot;%1&quot; %2</source>
+        <translation>プリセット「%1」：%2</translation>
+    </message>
+    <message>
+        <source>the compression %1</source>
+        <translation>圧縮設定：%1</translation>
+    </message>
+    <message>
+        <source>this clip cannot be written as .mcpr: %1</source>
+        <translation>このクリップは .mcpr として書けません：%1</translation>
+    </message>
+    <message>
+        <source>its tracks cannot be kept: %1</source>
+        <translation>トラックを保存できません：%1</translation>
+    </message>
+    <message>
+        <source>the name of joint %1... has %2 bytes, at most %3 are possible</source>
+        <translation>関節 %1... の名前が %2 バイトです（最大 %3）</translation>
+    </message>
+    <message>
+        <source>joint %1 has %2 channels, at most %3 are possible</source>
+        <translation>関節 %1 のチャンネルが %2 個です（最大 %3）</translation>
+    </message>
+    <message>
+        <source>joint %1 is too far away for 32-bit floats</source>
+        <translation>関節 %1 が 32 ビット浮動小数点数には遠すぎます</translation>
+    </message>
+    <message>
+        <source>it has no joints</source>
+        <translation>関節がありません</translation>
+    </message>
+    <message>
+        <source>its sample rate is not a positive number</source>
+        <translation>サンプルレートが正の数ではありません</translation>
+    </message>
+    <message>
+        <source>there are %1, at most %2 are possible</source>
+        <translation>%1 個あります（最大 %2）</translation>
+    </message>
+    <message>
+        <source>motion and tracks have %1 values, at most %2 are possible</source>
+        <translation>動きとトラックの値が %1 個です（最大 %2）</translation>
+    </message>
+    <message>
+        <source>an .asf of this skeleton would have %1 bones, at most %2 are possible</source>
+        <translation>この骨格の .asf はボーンが %1 本になります（最大 %2）</translation>
+    </message>
+    <message>
+        <source>%1, at most %2 are possible</source>
+        <translation>%1（最大 %2）</translation>
+    </message>
+    <message>
+        <source>%1 values (frames times channels)</source>
+        <translation>値 %1 個（フレーム×チャンネル）</translation>
+    </message>
+    <message>
+        <source>%1 values are too many for a motion of so few bytes</source>
+        <translation>このバイト数の動きに値 %1 個は多すぎます</translation>
+    </message>
+    <message>
+        <source>the name of one has more than %1 bytes</source>
+        <translation>名前が %1 バイトを超えるものがあります</translation>
+    </message>
+    <message>
+        <source>%1 has another number of frames than the clip</source>
+        <translation>%1 のフレーム数がクリップと違います</translation>
+    </message>
+    <message>
+        <source>%1 has a value that is not finite</source>
+        <translation>%1 に有限でない値があります</translation>
+    </message>
+    <message>
+        <source>the motion to be written is not coded yet</source>
+        <translation>書く動きがまだ符号化されていません</translation>
+    </message>
+    <message>
+        <source>the motion to be written lacks its finest bands</source>
+        <translation>書く動きに最も細かい帯域がありません</translation>
+    </message>
+    <message>
+        <source>an .amc holds one figure with one root, but this clip has %1 roots: .bvh and .glb can hold it</source>
+        <translation>.amc に入るのはルートが 1 つの人形だけですが、このクリップにはルートが %1 個あります。.bvh か .glb なら書けます</translation>
+    </message>
+    <message>
+        <source>a bone&apos;s name would be too long for an .asf: %1</source>
+        <translation>.asf には長すぎるボーン名です：%1</translation>
+    </message>
+    <message>
+        <source>in an .asf bones of this skeleton would be nested deeper than %1</source>
+        <translation>.asf ではこの骨格のボーンの入れ子が %1 段を超えます</translation>
+    </message>
+    <message>
+        <source>a joint is scaled to nothing: what hangs from it has no place</source>
+        <translation>スケールが 0 の関節があり、その先の位置が定まりません</translation>
+    </message>
+    <message>
+        <source>has no joint %1, which the motion has</source>
+        <translation>動きにある関節 %1 がありません</translation>
+    </message>
+    <message>
+        <source>scales %1 to nothing: it cannot follow a motion</source>
+        <translation>%1 のスケールが 0 のため、動きに従えません</translation>
+    </message>
+    <message>
+        <source>no feet were found on this skeleton: name the joints to be corrected</source>
+        <translation>この骨格に足が見つかりません。補正する関節を指定してください</translation>
+    </message>
+    <message>
+        <source>no joint above %1 can turn to move it</source>
+        <translation>%1 を動かせる上の関節がありません</translation>
+    </message>
+    <message>
+        <source>a chain of joints that ends at %1 does not begin at a joint above it that can turn</source>
+        <translation>%1 で終わる関節の鎖が、回れる上の関節から始まっていません</translation>
+    </message>
+    <message>
+        <source>more than %1 effectors</source>
+        <translation>エフェクターが %1 個を超えています</translation>
+    </message>
+    <message>
+        <source>these effectors are not one limb</source>
+        <translation>これらのエフェクターは 1 本の肢を成しません</translation>
+    </message>
+    <message>
+        <source>the importance of frames %1 to %2 is not a number from 1 to %3</source>
+        <translation>フレーム %1～%2 の重要度が 1～%3 の数ではありません</translation>
+    </message>
+    <message>
+        <source>frames %1 to %2 are not a range of the clip, which has %3 frames</source>
+        <translation>フレーム %1～%2 は、%3 フレームのクリップの範囲ではありません</translation>
+    </message>
+    <message>
+        <source>inverse kinematics can correct wavelet methods only</source>
+        <translation>逆運動学で補正できるのはウェーブレットの手法だけです</translation>
+    </message>
+    <message>
+        <source>the coefficient ratio is a target of wavelet methods only</source>
+        <translation>係数比を目標にできるのはウェーブレットの手法だけです</translation>
+    </message>
+    <message>
+        <source>is not a compressed form of the original: it has %1, the original %2</source>
+        <translation>元の圧縮版ではありません。%1 で、元は %2 です</translation>
+    </message>
+    <message>
+        <source>the clip has no frames</source>
+        <translation>クリップにフレームがありません</translation>
+    </message>
+    <message>
+        <source>the clip is not a loop</source>
+        <translation>クリップがループではありません</translation>
+    </message>
+    <message>
+        <source>the tracks are not those of the original</source>
+        <translation>トラックが元のものではありません</translation>
+    </message>
+    <message>
+        <source>the tracks have not as many frames as those of the original</source>
+        <translation>トラックのフレーム数が元と違います</translation>
+    </message>
+    <message>
+        <source>has an unknown method: %1</source>
+        <translation>未知の手法です：%1</translation>
+    </message>
+    <message>
+        <source>unknown method: %1</source>
+        <translation>未知の手法です：%1</translation>
+    </message>
+    <message>
+        <source>has a coding other than adaptive, the only one of the closed loop</source>
+        <translation>閉ループでは適応型の符号化しか使えません</translation>
+    </message>
+    <message>
+        <source>has a target that is not above 0</source>
+        <translation>目標が 0 より大きくありません</translation>
+    </message>
+    <message>
+        <source>has a coefficient ratio, a target of wavelet methods only</source>
+        <translation>係数比を目標にできるのはウェーブレットの手法だけです</translation>
+    </message>
+    <message>
+        <source>has a track error that is not above 0</source>
+        <translation>トラックの誤差が 0 より大きくありません</translation>
+    </message>
+    <message>
+        <source>has a promise that is not above 0: %1</source>
+        <translation>約束の値が 0 より大きくありません：%1</translation>
+    </message>
+    <message>
+        <source>has the effort draft, which does not promise its target</source>
+        <translation>労力「ドラフト」は目標を約束しません</translation>
+    </message>
+    <message>
+        <source>has an importance of frames that is not a number from 1 to %1</source>
+        <translation>フレームの重要度が 1～%1 の数ではありません</translation>
+    </message>
+    <message>
+        <source>has an importance of %1 that is not a number of 0 or more</source>
+        <translation>%1 の重要度が 0 以上の数ではありません</translation>
+    </message>
+    <message>
+        <source>has an IK correction, which can correct wavelet methods only</source>
+        <translation>IK 補正を使えるのはウェーブレットの手法だけです</translation>
+    </message>
+    <message>
+        <source>has an IK ratio that is not above 0</source>
+        <translation>IK 比が 0 より大きくありません</translation>
+    </message>
+    <message>
+        <source>%1 is not a JSON object</source>
+        <translation>%1 が JSON オブジェクトではありません</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 が数値ではありません</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number</source>
+        <translation>%1 が整数ではありません</translation>
+    </message>
+    <message>
+        <source>%1 is not a frame</source>
+        <translation>%1 がフレームではありません</translation>
+    </message>
+    <message>
+        <source>%1 is not above 0</source>
+        <translation>%1 が 0 より大きくありません</translation>
+    </message>
+    <message>
+        <source>%1 is below 0</source>
+        <translation>%1 が 0 未満です</translation>
+    </message>
+    <message>
+        <source>%1 is neither a number nor &quot;auto&quot;</source>
+        <translation>%1 が数値でも &quot;auto&quot; でもありません</translation>
+    </message>
+    <message>
+        <source>%1 is not a list of names</source>
+        <translation>%1 が名前のリストではありません</translation>
+    </message>
+    <message>
+        <source>%1 is not a list of contacts</source>
+        <translation>%1 が接地のリストではありません</translation>
+    </message>
+    <message>
+        <source>%1 is not a list of joints with a first and a last frame</source>
+        <translation>%1 が最初と最後のフレームのある関節のリストではありません</translation>
+    </message>
+    <message>
+        <source>%1 is not a list of ranges with a first and a last frame</source>
+        <translation>%1 が最初と最後のフレームのある範囲のリストではありません</translation>
+    </message>
+    <message>
+        <source>%1 is not a list of ranges</source>
+        <translation>%1 が範囲のリストではありません</translation>
+    </message>
+    <message>
+        <source>%1 of %2 is not a number</source>
+        <translation>%1 の %2 が数値ではありません</translation>
+    </message>
+    <message>
+        <source>%1 is &quot;%2&quot;, not one of %3</source>
+        <translation>%1 が &quot;%2&quot; ですが、%3 のいずれかのはずです</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is unknown</source>
+        <translation>&quot;%1&quot; は未知です</translation>
+    </message>
+    <message>
+        <source>&quot;distance_m&quot; is not from %1 to %2</source>
+        <translation>&quot;distance_m&quot; が %1～%2 ではありません</translation>
+    </message>
+    <message>
+        <source>what should be limits is not a JSON object</source>
+        <translation>限界値のはずが JSON オブジェクトではありません</translation>
+    </message>
+    <message>
+        <source>a preset has no &quot;name&quot;</source>
+        <translation>&quot;name&quot; のないプリセットがあります</translation>
+    </message>
+    <message>
+        <source>holds no preset</source>
+        <translation>プリセットがありません</translation>
+    </message>
+    <message>
+        <source>is not JSON from here on</source>
+        <translation>ここから先は JSON ではありません</translation>
+    </message>
+    <message>
+        <source>holds a number that is too large</source>
+        <translation>大きすぎる数値があります</translation>
+    </message>
+    <message>
+        <source>nests its JSON more than %1 deep</source>
+        <translation>JSON の入れ子が %1 段を超えています</translation>
+    </message>
+    <message>
+        <source>holds too many JSON values</source>
+        <translation>JSON の値が多すぎます</translation>
+    </message>
+    <message>
+        <source>has a clip without a path</source>
+        <translation>パスのないクリップがあります</translation>
+    </message>
+    <message>
+        <source>is not a project: %1</source>
+        <translation>プロジェクトではありません：%1</translation>
+    </message>
+    <message>
+        <source>is not a project</source>
+        <translation>プロジェクトではありません</translation>
+    </message>
+    <message>
+        <source>was saved by a newer version of Mocapress</source>
+        <translation>新しいバージョンの Mocapress で保存されています</translation>
+    </message>
+    <message>
+        <source>was written by a newer version of Mocapress</source>
+        <translation>新しいバージョンの Mocapress で書かれています</translation>
+    </message>
+    <message>
+        <source>is no file of notes</source>
+        <translation>メモのファイルではありません</translation>
+    </message>
+    <message>
+        <source>has notes of another form: %1</source>
+        <translation>メモの形式が違います：%1</translation>
+    </message>
+    <message>
+        <source>holds the notes of a clip in another format</source>
+        <translation>別の形式のクリップのメモです</translation>
+    </message>
+    <message>
+        <source>the link is refused, for it names no clip by an absolute path on this computer: %1</source>
+        <translation>リンクを開けません。このコンピューターの絶対パスでクリップを示していません：%1</translation>
+    </message>
+    <message>
+        <source>is not a list of blind tests</source>
+        <translation>ブラインドテストのリストではありません</translation>
+    </message>
+    <message>
+        <source>a blind test has an unknown cue: %1</source>
+        <translation>ブラインドテストに未知の手がかりがあります：%1</translation>
+    </message>
+    <message>
+        <source>a blind test has a level that is not above 0</source>
+        <translation>ブラインドテストに 0 より大きくないレベルがあります</translation>
+    </message>
+    <message>
+        <source>a blind test lacks a value, or has one of another type</source>
+        <translation>ブラインドテストに値がないか、型が違います</translation>
+    </message>
+    <message>
+        <source>{%1} means nothing in a name: there are {folder}, {stem}, {type}, {preset} and {method}</source>
+        <translation>{%1} は名前に使えません。使えるのは {folder}、{stem}、{type}、{preset}、{method} です</translation>
+    </message>
+    <message>
+        <source>the name pattern has a { without its }: %1</source>
+        <translation>名前の型に } のない { があります：%1</translation>
+    </message>
+    <message>
+        <source>is not a file name below the batch&apos;s folder: %1</source>
+        <translation>バッチのフォルダー以下のファイル名ではありません：%1</translation>
+    </message>
+    <message>
+        <source>a bank is made of .mcpr files, which are not among the formats</source>
+        <translation>バンクには .mcpr が必要ですが、書き出す形式にありません</translation>
+    </message>
+    <message>
+        <source>only a packed bank is coded by what its clips teach</source>
+        <translation>クリップに合わせて符号化できるのはパック済みバンクだけです</translation>
+    </message>
+    <message>
+        <source>%1 exists: not overwritten</source>
+        <translation>%1 はすでにあるため、上書きしません</translation>
+    </message>
+    <message>
+        <source>%1 exists and is not this batch&apos;s: not overwritten</source>
+        <translation>%1 はこのバッチのものではないため、上書きしません</translation>
+    </message>
+    <message>
+        <source>%1 is a file that clips of this batch are made from</source>
+        <translation>%1 はこのバッチのクリップの元のファイルです</translation>
+    </message>
+    <message>
+        <source>is one of the inputs: not overwritten</source>
+        <translation>入力の 1 つのため、上書きしません</translation>
+    </message>
+    <message>
+        <source>reads back with another number of frames</source>
+        <translation>読み戻すとフレーム数が違います</translation>
+    </message>
+    <message>
+        <source>reads back without %1</source>
+        <translation>読み戻すと %1 がありません</translation>
+    </message>
+    <message>
+        <source>reads back %1 cm off at %2</source>
+        <translation>読み戻すと %2 が %1 cm ずれています</translation>
+    </message>
+    <message>
+        <source>the preset has a contact up to frame %1, but the clip ends before</source>
+        <translation>プリセットの接地はフレーム %1 までですが、クリップはその前に終わります</translation>
+    </message>
+    <message>
+        <source>%1 was asked for, but it came to %2</source>
+        <translation>%1 を求めましたが、%2 になりました</translation>
+    </message>
+    <message>
+        <source>%1 does not read back as it was written</source>
+        <translation>%1 が書いたとおりに読み戻せません</translation>
+    </message>
+    <message>
+        <source>the written file has another shape</source>
+        <translation>書いたファイルの構成が違います</translation>
+    </message>
+    <message>
+        <source>the written file cannot be read: %1</source>
+        <translation>書いたファイルを読めません：%1</translation>
+    </message>
+    <message>
+        <source>another run is using it: %1; if it is gone, --take-over continues</source>
+        <translation>別の実行が使用中です：%1。それがもうなければ --take-over で続けられます</translation>
+    </message>
+    <message>
+        <source>another run is using it: %1</source>
+        <translation>別の実行が使用中です：%1</translation>
+    </message>
+    <message>
+        <source>another run is using it</source>
+        <translation>別の実行が使用中です</translation>
+    </message>
+    <message>
+        <source>%1 on %2, process %3, since %4</source>
+        <translation>%2 の %1、プロセス %3、%4 から</translation>
+    </message>
+    <message>
+        <source>cannot be listed, but holds clips that are done</source>
+        <translation>一覧を読めませんが、完了したクリップがあります</translation>
+    </message>
+    <message>
+        <source>is not the journal of a batch</source>
+        <translation>バッチの記録ではありません</translation>
+    </message>
+    <message>
+        <source>changed while it was read</source>
+        <translation>読み込み中に変わりました</translation>
+    </message>
+    <message>
+        <source>holds a batch already: it can be resumed, or overwritten</source>
+        <translation>すでにバッチがあります。再開するか上書きできます</translation>
+    </message>
+    <message>
+        <source>is not of the same batch as the others</source>
+        <translation>ほかと同じバッチではありません</translation>
+    </message>
+    <message>
+        <source>holds no journal of a batch</source>
+        <translation>バッチの記録がありません</translation>
+    </message>
+    <message>
+        <source>%1 has an unknown preset</source>
+        <translation>%1 のプリセットが未知です</translation>
+    </message>
+    <message>
+        <source>is not a queue of clips: %1</source>
+        <translation>クリップの待ち行列ではありません：%1</translation>
+    </message>
+    <message>
+        <source>is not a queue of clips</source>
+        <translation>クリップの待ち行列ではありません</translation>
+    </message>
+    <message>
+        <source>has an unknown format: %1</source>
+        <translation>未知の形式です：%1</translation>
+    </message>
+    <message>
+        <source>has an unknown form of bank: %1</source>
+        <translation>未知のバンク形式です：%1</translation>
+    </message>
+    <message>
+        <source>a script for sbatch cannot name %1: it has %2 in it</source>
+        <translation>sbatch のスクリプトでは %1 を指定できません。%2が含まれています</translation>
+    </message>
+    <message>
+        <source>a line break or another control character</source>
+        <translation>改行などの制御文字</translation>
+    </message>
+    <message>
+        <source>a backslash</source>
+        <translation>バックスラッシュ</translation>
+    </message>
+    <message>
+        <source>cannot be made: %1</source>
+        <translation>作れません：%1</translation>
+    </message>
+    <message>
+        <source>is written, but a power cut may undo it: its folder cannot be synchronised: %1</source>
+        <translation>書きましたが、停電で失われることがあります。フォルダーを同期できません：%1</translation>
+    </message>
+    <message>
+        <source>is not a regular file</source>
+        <translation>通常のファイルではありません</translation>
+    </message>
+    <message>
+        <source>is a link that somebody else put into a folder shared by all</source>
+        <translation>共有フォルダーに別の人が置いたリンクです</translation>
+    </message>
+    <message>
+        <source>became shorter while it was read</source>
+        <translation>読み込み中に短くなりました</translation>
+    </message>
+    <message>
+        <source>takes more memory than this machine has to give</source>
+        <translation>このコンピューターのメモリでは足りません</translation>
+    </message>
+    <message>
+        <source>is a name that is not UTF-8</source>
+        <translation>UTF-8 でない名前です</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>アクセスが許可されていません</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>操作が許可されていません</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>ディスクに空きがありません</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>ディスクの割り当てを超えました</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>読み取り専用のファイルシステムです</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>ファイル名が長すぎます</translation>
+    </message>
+    <message>
+        <source>File exists</source>
+        <translation>ファイルがすでにあります</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>フォルダーではありません</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>フォルダーです</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>開いているファイルが多すぎます</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>入出力エラー</translation>
+    </message>
+    <message>
+        <source>Too many levels of symbolic links</source>
+        <translation>シンボリックリンクの段数が多すぎます</translation>
     </message>
 </context>
 <context>

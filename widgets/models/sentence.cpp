@@ -4,15 +4,21 @@
 #include <QCoreApplication>
 #include <QRegularExpression>
 #include <QStringList>
+#include <algorithm>
+#include <functional>
 #include <optional>
+#include <span>
+#include <string_view>
 #include <vector>
+
+#include "widgets/models/sentence_lists.h"
 
 namespace mocapress {
 namespace {
 
 constexpr const char* kContext = "mocapress::Sentence";
 
-/// The sentences of core, with %1 and on for what differs. Where two fit, the first is meant.
+/// The sentences of readers and encoder, with %1 and on for what differs.
 constexpr const char* kSentences[] = {
     // Warnings of all formats.
     QT_TRANSLATE_NOOP("mocapress::Sentence",
@@ -311,17 +317,28 @@ struct Pattern {
 QRegularExpression expressionOf(const char* source) {
   QString text = QRegularExpression::escape(QString::fromUtf8(source));
   static const QRegularExpression kPlace(QStringLiteral("\\\\%\\d"));
+  // A place at the beginning takes no file or line along.
+  if (text.startsWith(QLatin1String("\\%1"))) text.replace(0, 3, QStringLiteral("((?:(?!: ).)+?)"));
   text.replace(kPlace, QStringLiteral("(.+?)"));
   text.replace(QStringLiteral("\\%n"), QStringLiteral("(\\d+)"));
   text.replace(QStringLiteral("\\(s\\)"), QStringLiteral("s?"));
   return QRegularExpression(QRegularExpression::anchoredPattern(text));
 }
 
-template <std::size_t count>
-std::vector<Pattern> patternsOf(const char* const (&sources)[count]) {
+std::vector<Pattern> patternsOf(std::span<const char* const> sources) {
   std::vector<Pattern> patterns;
   for (const char* source : sources) patterns.push_back({source, expressionOf(source)});
   return patterns;
+}
+
+std::vector<const char*> allSentences() {
+  std::vector<const char*> all(std::begin(kSentences), std::end(kSentences));
+  for (const std::span<const char* const> list : {sentencesOfBytes(), sentencesOfWork()})
+    all.insert(all.end(), list.begin(), list.end());
+  // Where two fit, the longer one says more.
+  std::ranges::stable_sort(all, std::ranges::greater(),
+                           [](const char* source) { return std::string_view(source).size(); });
+  return all;
 }
 
 /// %1 is the first of `parts`.
@@ -342,7 +359,7 @@ QString filled(const QString& pattern, const QStringList& parts) {
 
 /// None where no pattern fits all of the text, or the language has no text for it.
 std::optional<QString> translatedWhole(const QString& text) {
-  static const std::vector<Pattern> kAll = patternsOf(kSentences);
+  static const std::vector<Pattern> kAll = patternsOf(allSentences());
   static const std::vector<Pattern> kAllCounts = patternsOf(kCounts);
   const auto known = [](const char* source) {
     return QCoreApplication::translate(kContext, source) != QString::fromUtf8(source);
@@ -377,7 +394,7 @@ QString translatedSentence(const QString& sentence) {
 
 std::vector<QString> translatableSentences() {
   std::vector<QString> sentences;
-  for (const char* source : kSentences) sentences.push_back(QString::fromUtf8(source));
+  for (const char* source : allSentences()) sentences.push_back(QString::fromUtf8(source));
   for (const char* source : kCounts) sentences.push_back(QString::fromUtf8(source));
   return sentences;
 }

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/models/sentence_lists.h"
+
+#include <QCoreApplication>
+
+namespace mocapress {
+namespace {
+
+/// Gives lupdate the context of the texts.
+struct TextsOfWork {
+  Q_DECLARE_TR_FUNCTIONS(mocapress::Sentence)
+ public:
+  static constexpr const char* kAll[] = {
+      // What a message is about.
+      QT_TR_NOOP("verification: %1"),
+      QT_TR_NOOP("no project: %1"),
+      QT_TR_NOOP("the preset \"%1\" %2"),
+      QT_TR_NOOP("the compression %1"),
+      // Clips that cannot be compressed, kept or written.
+      QT_TR_NOOP("this clip cannot be written as .mcpr: %1"),
+      QT_TR_NOOP("its tracks cannot be kept: %1"),
+      QT_TR_NOOP("the name of joint %1... has %2 bytes, at most %3 are possible"),
+      QT_TR_NOOP("joint %1 has %2 channels, at most %3 are possible"),
+      QT_TR_NOOP("joint %1 is too far away for 32-bit floats"),
+      QT_TR_NOOP("it has no joints"),
+      QT_TR_NOOP("its sample rate is not a positive number"),
+      QT_TR_NOOP("there are %1, at most %2 are possible"),
+      QT_TR_NOOP("motion and tracks have %1 values, at most %2 are possible"),
+      QT_TR_NOOP("an .asf of this skeleton would have %1 bones, at most %2 are possible"),
+      QT_TR_NOOP("%1, at most %2 are possible"),
+      QT_TR_NOOP("%1 values (frames times channels)"),
+      QT_TR_NOOP("%1 values are too many for a motion of so few bytes"),
+      QT_TR_NOOP("the name of one has more than %1 bytes"),
+      QT_TR_NOOP("%1 has another number of frames than the clip"),
+      QT_TR_NOOP("%1 has a value that is not finite"),
+      QT_TR_NOOP("the motion to be written is not coded yet"),
+      QT_TR_NOOP("the motion to be written lacks its finest bands"),
+      QT_TR_NOOP("an .amc holds one figure with one root, but this clip has %1 roots: .bvh and "
+                 ".glb can hold it"),
+      QT_TR_NOOP("a bone's name would be too long for an .asf: %1"),
+      QT_TR_NOOP("in an .asf bones of this skeleton would be nested deeper than %1"),
+      QT_TR_NOOP("a joint is scaled to nothing: what hangs from it has no place"),
+      QT_TR_NOOP("has no joint %1, which the motion has"),
+      QT_TR_NOOP("scales %1 to nothing: it cannot follow a motion"),
+      QT_TR_NOOP("no feet were found on this skeleton: name the joints to be corrected"),
+      QT_TR_NOOP("no joint above %1 can turn to move it"),
+      QT_TR_NOOP(
+          "a chain of joints that ends at %1 does not begin at a joint above it that can turn"),
+      QT_TR_NOOP("more than %1 effectors"),
+      QT_TR_NOOP("these effectors are not one limb"),
+      QT_TR_NOOP("the importance of frames %1 to %2 is not a number from 1 to %3"),
+      QT_TR_NOOP("frames %1 to %2 are not a range of the clip, which has %3 frames"),
+      QT_TR_NOOP("inverse kinematics can correct wavelet methods only"),
+      QT_TR_NOOP("the coefficient ratio is a target of wavelet methods only"),
+      QT_TR_NOOP("is not a compressed form of the original: it has %1, the original %2"),
+      QT_TR_NOOP("the clip has no frames"),
+      QT_TR_NOOP("the clip is not a loop"),
+      QT_TR_NOOP("the tracks are not those of the original"),
+      QT_TR_NOOP("the tracks have not as many frames as those of the original"),
+      // Settings and presets.
+      QT_TR_NOOP("has an unknown method: %1"),
+      QT_TR_NOOP("unknown method: %1"),
+      QT_TR_NOOP("has a coding other than adaptive, the only one of the closed loop"),
+      QT_TR_NOOP("has a target that is not above 0"),
+      QT_TR_NOOP("has a coefficient ratio, a target of wavelet methods only"),
+      QT_TR_NOOP("has a track error that is not above 0"),
+      QT_TR_NOOP("has a promise that is not above 0: %1"),
+      QT_TR_NOOP("has the effort draft, which does not promise its target"),
+      QT_TR_NOOP("has an importance of frames that is not a number from 1 to %1"),
+      QT_TR_NOOP("has an importance of %1 that is not a number of 0 or more"),
+      QT_TR_NOOP("has an IK correction, which can correct wavelet methods only"),
+      QT_TR_NOOP("has an IK ratio that is not above 0"),
+      QT_TR_NOOP("%1 is not a JSON object"),
+      QT_TR_NOOP("%1 is not a number"),
+      QT_TR_NOOP("%1 is not a whole number"),
+      QT_TR_NOOP("%1 is not a frame"),
+      QT_TR_NOOP("%1 is not above 0"),
+      QT_TR_NOOP("%1 is below 0"),
+      QT_TR_NOOP("%1 is neither a number nor \"auto\""),
+      QT_TR_NOOP("%1 is not a list of names"),
+      QT_TR_NOOP("%1 is not a list of contacts"),
+      QT_TR_NOOP("%1 is not a list of joints with a first and a last frame"),
+      QT_TR_NOOP("%1 is not a list of ranges with a first and a last frame"),
+      QT_TR_NOOP("%1 is not a list of ranges"),
+      QT_TR_NOOP("%1 of %2 is not a number"),
+      QT_TR_NOOP("%1 is \"%2\", not one of %3"),
+      QT_TR_NOOP("\"%1\" is unknown"),
+      QT_TR_NOOP("\"distance_m\" is not from %1 to %2"),
+      QT_TR_NOOP("what should be limits is not a JSON object"),
+      QT_TR_NOOP("a preset has no \"name\""),
+      QT_TR_NOOP("holds no preset"),
+      QT_TR_NOOP("is not JSON from here on"),
+      QT_TR_NOOP("holds a number that is too large"),
+      QT_TR_NOOP("nests its JSON more than %1 deep"),
+      QT_TR_NOOP("holds too many JSON values"),
+      // Projects, notes, links and blind tests.
+      QT_TR_NOOP("has a clip without a path"),
+      QT_TR_NOOP("is not a project: %1"),
+      QT_TR_NOOP("is not a project"),
+      QT_TR_NOOP("was saved by a newer version of Mocapress"),
+      QT_TR_NOOP("was written by a newer version of Mocapress"),
+      QT_TR_NOOP("is no file of notes"),
+      QT_TR_NOOP("has notes of another form: %1"),
+      QT_TR_NOOP("holds the notes of a clip in another format"),
+      QT_TR_NOOP(
+          "the link is refused, for it names no clip by an absolute path on this computer: %1"),
+      QT_TR_NOOP("is not a list of blind tests"),
+      QT_TR_NOOP("a blind test has an unknown cue: %1"),
+      QT_TR_NOOP("a blind test has a level that is not above 0"),
+      QT_TR_NOOP("a blind test lacks a value, or has one of another type"),
+      // Batches.
+      QT_TR_NOOP("{%1} means nothing in a name: there are {folder}, {stem}, {type}, {preset} and "
+                 "{method}"),
+      QT_TR_NOOP("the name pattern has a { without its }: %1"),
+      QT_TR_NOOP("is not a file name below the batch's folder: %1"),
+      QT_TR_NOOP("a bank is made of .mcpr files, which are not among the formats"),
+      QT_TR_NOOP("only a packed bank is coded by what its clips teach"),
+      QT_TR_NOOP("%1 exists: not overwritten"),
+      QT_TR_NOOP("%1 exists and is not this batch's: not overwritten"),
+      QT_TR_NOOP("%1 is a file that clips of this batch are made from"),
+      QT_TR_NOOP("is one of the inputs: not overwritten"),
+      QT_TR_NOOP("reads back with another number of frames"),
+      QT_TR_NOOP("reads back without %1"),
+      QT_TR_NOOP("reads back %1 cm off at %2"),
+      QT_TR_NOOP("the preset has a contact up to frame %1, but the clip ends before"),
+      QT_TR_NOOP("%1 was asked for, but it came to %2"),
+      QT_TR_NOOP("%1 does not read back as it was written"),
+      QT_TR_NOOP("the written file has another shape"),
+      QT_TR_NOOP("the written file cannot be read: %1"),
+      QT_TR_NOOP("another run is using it: %1; if it is gone, --take-over continues"),
+      QT_TR_NOOP("another run is using it: %1"),
+      QT_TR_NOOP("another run is using it"),
+      QT_TR_NOOP("%1 on %2, process %3, since %4"),
+      QT_TR_NOOP("cannot be listed, but holds clips that are done"),
+      QT_TR_NOOP("is not the journal of a batch"),
+      QT_TR_NOOP("changed while it was read"),
+      QT_TR_NOOP("holds a batch already: it can be resumed, or overwritten"),
+      QT_TR_NOOP("is not of the same batch as the others"),
+      QT_TR_NOOP("holds no journal of a batch"),
+      QT_TR_NOOP("%1 has an unknown preset"),
+      QT_TR_NOOP("is not a queue of clips: %1"),
+      QT_TR_NOOP("is not a queue of clips"),
+      QT_TR_NOOP("has an unknown format: %1"),
+      QT_TR_NOOP("has an unknown form of bank: %1"),
+      QT_TR_NOOP("a script for sbatch cannot name %1: it has %2 in it"),
+      QT_TR_NOOP("a line break or another control character"),
+      QT_TR_NOOP("a backslash"),
+      // Files and folders.
+      QT_TR_NOOP("cannot be made: %1"),
+      QT_TR_NOOP("is written, but a power cut may undo it: its folder cannot be synchronised: %1"),
+      QT_TR_NOOP("is not a regular file"),
+      QT_TR_NOOP("is a link that somebody else put into a folder shared by all"),
+      QT_TR_NOOP("became shorter while it was read"),
+      QT_TR_NOOP("takes more memory than this machine has to give"),
+      QT_TR_NOOP("is a name that is not UTF-8"),
+      // The system's reasons.
+      QT_TR_NOOP("Permission denied"),
+      QT_TR_NOOP("Operation not permitted"),
+      QT_TR_NOOP("No space left on device"),
+      QT_TR_NOOP("Disk quota exceeded"),
+      QT_TR_NOOP("Read-only file system"),
+      QT_TR_NOOP("File name too long"),
+      QT_TR_NOOP("File exists"),
+      QT_TR_NOOP("Not a directory"),
+      QT_TR_NOOP("Is a directory"),
+      QT_TR_NOOP("Too many open files"),
+      QT_TR_NOOP("Input/output error"),
+      QT_TR_NOOP("Too many levels of symbolic links"),
+  };
+};
+
+}  // namespace
+
+std::span<const char* const> sentencesOfWork() {
+  return TextsOfWork::kAll;
+}
+
+}  // namespace mocapress
