@@ -56,6 +56,11 @@ std::string left(std::string_view text) {
   return head(text, attribute("class", "name"));
 }
 
+/// A reason why something is stale, or nothing.
+std::string reason_text(const ReportLanguage& say, const std::optional<std::string>& reason) {
+  return or_nothing(reason ? say(*reason) : "");
+}
+
 /// "not visible", "borderline", "visible"; empty: nobody looked.
 std::string sight_text(const SignOffFigures& figures) {
   if (!figures.sight) return "";
@@ -69,18 +74,19 @@ std::string moment_text(const SignOffClip& clip, int frame) {
 }
 
 std::string summary(const SignOff& report) {
+  const ReportLanguage& say = report.language;
   const SignOffCounts counts = count(report);
-  std::string text = std::to_string(counts.reviewed()) + " of " +
-                     std::to_string(report.clips.size()) +
-                     " reviewed: " + std::to_string(counts.approved) + " approved, " +
-                     std::to_string(counts.rejected) + " rejected";
-  if (counts.stale > 0) text += "; " + std::to_string(counts.stale) + " verdicts stale";
-  if (counts.waiting > 0) text += "; " + std::to_string(counts.waiting) + " without a verdict";
+  std::string text = say("%1 of %2 reviewed: %3 approved, %4 rejected",
+                         {std::to_string(counts.reviewed()), std::to_string(report.clips.size()),
+                          std::to_string(counts.approved), std::to_string(counts.rejected)});
+  if (counts.stale > 0) text += say("; %1 verdicts stale", {std::to_string(counts.stale)});
+  if (counts.waiting > 0) text += say("; %1 without a verdict", {std::to_string(counts.waiting)});
   return text + ".";
 }
 
 /// Clips by the largest error, the worst first.
 std::string worst_table(const SignOff& report) {
+  const ReportLanguage& say = report.language;
   std::vector<const SignOffClip*> worst;
   for (const SignOffClip& clip : report.clips)
     if (clip.figures && clip.figures->worst_frame) worst.push_back(&clip);
@@ -95,19 +101,20 @@ std::string worst_table(const SignOff& report) {
                               link_to(*clip, figures.worst_frame, figures.worst_point))) +
                   cell(format_significant(figures.max_cm)) +
                   cell(or_nothing(figures.worst_point), "name") +
-                  cell(or_nothing(sight_text(figures)), "name") +
-                  cell(or_nothing(figures.stale.value_or("")), "wrap"));
+                  cell(or_nothing(say(sight_text(figures))), "name") +
+                  cell(reason_text(say, figures.stale), "wrap"));
   }
   return element("section", "",
-                 element("h2", "", "Worst frames") +
-                     muted("The frame with the largest error of each clip, the largest first. "
-                           "Frames count from 0.") +
-                     table(line(left("Clip") + head("frame") + head("error, cm") + left("point") +
-                                left("eye") + left("stale")),
+                 element("h2", "", say("Worst frames")) +
+                     muted(say("The frame with the largest error of each clip, the largest first. "
+                               "Frames count from 0.")) +
+                     table(line(left(say("Clip")) + head(say("frame")) + head(say("error, cm")) +
+                                left(say("point")) + left(say("eye")) + left(say("stale"))),
                            lines));
 }
 
 std::string notes_table(const SignOff& report) {
+  const ReportLanguage& say = report.language;
   std::string lines;
   for (const SignOffClip& clip : report.clips)
     for (const FrameNote& note : clip.review.notes)
@@ -116,43 +123,46 @@ std::string notes_table(const SignOff& report) {
           cell(linked(moment_text(clip, note.frame), link_to(clip, note.frame, note.joint))) +
           cell(or_nothing(note.joint), "name") + cell(escaped(note.text), "wrap") +
           cell(or_nothing(note.reviewer), "name") + cell(or_nothing(note.time), "name") +
-          cell(or_nothing(stale_reason(note, clip.source_hash, clip.settings_hash).value_or("")),
-               "wrap"));
+          cell(reason_text(say, stale_reason(note, clip.source_hash, clip.settings_hash)), "wrap"));
   if (lines.empty()) return "";
-  return element("section", "",
-                 element("h2", "", "Notes") +
-                     table(line(left("Clip") + head("frame") + left("joint") + left("note") +
-                                left("by") + left("when") + left("stale")),
-                           lines));
+  return element(
+      "section", "",
+      element("h2", "", say("Notes")) +
+          table(line(left(say("Clip")) + head(say("frame")) + left(say("joint")) +
+                     left(say("note")) + left(say("by")) + left(say("when")) + left(say("stale"))),
+                lines));
 }
 
 std::string clips_table(const SignOff& report) {
+  const ReportLanguage& say = report.language;
   std::string lines;
   for (const SignOffClip& clip : report.clips) {
     const ClipReview& review = clip.review;
-    const std::string stale = stale_verdict(clip).value_or("");
+    const std::string problem = clip.problem.empty() ? "" : say(clip.problem);
     std::string cells = head(linked(clip.name, link_to(clip)), attribute("scope", "row")) +
-                        cell(or_nothing(std::string(name(review.verdict))), "name") +
+                        cell(or_nothing(say(std::string(name(review.verdict)))), "name") +
                         cell(or_nothing(review.reviewer), "name") +
-                        cell(or_nothing(review.time), "name") + cell(or_nothing(stale), "wrap") +
-                        cell(or_nothing(clip.problem.empty()  ? review.note
-                                        : review.note.empty() ? clip.problem
-                                                              : review.note + "; " + clip.problem),
+                        cell(or_nothing(review.time), "name") +
+                        cell(reason_text(say, stale_verdict(clip)), "wrap") +
+                        cell(or_nothing(problem.empty()       ? review.note
+                                        : review.note.empty() ? problem
+                                                              : review.note + "; " + problem),
                              "wrap");
     if (const auto& figures = clip.figures)
       cells += cell(ratio_text(figures->ratio)) + cell(std::to_string(figures->bytes)) +
                cell(format_significant(figures->eps_cm)) +
                cell(format_significant(figures->max_cm)) +
-               cell(or_nothing(sight_text(*figures)), "name");
+               cell(or_nothing(say(sight_text(*figures))), "name");
     else
       cells += cell(kNothing) + cell(kNothing) + cell(kNothing) + cell(kNothing) + cell(kNothing);
     lines += line(cells);
   }
   return element("section", "",
-                 element("h2", "", "Every clip") +
-                     table(line(left("Clip") + left("verdict") + left("by") + left("when") +
-                                left("stale") + left("note") + head("ratio") + head("bytes") +
-                                head("error, cm") + head("largest, cm") + left("eye")),
+                 element("h2", "", say("Every clip")) +
+                     table(line(left(say("Clip")) + left(say("verdict")) + left(say("by")) +
+                                left(say("when")) + left(say("stale")) + left(say("note")) +
+                                head(say("ratio")) + head(say("bytes")) + head(say("error, cm")) +
+                                head(say("largest, cm")) + left(say("eye"))),
                            lines));
 }
 
@@ -173,8 +183,11 @@ SignOffCounts count(const SignOff& report) {
 }
 
 std::string sign_off_html(const SignOff& report, ReportMedium medium) {
-  const std::string title = "Sign-off" + (report.title.empty() ? "" : ": " + report.title);
-  return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><meta "
+  const ReportLanguage& say = report.language;
+  const std::string title =
+      report.title.empty() ? say("Sign-off") : say("Sign-off: %1", {report.title});
+  return "<!DOCTYPE html>\n<html" + attribute("lang", say.code) +
+         "><head><meta charset=\"utf-8\"/><meta "
          "name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>" +
          element("title", "", escaped(title)) +
          element("style", "", medium == ReportMedium::Screen ? kReportStyle : kPaperStyle) +
@@ -184,10 +197,9 @@ std::string sign_off_html(const SignOff& report, ReportMedium medium) {
                      muted(escaped(report.stamp.program + ", " + report.stamp.time)) +
                      element("p", "", element("b", "", escaped(summary(report))))) +
          worst_table(report) + notes_table(report) + clips_table(report) +
-         muted(
-             "A verdict or note is stale if the clip&#8217;s file or its settings have changed "
-             "since; stale verdicts do not count as reviewed. Links open the clip in Mocapress "
-             "on this computer.") +
+         muted(escaped(say("A verdict or note is stale if the clip's file or its settings have "
+                           "changed since; stale verdicts do not count as reviewed. Links open "
+                           "the clip in Mocapress on this computer."))) +
          "</main></body></html>\n";
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/metrics/visibility.h"
+#include "core/report/report_language.h"
 #include "core/report/report_stamp.h"
 #include "core/report/review.h"
 
@@ -42,6 +43,7 @@ struct SignOff {
   std::string title;  // the project's name
   std::vector<SignOffClip> clips;
   ReportStamp stamp;
+  ReportLanguage language;  // of pages; tables are English
 };
 
 /// Verdicts of clips, by what still applies.

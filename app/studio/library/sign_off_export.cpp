@@ -14,6 +14,7 @@
 #include "core/base/file.h"
 #include "core/report/verdict.h"
 #include "widgets/models/library_model.h"
+#include "widgets/models/report_texts.h"
 
 namespace mocapress {
 namespace {
@@ -58,7 +59,10 @@ SignOffFigures figuresIn(const ProjectClip& clip) {
 }  // namespace
 
 SignOff signOffOf(const Library& library, const LibraryModel& rows) {
-  SignOff report{.title = library.name().toStdString(), .clips = {}, .stamp = report_stamp()};
+  SignOff report{.title = library.name().toStdString(),
+                 .clips = {},
+                 .stamp = report_stamp(),
+                 .language = reportLanguage()};
   const std::vector<ProjectClip>& clips = library.project().clips;
   for (std::size_t row = 0; row < clips.size(); ++row) {
     const ProjectClip& clip = clips[row];

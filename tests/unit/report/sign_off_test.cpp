@@ -67,6 +67,19 @@ TEST(SignOff, PageNamesWorstFramesNotesAndWhatIsStale) {
   EXPECT_EQ(sign_off_html(report(), ReportMedium::Paper).find("var("), std::string::npos);
 }
 
+TEST(SignOff, PageIsInTheLanguageOfItsReader) {
+  SignOff loud = report();
+  loud.language = {.code = "fr", .translate = [](const std::string& english) {
+                     return "<" + english + ">";
+                   }};
+  const std::string page = sign_off_html(loud);
+  EXPECT_NE(page.find("<html lang=\"fr\">"), page.npos);
+  EXPECT_NE(page.find("&lt;1 of 3 reviewed: 1 approved, 0 rejected&gt;"), page.npos);
+  EXPECT_NE(page.find("&lt;the settings changed&gt;"), page.npos);
+  EXPECT_NE(page.find("&lt;is damaged&gt;"), page.npos);
+  EXPECT_EQ(sign_off_csv(loud), sign_off_csv(report())) << "machines read tables";
+}
+
 TEST(SignOff, TableHasARowAClipWithAllFields) {
   const std::string table = sign_off_csv(report());
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 4);
