@@ -4068,7 +4068,7 @@
     </message>
     <message>
         <source>it does not say which file and settings were reviewed</source>
-        <translation>どのファイルと設定を確認したか記録がありません</translation>
+        <translation>どのファイルと設定をレビューしたか記録がありません</translation>
     </message>
     <message>
         <source>the file is missing</source>
@@ -4088,19 +4088,19 @@
     </message>
     <message>
         <source>Sign-off</source>
-        <translation>承認報告</translation>
+        <translation>承認レポート</translation>
     </message>
     <message>
         <source>Sign-off: %1</source>
-        <translation>承認報告：%1</translation>
+        <translation>承認レポート：%1</translation>
     </message>
     <message>
         <source>%1 of %2 reviewed: %3 approved, %4 rejected</source>
-        <translation>%2 件中 %1 件を確認：承認 %3、却下 %4</translation>
+        <translation>%2 個中 %1 個レビュー済み：承認 %3、却下 %4</translation>
     </message>
     <message>
         <source>; %1 verdicts stale</source>
-        <translation>、期限切れの判定 %1</translation>
+        <translation>、無効な判定 %1</translation>
     </message>
     <message>
         <source>; %1 without a verdict</source>
@@ -4156,7 +4156,7 @@
     </message>
     <message>
         <source>by</source>
-        <translation>確認者</translation>
+        <translation>レビュー担当</translation>
     </message>
     <message>
         <source>when</source>
@@ -4164,7 +4164,7 @@
     </message>
     <message>
         <source>stale</source>
-        <translation>期限切れ</translation>
+        <translation>無効</translation>
     </message>
     <message>
         <source>eye</source>
@@ -4180,7 +4180,7 @@
     </message>
     <message>
         <source>A verdict or note is stale if the clip&apos;s file or its settings have changed since; stale verdicts do not count as reviewed. Links open the clip in Mocapress on this computer.</source>
-        <translation>判定やメモは、その後にクリップのファイルや設定が変わると期限切れになります。期限切れの判定は確認済みに数えません。リンクはこのコンピューターの Mocapress でクリップを開きます。</translation>
+        <translation>判定やメモは、その後にクリップのファイルや設定が変わると無効になります。無効な判定はレビュー済みに数えません。リンクはこのコンピューターの Mocapress でクリップを開きます。</translation>
     </message>
 </context>
 <context>

@@ -343,7 +343,7 @@ QString BatchSession::exampleName(bool* wrong) const {
     return QString::fromStdString(output + '.' + std::string(name(format)));
   } catch (const Error& error) {
     *wrong = true;
-    return QString::fromStdString(error.what());
+    return translatedSentence(QString::fromStdString(error.what()));
   }
 }
 
@@ -475,7 +475,7 @@ void BatchSession::writeSlurm(const QString& path, int tasks) {
     write_text(pathOf(path), script);
     emit noted(tr("Wrote %1: submit it with sbatch.").arg(QDir::toNativeSeparators(path)));
   } catch (const Error& error) {
-    emit noted(QString::fromStdString(error.what()));
+    emit noted(translatedSentence(QString::fromStdString(error.what())));
   }
 }
 

@@ -25,6 +25,7 @@
 #include "core/base/error.h"
 #include "core/base/utc_time.h"
 #include "widgets/models/display_names.h"
+#include "widgets/models/sentence.h"
 #include "widgets/timeline/playback.h"
 #include "widgets/viewport/viewport.h"
 
@@ -170,7 +171,7 @@ QWidget* BlindTestWindow::makeResult() {
       use_->setText(tr("In Use"));
       emit limitsChanged();
     } catch (const Error& error) {
-      verdict_->setText(QString::fromUtf8(error.what()));
+      verdict_->setText(translatedSentence(QString::fromUtf8(error.what())));
     }
   });
   return page;
@@ -335,7 +336,7 @@ void BlindTestWindow::finish() {
     add_blind_test(file_.toStdU16String(), made);
     text += QStringLiteral("\n\n") + tr("Kept in %1.").arg(QDir::toNativeSeparators(file_));
   } catch (const Error& error) {
-    text += QStringLiteral("\n\n") + QString::fromUtf8(error.what());
+    text += QStringLiteral("\n\n") + translatedSentence(QString::fromUtf8(error.what()));
   }
   verdict_->setText(text);
   use_->setText(tr("Use as Limits"));

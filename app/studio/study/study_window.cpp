@@ -22,6 +22,7 @@
 #include "app/studio/document/clip_files.h"
 #include "app/studio/study/study_session.h"
 #include "widgets/models/number_text.h"
+#include "widgets/models/sentence.h"
 #include "widgets/models/study_rows_model.h"
 #include "widgets/panels/study_panel.h"
 #include "widgets/panels/study_results.h"
@@ -317,7 +318,7 @@ void StudyWindow::setHere(const QString& path, const std::optional<CurvePoint>& 
 void StudyWindow::load(int row) {
   const StudyRow& chosen = model_->row(row);
   if (!chosen.measured) {
-    note_->setText(QString::fromStdString(chosen.error));
+    note_->setText(translatedSentence(QString::fromStdString(chosen.error)));
     return;
   }
   note_->setText(
