@@ -310,8 +310,8 @@ struct Extraction {
       places.push_back(below);
       const fs::path place = utf8_path(folder) / below;
       refuse_source(place, {utf8_path(bank)});
-      std::error_code error;
-      if (!overwrite && fs::exists(fs::symlink_status(place, error)))
+      std::error_code error;  // is_there() sees no link that leads nowhere
+      if (!overwrite && (is_there(place) || fs::is_symlink(place, error)))
         throw WriteError(utf8(place) + " exists: not overwritten");
     }
     return places;

@@ -2,10 +2,10 @@
 #include "core/bank/bank_source.h"
 
 #include <algorithm>
-#include <system_error>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/folder_listing.h"
 #include "core/base/path_kind.h"
 #include "core/base/utf8_path.h"
 
@@ -22,18 +22,23 @@ std::string lower_extension(const fs::path& path) {
   return extension;
 }
 
+/// Adds every file below `folder` that is named as a clip. One that cannot be read is refused
+/// later, so none is left out silently.
+void add_below(const fs::path& folder, const fs::path& top, std::vector<BankSource>& sources) {
+  const FolderListing listing = list_folder(folder);
+  for (const auto& [path, is_link, kind, problem] : listing.entries) {
+    if (kind == PathKind::Folder) {
+      if (!is_link) add_below(path, top, sources);
+    } else if (lower_extension(path) == ".mcpr") {
+      sources.push_back({generic_utf8(path.lexically_relative(top).replace_extension()), path, {}});
+    }
+  }
+  if (!listing.problem.empty()) throw InputError(utf8(folder), 0, 0, listing.problem);
+}
+
 void find_below(const fs::path& folder, std::vector<BankSource>& sources) {
   const std::size_t before = sources.size();
-  std::error_code error;
-  // Every file named as a clip is listed. One that cannot be read is refused later, so none is left
-  // out silently.
-  for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end;
-       at.increment(error))
-    if (lower_extension(at->path()) == ".mcpr" && path_kind(at->path()) != PathKind::Folder)
-      sources.push_back({generic_utf8(at->path().lexically_relative(folder).replace_extension()),
-                         at->path(),
-                         {}});
-  if (error) throw InputError(utf8(folder), 0, 0, error.message());
+  add_below(folder, folder, sources);
   if (sources.size() == before) throw InputError(utf8(folder), 0, 0, "holds no .mcpr file");
 }
 

@@ -10,6 +10,7 @@
 
 #include "core/bank/bank.h"
 #include "core/base/error.h"
+#include "core/base/folder_listing.h"
 #include "core/base/make_folders.h"
 #include "core/base/path_kind.h"
 #include "core/base/utf8_path.h"
@@ -109,12 +110,12 @@ using Journals = std::vector<std::unique_ptr<JournalReader>>;
 
 std::vector<fs::path> journals_in(const fs::path& folder) {
   std::vector<fs::path> found;
-  std::error_code error;
-  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-    const std::string name = utf8(at->path().filename());
-    if (name.starts_with("batch") && name.ends_with(".jsonl")) found.push_back(at->path());
+  const FolderListing listing = list_folder(folder);
+  for (const FolderEntry& entry : listing.entries) {
+    const std::string name = utf8(entry.path.filename());
+    if (name.starts_with("batch") && name.ends_with(".jsonl")) found.push_back(entry.path);
   }
-  if (error) throw InputError(utf8(folder), 0, 0, error.message());
+  if (!listing.problem.empty()) throw InputError(utf8(folder), 0, 0, listing.problem);
   std::sort(found.begin(), found.end());
   return found;
 }

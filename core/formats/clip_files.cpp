@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/folder_listing.h"
 #include "core/base/path_kind.h"
 #include "core/base/utf8_path.h"
 #include "core/formats/text_cursor.h"
@@ -35,32 +36,28 @@ class FolderWalk {
 
  private:
   void look_into(const fs::path& folder) {
-    std::error_code error;
     try {
       const std::optional<FileIdentity> identity = identity_of(folder);
       if (identity && !seen_.insert(*identity).second) return;
     } catch (const InputError&) {  // opening it gives the reason
     }
-    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
-      look_at(*at);
-    if (error) found_.push_back({folder, error.message()});
+    const FolderListing listing = list_folder(folder);
+    for (const FolderEntry& entry : listing.entries) look_at(entry);
+    if (!listing.problem.empty()) found_.push_back({folder, listing.problem});
   }
 
-  void look_at(const fs::directory_entry& entry) {
-    std::error_code error;
-    const fs::path& path = entry.path();
-    const bool is_link = entry.is_symlink(error);
-    const fs::file_status status = entry.status(error);
-    if (fs::is_directory(status)) {
-      is_link ? links_.push_back(path) : look_into(path);
+  void look_at(const FolderEntry& entry) {
+    const fs::path& path = entry.path;
+    if (entry.kind == PathKind::Folder) {
+      entry.is_link ? links_.push_back(path) : look_into(path);
       return;
     }
-    const bool leads_nowhere = is_link && status.type() == fs::file_type::not_found;
-    const bool may_be_folder = (leads_nowhere || error) && !path.has_extension();
+    const bool may_be_folder = !entry.problem.empty() && !path.has_extension();
     if (!is_clip(path) && !may_be_folder) return;
-    if (leads_nowhere) return found_.push_back({path, "is a link that leads nowhere"});
-    std::string problem;
-    if (!fs::is_regular_file(status)) problem = error ? error.message() : "is not a regular file";
+    if (entry.is_link && entry.kind == PathKind::Absent)
+      return found_.push_back({path, "is a link that leads nowhere"});
+    std::string problem = entry.problem;
+    if (problem.empty() && entry.kind != PathKind::File) problem = "is not a regular file";
     found_.push_back({path, problem});
   }
 

@@ -18,6 +18,7 @@
 #include "core/base/file.h"
 #include "core/base/file_identity.h"
 #include "core/base/file_lock.h"
+#include "core/base/folder_listing.h"
 #include "core/base/line_reader.h"
 #include "core/base/machine.h"
 #include "core/base/make_folders.h"
@@ -171,6 +172,10 @@ TEST_F(FileOnWindows, PathsMayBeLongerThan260Characters) {
   EXPECT_GT(utf8(deep / "clip.txt").size(), 500u);
   EXPECT_EQ(read_text(deep / "clip.txt"), "far down");
   EXPECT_EQ(path_kind(deep), PathKind::Folder);
+  const FolderListing listing = list_folder(deep);
+  ASSERT_EQ(listing.entries.size(), 1u);
+  EXPECT_EQ(listing.entries[0].path, deep / "clip.txt");
+  EXPECT_EQ(listing.entries[0].kind, PathKind::File);
   EXPECT_TRUE(remove_file(deep / "clip.txt"));
   EXPECT_FALSE(is_there(deep / "clip.txt"));
   // The standard library's remove_all() does not reach this deep.

@@ -163,6 +163,12 @@ class Names(CommandLine):
         self.assertTrue(mcpr.exists())
         self.done(windows("decompress", mcpr, "-o", mcpr.with_suffix(".csv")))
         self.assertTrue(mcpr.with_suffix(".csv").exists())
+        self.done(windows("batch", clip.parent, "-o", self.folder / "out"))
+        self.done(windows("bank", "make", self.folder / "deep.mcpk", mcpr.parent))
+        self.done(windows("bank", "extract", self.folder / "deep.mcpk", "-o", clip.parent / "again"))
+        self.refused(windows("bank", "extract", self.folder / "deep.mcpk", "-o", clip.parent / "again"), 5, "exists")
+        for made in (next((self.folder / "out").rglob("walk.mcpr")), clip.parent / "again" / "walk.mcpr"):
+            self.assertEqual(made.read_bytes(), mcpr.read_bytes())
 
     def test_of_gltf_buffers_are_found_beside_their_file(self):
         clip = self.clip(f"{ANY_LETTERS}/walk.amc")
