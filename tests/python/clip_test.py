@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
 import gc
-import os
 import pathlib
 import signal
 import subprocess
@@ -135,7 +134,7 @@ def test_progress_is_told_and_what_it_raises_stops_the_work(walk, clip):
 
 def test_ctrl_c_stops_an_encoding(walk):
     with pytest.raises(KeyboardInterrupt):
-        mocapress.encode(walk, progress=lambda _: os.kill(os.getpid(), signal.SIGINT))
+        mocapress.encode(walk, progress=lambda _: signal.raise_signal(signal.SIGINT))
 
 
 def test_other_threads_run_while_a_clip_is_encoded(walk):
