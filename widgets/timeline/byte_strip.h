@@ -2,20 +2,18 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <QWidget>
 #include <memory>
-#include <vector>
 
 #include "core/codec/format/byte_costs.h"
-#include "widgets/timeline/time_axis.h"
+#include "widgets/timeline/joint_strip.h"
 
 namespace mocapress {
 
 using ByteCostsPtr = std::shared_ptr<const ByteCosts>;
 
 /// Compressed bytes over time, of the whole figure. The moment that costs most fills
-/// the height. A click or drag shows the frame and the joint that costs most there.
-class ByteStrip : public QWidget {
+/// the height. The joint of a moment is the one that costs most there.
+class ByteStrip : public JointStrip {
   Q_OBJECT
 
  public:
@@ -23,37 +21,17 @@ class ByteStrip : public QWidget {
 
   /// `names` has the names of all joints. Null costs: unknown.
   void setCosts(ByteCostsPtr costs, std::vector<QString> names, int frames);
-  void setFrame(int frame);
-  void setWindow(const FrameWindow& window);
-
-  /// Width in pixels for names, in line with the other strips.
-  void setLabelWidth(int pixels);
-  int labelWidth() const;
-
-  QSize sizeHint() const override { return {200, 22}; }
-
- signals:
-  void chosen(int frame, int joint);
-
- protected:
-  bool event(QEvent* event) override;
-  void paintEvent(QPaintEvent* event) override;
-  void mousePressEvent(QMouseEvent* event) override;
-  void mouseMoveEvent(QMouseEvent* event) override;
 
  private:
-  TimeAxis axis() const;
-  int sliceAt(double x) const;
-  int dearestJoint(int slice) const;
-  void choose(double x);
+  bool isKnown() const override { return costs_ != nullptr; }
+  void paintColumns(QPainter& painter, const QRectF& area, const TimeAxis& time) const override;
+  int jointAt(int frame) const override;
+  QString meaning() const override;
+  QString describe(int frame) const override;
+  int sliceAt(int frame) const;
 
   ByteCostsPtr costs_;
   Eigen::VectorXd rates_;  // bytes of a frame, by slice
-  std::vector<QString> names_;
-  int frames_ = 0;
-  FrameWindow window_;
-  int frame_ = 0;
-  int label_width_ = 0;
 };
 
 }  // namespace mocapress
