@@ -37,7 +37,6 @@ constexpr auto kBlinkTime = std::chrono::milliseconds(400);
 constexpr double kWheelStep = 120;    // Qt's angle delta of one notch
 constexpr double kClickReach = 12;    // logical pixels from a joint to a click on it
 constexpr double kNoteSeconds = 0.5;  // a note is seen around its frame
-constexpr double kDividerReach = 10;  // pixels on each side of the divider
 
 bool isEmpty(const Viewport::Tracks& tracks) {
   return !tracks || tracks->size() == 0;
@@ -57,6 +56,7 @@ void prepareViewport() {
 
 Viewport::Viewport(QWidget* parent) : QWidget(parent) {
   setMinimumSize(160, 120);
+  setAccessibleName(tr("3D view"));
   setFocusPolicy(Qt::StrongFocus);
   camera_.lookAt({0, 90, 0}, 100);
   blink_.setInterval(kBlinkTime);
@@ -499,7 +499,7 @@ void Viewport::showTrails() {
 
 void Viewport::showCamera() {
   if (!scene_) return;
-  scene_->setCameras(cameras(), arrangement_.panes);
+  scene_->setCameras(picture().cameras(), arrangement_.panes);
   showNotes();
   scene_->announce();
 }
@@ -531,22 +531,14 @@ void Viewport::showNotes() {
   std::vector<OverlayNote> shown;
   const bool on_compressed = compressed_ && arrangement_.compressed.shown;
   const Tracks& tracks = on_compressed ? compressed_ : original_;
+  const Placement& placement = on_compressed ? arrangement_.compressed : arrangement_.original;
   const double half = kNoteSeconds / 2 * sample_rate_hz_;
   for (const PlacedNote& note : notes_) {
     if (!tracks || !shape_ || std::abs(note.frame - frame_) > half) continue;
     if (!note.place_cm && (note.joint < 0 || note.joint >= shape_->jointCount())) continue;
     const QVector3D place = note.place_cm.value_or(
         note.joint < 0 ? QVector3D() : landmarkAt(*tracks, frameOf(*tracks), note.joint));
-    const Placement& placement = on_compressed ? arrangement_.compressed : arrangement_.original;
-    const auto pixel = camera_.project(place + offset());
-    if (!pixel) continue;
-    // Outside of its own part of the window it would be taken for a place in another one's.
-    const QPointF at = *pixel + QPointF(leftOfPane(placement.pane), 0);
-    const auto device_x = static_cast<float>(2 * at.x() / quarterWidth() - 1);
-    const bool beside = arrangement_.panes > 1 && !placement.pane.contains(device_x);
-    const bool off_quarter =
-        arrangement_.quartered && (std::abs(device_x) > 1 || 2 * at.y() > scene_->height());
-    if (!beside && !off_quarter) shown.push_back({at, note.text});
+    if (const auto at = picture().pixelOf(place, placement.pane)) shown.push_back({*at, note.text});
   }
   scene_->overlay().showNotes(shown, scene_->size(), devicePixelRatioF());
   scene_->announce();
@@ -632,21 +624,15 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
 
 void Viewport::press(const QMouseEvent& event) {
   pressed_at_ = dragged_to_ = event.position();
-  pressed_quarter_ = quarterAt(event.position());
-  drags_divider_ = event.button() == Qt::LeftButton && isOnDivider(event.position());
+  pressed_quarter_ = picture().quarterAt(event.position());
+  drags_divider_ = event.button() == Qt::LeftButton && picture().isOnDivider(event.position());
   is_click_ =
       (event.button() == Qt::LeftButton && !drags_divider_) || event.button() == Qt::RightButton;
 }
 
-bool Viewport::isOnDivider(const QPointF& position) const {
-  if (!arrangement_.has_divider || arrangement_.panes > 1) return false;
-  const double divider = (1 + static_cast<double>(arrangement_.dividerAt())) / 2 * scene_->width();
-  return std::abs(position.x() - divider) <= kDividerReach;
-}
-
 void Viewport::drag(const QMouseEvent& event) {
   if (event.buttons() == Qt::NoButton) {
-    scene_->setCursor(isOnDivider(event.position()) ? Qt::SplitHCursor : Qt::ArrowCursor);
+    scene_->setCursor(picture().isOnDivider(event.position()) ? Qt::SplitHCursor : Qt::ArrowCursor);
     return;
   }
   if (drags_divider_) {
@@ -664,25 +650,14 @@ void Viewport::drag(const QMouseEvent& event) {
   if ((event.buttons() & Qt::LeftButton) && pressed_quarter_ == 0) {
     camera_.orbit(step);
   } else {
-    const std::vector<OrbitCamera> seen = cameras();  // fewer, if the quarters went meanwhile
+    const std::vector<OrbitCamera> seen =
+        picture().cameras();  // fewer, if the quarters went meanwhile
     OrbitCamera dragged =
         seen[std::min(static_cast<std::size_t>(pressed_quarter_), seen.size() - 1)];
     dragged.pan(step);
     camera_.moveBy(dragged.target() - camera_.target());
   }
   showCamera();
-}
-
-std::vector<OrbitCamera> Viewport::cameras() const {
-  if (!arrangement_.quartered) return {camera_};
-  return {camera_, camera_.along(ViewAxis::Front), camera_.along(ViewAxis::Side),
-          camera_.along(ViewAxis::Top)};
-}
-
-int Viewport::quarterAt(const QPointF& position) const {
-  if (!arrangement_.quartered) return 0;
-  return (2 * position.x() < scene_->width() ? 0 : 1) +
-         (2 * position.y() < scene_->height() ? 0 : 2);
 }
 
 void Viewport::release(const QMouseEvent& event) {
@@ -692,7 +667,7 @@ void Viewport::release(const QMouseEvent& event) {
     emit menuRequested(event.globalPosition().toPoint());
     return;
   }
-  const std::optional<Pointed> on = pointedAt(event.position(), kClickReach);
+  const std::optional<PictureSpace::Pointed> on = pointedAt(event.position(), kClickReach);
   if (!(event.modifiers() & Qt::ControlModifier)) {
     if (on) emit jointClicked(on->joint);
     return;
@@ -703,39 +678,19 @@ void Viewport::release(const QMouseEvent& event) {
     emit placePointed(-1, body->camera.beside(body->place, body->in_pane));
 }
 
-std::optional<Viewport::Pointed> Viewport::pointedAt(const QPointF& position, double reach) const {
-  const int quarter = quarterAt(position);
-  OrbitCamera camera = cameras()[static_cast<std::size_t>(quarter)];
-  camera.moveBy(-offset());  // to the places of the figures as recorded
-  const QPointF in_quarter =
-      position - QPointF(quarter % 2 * quarterWidth(), quarter / 2 * scene_->height() / 2.0);
-  std::optional<Pointed> nearest;
-  double least = reach;
+/// What the picture shows, for a moment.
+PictureSpace Viewport::picture() const {
+  return {arrangement_, QSizeF(scene_->size()), camera_, offset()};
+}
+
+std::optional<PictureSpace::Pointed> Viewport::pointedAt(const QPointF& position,
+                                                         double reach) const {
+  std::vector<PictureSpace::Drawn> figures;
   for (const auto& [tracks, placement] : {std::pair(compressed_, arrangement_.compressed),
-                                          std::pair(original_, arrangement_.original)}) {
-    const auto device_x = static_cast<float>(2 * in_quarter.x() / quarterWidth() - 1);
-    if (!tracks || !placement.shown || !placement.pane.contains(device_x)) continue;
-    const QPointF in_pane = in_quarter - QPointF(leftOfPane(placement.pane), 0);
-    const auto picked =
-        pickJoint(camera, *tracks, frameOf(*tracks), shape_->jointCount(), in_pane, least);
-    if (!picked || (nearest && picked->distance >= least)) continue;
-    least = picked->distance;
-    nearest = {picked->joint, landmarkAt(*tracks, frameOf(*tracks), picked->joint), in_pane,
-               camera};
-  }
-  return nearest;
-}
-
-/// Logical pixels of a quarter of a quartered window, else of the whole.
-double Viewport::quarterWidth() const {
-  return arrangement_.quartered ? scene_->width() / 2.0 : scene_->width();
-}
-
-/// Logical pixels from the left of a quarter, or of the whole window, to where the camera's picture
-/// of a pane begins.
-double Viewport::leftOfPane(const Pane& pane) const {
-  const double width = quarterWidth();
-  return (width - width / arrangement_.panes) / 2 + static_cast<double>(pane.shift) * width / 2;
+                                          std::pair(original_, arrangement_.original)})
+    if (tracks && placement.shown) figures.push_back({*tracks, frameOf(*tracks), placement.pane});
+  if (figures.empty()) return {};
+  return picture().pointedAt(figures, shape_->jointCount(), position, reach);
 }
 
 }  // namespace mocapress

@@ -19,6 +19,7 @@
 #include "widgets/models/error_colour.h"
 #include "widgets/viewport/figure_shape.h"
 #include "widgets/viewport/orbit_camera.h"
+#include "widgets/viewport/picture_space.h"
 #include "widgets/viewport/view_arrangement.h"
 
 class QMouseEvent;
@@ -178,16 +179,8 @@ class Viewport : public QWidget {
   void showOverlay();
   void showNotes();
 
-  /// A joint under the mouse, and the place of it in the clip's world.
-  struct Pointed {
-    int joint;
-    QVector3D place;
-    QPointF in_pane;     // logical pixels
-    OrbitCamera camera;  // in the clip's world
-  };
-  std::optional<Pointed> pointedAt(const QPointF& position, double reach) const;
-  double quarterWidth() const;
-  double leftOfPane(const Pane& pane) const;
+  PictureSpace picture() const;
+  std::optional<PictureSpace::Pointed> pointedAt(const QPointF& position, double reach) const;
   void measureFigure();
   void placeOriginal();
   void placeCompressed();
@@ -202,9 +195,6 @@ class Viewport : public QWidget {
   void press(const QMouseEvent& event);
   void drag(const QMouseEvent& event);
   void release(const QMouseEvent& event);
-  bool isOnDivider(const QPointF& position) const;
-  std::vector<OrbitCamera> cameras() const;      // of the window's views
-  int quarterAt(const QPointF& position) const;  // 0 in a window with one view
 
   /// The figure the camera looks at: the original, or the compressed one without it.
   const Eigen::MatrixXd* leadingTracks() const;
