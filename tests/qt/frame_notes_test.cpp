@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <QProgressBar>
+#include <QInputDialog>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -77,6 +78,20 @@ TEST_F(NotesOnAClip, AreStepsAndOutliveAVerdict) {
   library_.history()->undo();
   library_.history()->undo();
   EXPECT_EQ(library_.frameNotes(0).front().text, "pops");
+}
+
+TEST_F(NotesOnAClip, ANoteIsWrittenWhereItStandsOnceTheDialogCloses) {
+  add(70, "", "slides");
+  emit strip_.editRequested(0);
+  auto* dialog = window_.findChild<QInputDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  add(10, "", "pops");  // comes first now
+  dialog->setTextValue(QStringLiteral("slides a little"));
+  dialog->accept();
+  const std::vector<FrameNote> notes = library_.frameNotes(0);
+  ASSERT_EQ(notes.size(), 2u);
+  EXPECT_EQ(notes[0].text, "pops");
+  EXPECT_EQ(notes[1].text, "slides a little");
 }
 
 TEST_F(NotesOnAClip, AMarkGoesToItsFrameAndJoint) {

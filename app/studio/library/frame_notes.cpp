@@ -135,14 +135,19 @@ void FrameNotes::ask(const FrameNote& note, int index) {
   dialog->setWindowTitle(tr("Note"));
   dialog->setLabelText(placeOf(note));
   dialog->setTextValue(QString::fromStdString(note.text));
-  connect(
-      dialog, &QInputDialog::textValueSelected, library_,
-      [library = library_, key = library_->project().current, note, index](const QString& text) {
-        FrameNote written = note;
-        written.text = text.trimmed().toStdString();
-        // The clip may have another row by now.
-        library->setFrameNote(library->project().rows().value(key, -1), index, written);
-      });
+  connect(dialog, &QInputDialog::textValueSelected, library_,
+          [library = library_, key = library_->project().current, note,
+           is_new = index < 0](const QString& text) {
+            FrameNote written = note;
+            written.text = text.trimmed().toStdString();
+            // Clip and note may have other places by now. A note that is gone or was written by
+            // others meanwhile becomes another one.
+            const int row = library->project().rows().value(key, -1);
+            const std::vector<FrameNote> notes = library->frameNotes(row);
+            const auto found = is_new ? notes.end() : std::find(notes.begin(), notes.end(), note);
+            library->setFrameNote(
+                row, found == notes.end() ? -1 : static_cast<int>(found - notes.begin()), written);
+          });
   dialog->open();
 }
 
