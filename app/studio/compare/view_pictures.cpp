@@ -8,12 +8,12 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QProgressDialog>
+#include <QtMath>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "app/studio/document/session.h"
-#include "core/base/error.h"
 #include "core/base/file.h"
 #include "widgets/timeline/playback.h"
 #include "widgets/viewport/viewport.h"
@@ -86,15 +86,17 @@ void ViewPictures::choosePicture() {
 
 void ViewPictures::savePicture(const QString& path) {
   take([this, path](const QImage& image) {
-    QBuffer file;
-    file.open(QIODevice::WriteOnly);
-    image.save(&file, "PNG");
-    try {
-      write_text(path.toStdU16String(), file.data().toStdString());
-      emit noted(tr("Wrote %1.").arg(QFileInfo(path).fileName()));
-    } catch (const WriteError& error) {
-      emit failed(QString::fromStdString(error.what()));
-    }
+    saving_.finish();  // one that is not written yet must not be lost
+    saving_.start(
+        [image, path](const Job&) {
+          QBuffer file;
+          file.open(QIODevice::WriteOnly);
+          image.save(&file, "PNG");
+          write_text(path.toStdU16String(), file.data().toStdString());
+          return true;
+        },
+        [this, path](bool) { emit noted(tr("Wrote %1.").arg(QFileInfo(path).fileName())); },
+        [this](const QString& message) { emit failed(message); });
   });
 }
 
@@ -140,7 +142,11 @@ void ViewPictures::turntable(const QString& path) {
   if (playback_->frames() == 0) return;
   const int pictures = static_cast<int>(kTurnSeconds * kMostPictures);
   playback_->pause();
-  restore_ = [this, place = viewport_->cameraPlace()] { viewport_->setCameraPlace(place); };
+  // Turns back instead of setting the camera's place, which would count as the user's.
+  restore_ = [this, before = viewport_->camera().place()] {
+    const float turned = viewport_->camera().place().azimuth - before.azimuth;
+    viewport_->turnCamera(-qRadiansToDegrees(static_cast<double>(turned)));
+  };
   const auto turn = [this, pictures](int picture) {
     if (picture > 0) viewport_->turnCamera(360.0 / pictures);
   };

@@ -5,6 +5,7 @@
 #include <QObject>
 #include <functional>
 
+#include "app/jobs/job_runner.h"
 #include "app/studio/compare/film_recorder.h"
 
 class QProgressDialog;
@@ -23,6 +24,7 @@ class ViewPictures : public QObject {
 
  public:
   ViewPictures(Session* session, Playback* playback, Viewport* viewport, QWidget* window);
+  ~ViewPictures() override { saving_.finish(); }
 
   void copy();
   void choosePicture();
@@ -56,6 +58,7 @@ class ViewPictures : public QObject {
   QProgressDialog* progress_ = nullptr;
   std::function<void()> restore_;                  // undoes what a film changed
   std::function<void(const QImage&)> on_picture_;  // waits for a single picture
+  JobRunner saving_{Workers::LongRunning};
 };
 
 }  // namespace mocapress
