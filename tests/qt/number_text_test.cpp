@@ -37,6 +37,21 @@ TEST(LengthText, ScalesHaveNoDecimals) {
   EXPECT_EQ(roundLengthText(5), QStringLiteral("5 cm"));
 }
 
+TEST(RatioText, HasNoMoreThanThreeDigits) {
+  EXPECT_EQ(ratioText(8), QStringLiteral("8.00 : 1"));
+  EXPECT_EQ(ratioText(29.66), QStringLiteral("29.7 : 1"));
+  EXPECT_EQ(ratioText(176.1), QStringLiteral("176 : 1"));
+  EXPECT_EQ(ratioText(99.96), QStringLiteral("100 : 1"));
+}
+
+TEST(SizeText, HasNoMoreThanThreeDigits) {
+  EXPECT_EQ(sizeText(812), QStringLiteral("812 bytes"));
+  EXPECT_EQ(sizeText(1042), QStringLiteral("1.04 kB"));
+  EXPECT_EQ(sizeText(10'420), QStringLiteral("10.4 kB"));
+  EXPECT_EQ(sizeText(104'200), QStringLiteral("104 kB"));
+  EXPECT_EQ(sizeText(2.5e6), QStringLiteral("2.50 MB"));
+}
+
 TEST(AngleText, HasNoMoreDigitsThanOneSees) {
   EXPECT_EQ(angleText(0.123), QStringLiteral("0.12°"));
   EXPECT_EQ(angleText(0.996), QStringLiteral("1.0°"));

@@ -6,6 +6,7 @@
 #include "widgets/models/colours.h"
 #include "widgets/models/display_names.h"
 #include "widgets/models/error_colour.h"
+#include "widgets/models/number_text.h"
 
 namespace mocapress {
 
@@ -92,7 +93,7 @@ QVariant JointErrorModel::errorData(int row, int column, int role) const {
     return tr("RMS %1").arg(errorText(skin_(jointOf(row), 0), ErrorQuantity::Distance));
   if (role != Qt::DisplayRole) return {};
   if (!error) return QStringLiteral("–");
-  if (column == Seen) return QStringLiteral("%L1×").arg(*error, 0, 'f', 2);
+  if (column == Seen) return QStringLiteral("%1×").arg(shownShort(*error));
   return errorText(*error, column == Angle ? ErrorQuantity::Angle : ErrorQuantity::Distance);
 }
 

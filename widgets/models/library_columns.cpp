@@ -134,7 +134,7 @@ QString textOf(const LibraryEntry& entry, LibraryColumn column) {
     case LibraryColumn::Clip:
       return entry.name();
     case LibraryColumn::Ratio:
-      return outcome ? Columns::tr("%L1 : 1").arg(outcome->ratio, 0, 'f', 1) : QString();
+      return outcome ? ratioText(outcome->ratio) : QString();
     case LibraryColumn::Bytes:
       return outcome ? QLocale().toString(static_cast<qulonglong>(outcome->motion_bytes))
                      : QString();

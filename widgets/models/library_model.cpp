@@ -46,9 +46,8 @@ QString outcomeText(const LibraryEntry& entry) {
   if (!entry.outcome)
     return entry.frames == 0 ? LibraryModel::tr("Reading…")
                              : LibraryModel::tr("%Ln frame(s)", nullptr, entry.frames);
-  return LibraryModel::tr("%L1 : 1, %2")
-      .arg(entry.outcome->ratio, 0, 'f', 1)
-      .arg(lengthText(entry.outcome->eps_cm));
+  return LibraryModel::tr("%1, %2").arg(ratioText(entry.outcome->ratio),
+                                        lengthText(entry.outcome->eps_cm));
 }
 
 RowState stateOf(const LibraryEntry& entry) {

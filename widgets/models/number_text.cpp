@@ -22,12 +22,22 @@ constexpr double kLeastShown = 0.005;  // mm: smaller values are shown with a <
 }  // namespace
 
 QString lengthText(double cm) {
-  if (cm >= kShownAsOne)
-    return Lengths::tr("%1 cm").arg(shown(cm, cm < 9.995 ? 2 : cm < 99.95 ? 1 : 0));
+  if (cm >= kShownAsOne) return Lengths::tr("%1 cm").arg(shownShort(cm));
   const double mm = kMillimetres * cm;
   if (mm <= 0) return Lengths::tr("%1 mm").arg(shown(0, 0));
   if (mm < kLeastShown) return Lengths::tr("< %1 mm").arg(shown(0.01, 2));
   return Lengths::tr("%1 mm").arg(shown(mm, mm < 0.095 ? 2 : 1));
+}
+
+QString ratioText(double ratio) {
+  return Lengths::tr("%1 : 1").arg(shownShort(ratio));
+}
+
+QString sizeText(double bytes) {
+  double in_unit = bytes;
+  while (in_unit >= 999.5) in_unit /= 1000;
+  const int decimals = bytes < 999.5 || in_unit >= 99.95 ? 0 : in_unit >= 9.995 ? 1 : 2;
+  return QLocale().formattedDataSize(std::llround(bytes), decimals, QLocale::DataSizeSIFormat);
 }
 
 QString surplusText(double cm) {

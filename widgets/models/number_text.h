@@ -13,10 +13,21 @@ inline QString shown(double value, int decimals) {
   return QLocale().toString(value, 'f', decimals);
 }
 
+/// The same with at most three digits and two decimals: "1.95", "29.7", "176".
+inline QString shownShort(double value) {
+  return shown(value, value < 9.995 ? 2 : value < 99.95 ? 1 : 0);
+}
+
 /// The same with three significant digits.
 inline QString shownFigure(double value) {
   return shown(value, value >= 100 ? 0 : value >= 10 ? 1 : value >= 1 ? 2 : 3);
 }
+
+/// A ratio with up to three digits: "176 : 1", "29.7 : 1".
+QString ratioText(double ratio);
+
+/// A size of a file with up to three digits: "812 bytes", "1.04 kB".
+QString sizeText(double bytes);
 
 /// A distance with up to three digits, in millimetres below a centimetre: "12.3 cm", "4.6 mm",
 /// "0.04 mm". Never "0.00 cm".

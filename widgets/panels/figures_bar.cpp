@@ -89,10 +89,9 @@ void FiguresBar::setFigures(const std::optional<ResultFigures>& figures) {
   const auto maybe_about = [&](const QString& text) {
     return known.size_is_estimated ? tr("about %1").arg(text) : text;
   };
-  show(size_, maybe_about(QLocale().formattedDataSize(static_cast<qint64>(known.motion_bytes), 1,
-                                                      QLocale::DataSizeSIFormat)));
-  show(ratio_, maybe_about(tr("%L1 : 1").arg(known.ratio, 0, 'f', 1)));
-  show(bits_, maybe_about(QLocale().toString(known.bits_per_joint_sample, 'f', 2)));
+  show(size_, maybe_about(sizeText(static_cast<double>(known.motion_bytes))));
+  show(ratio_, maybe_about(ratioText(known.ratio)));
+  show(bits_, maybe_about(shownShort(known.bits_per_joint_sample)));
 }
 
 }  // namespace mocapress

@@ -26,14 +26,14 @@ QString distance(const std::optional<double>& cm) {
 }
 
 QString bytes(std::size_t count) {
-  return QLocale().formattedDataSize(static_cast<qint64>(count), 1, QLocale::DataSizeSIFormat);
+  return sizeText(static_cast<double>(count));
 }
 
 QString correctionText(const ResultFigures& figures) {
   if (!figures.correction_bytes) return kUnknown;
   const QString size = bytes(*figures.correction_bytes);
   return figures.correction_ratio
-             ? ResultPanel::tr("%1, %L2 : 1").arg(size).arg(*figures.correction_ratio, 0, 'f', 1)
+             ? ResultPanel::tr("%1, %2").arg(size, ratioText(*figures.correction_ratio))
              : size;
 }
 
@@ -54,7 +54,7 @@ QString reasonText(const SeenFigures& seen) {
              "%1, %2 at %L3 s: %L4 times the noticeable error; not noticed beyond %L5 m")
       .arg(displayName(seen.cue), seen.joint)
       .arg(seen.seconds, 0, 'f', 2)
-      .arg(seen.times_noticed, 0, 'f', 2)
+      .arg(shownShort(seen.times_noticed))
       .arg(seen.unnoticed_from_m, 0, 'g', 2);
 }
 
@@ -208,7 +208,7 @@ void ResultPanel::setFigures(const std::optional<ResultFigures>& figures) {
   const auto maybe_about = [&](const QString& text) {
     return figures->size_is_estimated ? tr("about %1").arg(text) : text;
   };
-  ratio_->setText(maybe_about(tr("%L1 : 1").arg(figures->ratio, 0, 'f', 1)));
+  ratio_->setText(maybe_about(ratioText(figures->ratio)));
   eps_->setText(distance(figures->eps_cm));
   eps_name_->setText(tr("eps_x, %1").arg(displayName(figures->weighting).toLower()));
   setEnds(*figures);
@@ -224,10 +224,9 @@ void ResultPanel::setFigures(const std::optional<ResultFigures>& figures) {
                        .arg(lengthText(figures->skin->max.cm), lengthText(figures->skin->rms)));
   for (QLabel* label : {nameOf(skin_), skin_}) label->setVisible(figures->skin.has_value());
   setSeen(figures->seen);
-  coefficient_ratio_->setText(figures->coefficient_ratio
-                                  ? tr("%L1 : 1").arg(*figures->coefficient_ratio, 0, 'f', 1)
-                                  : kUnknown);
-  bits_->setText(maybe_about(QLocale().toString(figures->bits_per_joint_sample, 'f', 2)));
+  coefficient_ratio_->setText(figures->coefficient_ratio ? ratioText(*figures->coefficient_ratio)
+                                                         : kUnknown);
+  bits_->setText(maybe_about(shownShort(figures->bits_per_joint_sample)));
   const auto pair = [](const QString& a, const QString& b) {
     return tr("%1 / %2", "footskate").arg(a, b);
   };

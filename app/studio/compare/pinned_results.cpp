@@ -83,7 +83,7 @@ void PinnedResults::pinEngine() {
       [this](const DecodedPtr& decoded) {
         // Others may have been pinned meanwhile.
         if (pins_.size() + unmade_.size() >= kMostPinned)
-          return emit failed(tr("The result is not final yet, or four are pinned."));
+          return emit failed(tr("Four results are pinned already."));
         const Result result{
             {freeName(methodTitle(kEngineMethod)), freeColour(), {}}, decoded, true};
         session_->history()->push(new EditStep(
@@ -235,11 +235,10 @@ void PinnedResults::show() {
         pin.name,          pin.colour, decoded->ratio, distortion.eps(weighting), distortion.p95,
         distortion.max.cm, {}};
     if (decoded->footskate) entry.drift_cm = decoded->footskate->drift_worst_cm;
-    figures.push_back(
-        {decoded->tracks,
-         pin.colour,
-         {pin.name, tr("%L1 : 1").arg(entry.ratio, 0, 'f', 1), lengthText(entry.eps_cm)},
-         posesOf(decoded)});
+    figures.push_back({decoded->tracks,
+                       pin.colour,
+                       {pin.name, ratioText(entry.ratio), lengthText(entry.eps_cm)},
+                       posesOf(decoded)});
     entries.push_back(std::move(entry));
   }
   model_->setEntries(std::move(entries));

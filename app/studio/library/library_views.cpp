@@ -102,8 +102,7 @@ void LibraryViews::showSlots() {
   std::array<QString, 2> summaries;
   for (std::size_t slot = 0; slot < summaries.size(); ++slot)
     if (const auto figures = session_->slotFigures(static_cast<int>(slot)))
-      summaries[slot] =
-          tr("%L1 : 1, %2").arg(figures->ratio, 0, 'f', 1).arg(lengthText(figures->eps_cm));
+      summaries[slot] = tr("%1, %2").arg(ratioText(figures->ratio), lengthText(figures->eps_cm));
   slots_->setSlots(session_->document().tuning().active, summaries);
   slots_->setEnabled(session_->document().original() != nullptr);
 }
