@@ -138,7 +138,7 @@ TEST_F(StudioWindow, ASliderMovementIsFollowedByAPictureSoon) {
 }
 
 TEST_F(StudioWindow, IsNotAwayForLongWhileALongClipIsCompressed) {
-  constexpr int kFrames = 5000;
+  constexpr int kFrames = 2000;
   Motion motion = read_motion(sampleClip().toStdU16String()).motion;
   const Eigen::MatrixXd walk = motion.clip.channels;
   motion.clip.channels.resize(kFrames, walk.cols());
@@ -154,13 +154,16 @@ TEST_F(StudioWindow, IsNotAwayForLongWhileALongClipIsCompressed) {
     slider->setValue(slider->value() + 9);
     runDueEvents();
   }
+  // The draft of the last step and a part of its refinement: the rest would be more of the same.
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_.session().refining(); }, kPatience));
+  window_.session().cancelAnnealing();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !window_.session().busy(); }, kPatience));
   const Trace::Block longest = window_.trace().takeLongestBlock();
   std::printf(
-      "5000 frames of a body of 31 joints: longest time away from events %.1f ms, most work at a "
+      "%d frames of a body of 31 joints: longest time away from events %.1f ms, most work at a "
       "time %.1f ms\n",
-      longest.away, longest.worked);
-  EXPECT_LT(longest.worked, 500);  // generous, since machines differ
+      kFrames, longest.away, longest.worked);
+  EXPECT_LT(longest.worked, 200);  // 0.1 ms a frame: generous, since machines differ
 }
 
 TEST_F(StudioWindow, AnUnreadableFileIsAMessageInTheWindow) {
