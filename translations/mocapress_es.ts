@@ -45,7 +45,7 @@
     </message>
     <message>
         <source>Sa&amp;ve Project As…</source>
-        <translation>Guardar proyecto co&amp;mo…</translation>
+        <translation>G&amp;uardar proyecto como…</translation>
     </message>
     <message>
         <source>Switch between &amp;A and B</source>
@@ -57,7 +57,7 @@
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation>Sa&amp;lir</translation>
+        <translation>&amp;Salir</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
@@ -81,7 +81,7 @@
     </message>
     <message>
         <source>&amp;Hold Feet</source>
-        <translation>&amp;Sujetar los pies</translation>
+        <translation>Su&amp;jetar los pies</translation>
     </message>
     <message>
         <source>Compress with or without inverse kinematics (I)</source>
@@ -97,7 +97,7 @@
     </message>
     <message>
         <source>Reset La&amp;yout</source>
-        <translation>Restablecer la dis&amp;posición</translation>
+        <translation>Restablecer la disposició&amp;n</translation>
     </message>
     <message>
         <source>&amp;Study…</source>
@@ -185,7 +185,7 @@
     </message>
     <message>
         <source>Add &amp;Folder to Library…</source>
-        <translation>Añadir &amp;carpeta a la biblioteca…</translation>
+        <translation>Añadir carpeta a la biblioteca…</translation>
     </message>
     <message>
         <source>&amp;Pin This Result</source>
@@ -197,7 +197,7 @@
     </message>
     <message>
         <source>Error S&amp;cale</source>
-        <translation>Es&amp;cala de error</translation>
+        <translation>Escala de error</translation>
     </message>
     <message>
         <source>Recent Projec&amp;ts</source>
@@ -217,7 +217,7 @@
     </message>
     <message>
         <source>Export Review Pa&amp;ge…</source>
-        <translation>Exportar pá&amp;gina de revisión…</translation>
+        <translation>Exportar página de re&amp;visión…</translation>
     </message>
     <message>
         <source>Write a web page that shows original and compressed clip</source>
@@ -289,7 +289,7 @@
     </message>
     <message>
         <source>Ex&amp;port Sign-off…</source>
-        <translation>E&amp;xportar visto bueno…</translation>
+        <translation>Exportar visto bueno…</translation>
     </message>
     <message>
         <source>Write verdicts, worst frames and notes of the library as HTML, PDF or CSV</source>
@@ -914,7 +914,7 @@
     </message>
     <message>
         <source>Add Fol&amp;der…</source>
-        <translation>Añadir car&amp;peta…</translation>
+        <translation>Aña&amp;dir carpeta…</translation>
     </message>
     <message>
         <source>Add every motion below a folder</source>
@@ -1692,7 +1692,7 @@
     <name>mocapress::ErrorDisplay</name>
     <message>
         <source>Errors in &amp;Degrees</source>
-        <translation>Errores en &amp;grados</translation>
+        <translation>Errores en grados</translation>
     </message>
     <message>
         <source>Degrees</source>
@@ -4008,7 +4008,7 @@
     </message>
     <message>
         <source>C&amp;ontacts in the Range</source>
-        <translation>C&amp;ontactos en el intervalo</translation>
+        <translation>Contac&amp;tos en el intervalo</translation>
     </message>
     <message>
         <source>The Clip as a Loo&amp;p</source>
@@ -7562,7 +7562,7 @@ Haga clic para cargarlo en Studio.</translation>
     </message>
     <message>
         <source>Sw&amp;ap</source>
-        <translation>Inter&amp;cambiar</translation>
+        <translation>Intercam&amp;biar</translation>
     </message>
     <message>
         <source>Swap original and compressed figure</source>
@@ -7610,7 +7610,7 @@ Haga clic para cargarlo en Studio.</translation>
     </message>
     <message>
         <source>I&amp;n Place</source>
-        <translation>En el si&amp;tio</translation>
+        <translation>En el siti&amp;o</translation>
     </message>
     <message>
         <source>Play without the root&apos;s travel over the ground</source>
@@ -7649,7 +7649,7 @@ Haga clic para cargarlo en Studio.</translation>
     </message>
     <message>
         <source>Poses of the Tra&amp;il</source>
-        <translation>Poses de la este&amp;la</translation>
+        <translation>Poses de la estela</translation>
     </message>
     <message>
         <source>Fo&amp;ur Views</source>
