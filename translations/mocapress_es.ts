@@ -6606,6 +6606,58 @@
         <source>Too many levels of symbolic links</source>
         <translation>Demasiados niveles de enlaces simbólicos</translation>
     </message>
+    <message>
+        <source>a record has too few bytes for its values</source>
+        <translation>un registro tiene muy pocos bytes para sus valores</translation>
+    </message>
+    <message>
+        <source>a record is smaller than its values</source>
+        <translation>un registro es menor que sus valores</translation>
+    </message>
+    <message>
+        <source>a record reaches beyond its parent</source>
+        <translation>un registro pasa de su padre</translation>
+    </message>
+    <message>
+        <source>a record ends before the place it states</source>
+        <translation>un registro acaba antes del lugar que indica</translation>
+    </message>
+    <message>
+        <source>a value reaches beyond its record</source>
+        <translation>un valor pasa de su registro</translation>
+    </message>
+    <message>
+        <source>ends within a record</source>
+        <translation>acaba dentro de un registro</translation>
+    </message>
+    <message>
+        <source>ends within an array</source>
+        <translation>acaba dentro de una matriz</translation>
+    </message>
+    <message>
+        <source>ends within a value</source>
+        <translation>acaba dentro de un valor</translation>
+    </message>
+    <message>
+        <source>ends within a text</source>
+        <translation>acaba dentro de un texto</translation>
+    </message>
+    <message>
+        <source>has a value of an unknown type</source>
+        <translation>tiene un valor de un tipo desconocido</translation>
+    </message>
+    <message>
+        <source>has a value outside of records</source>
+        <translation>tiene un valor fuera de los registros</translation>
+    </message>
+    <message>
+        <source>closes a record that is not open</source>
+        <translation>cierra un registro que no está abierto</translation>
+    </message>
+    <message>
+        <source>is not pictured in the report: %1</source>
+        <translation>no aparece dibujado en el informe: %1</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::Session</name>

@@ -6606,6 +6606,58 @@
         <source>Too many levels of symbolic links</source>
         <translation>Trop de niveaux de liens symboliques</translation>
     </message>
+    <message>
+        <source>a record has too few bytes for its values</source>
+        <translation>un enregistrement a trop peu d&apos;octets pour ses valeurs</translation>
+    </message>
+    <message>
+        <source>a record is smaller than its values</source>
+        <translation>un enregistrement est plus petit que ses valeurs</translation>
+    </message>
+    <message>
+        <source>a record reaches beyond its parent</source>
+        <translation>un enregistrement dépasse son parent</translation>
+    </message>
+    <message>
+        <source>a record ends before the place it states</source>
+        <translation>un enregistrement finit avant la place qu&apos;il annonce</translation>
+    </message>
+    <message>
+        <source>a value reaches beyond its record</source>
+        <translation>une valeur dépasse son enregistrement</translation>
+    </message>
+    <message>
+        <source>ends within a record</source>
+        <translation>se termine dans un enregistrement</translation>
+    </message>
+    <message>
+        <source>ends within an array</source>
+        <translation>se termine dans un tableau</translation>
+    </message>
+    <message>
+        <source>ends within a value</source>
+        <translation>se termine dans une valeur</translation>
+    </message>
+    <message>
+        <source>ends within a text</source>
+        <translation>se termine dans un texte</translation>
+    </message>
+    <message>
+        <source>has a value of an unknown type</source>
+        <translation>a une valeur d&apos;un type inconnu</translation>
+    </message>
+    <message>
+        <source>has a value outside of records</source>
+        <translation>a une valeur hors des enregistrements</translation>
+    </message>
+    <message>
+        <source>closes a record that is not open</source>
+        <translation>ferme un enregistrement qui n&apos;est pas ouvert</translation>
+    </message>
+    <message>
+        <source>is not pictured in the report: %1</source>
+        <translation>n&apos;est pas illustré dans le rapport : %1</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::Session</name>

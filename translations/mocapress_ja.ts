@@ -6565,6 +6565,58 @@
         <source>Too many levels of symbolic links</source>
         <translation>シンボリックリンクの段数が多すぎます</translation>
     </message>
+    <message>
+        <source>a record has too few bytes for its values</source>
+        <translation>レコードのバイト数が値に足りません</translation>
+    </message>
+    <message>
+        <source>a record is smaller than its values</source>
+        <translation>レコードが値より小さいです</translation>
+    </message>
+    <message>
+        <source>a record reaches beyond its parent</source>
+        <translation>レコードが親を越えています</translation>
+    </message>
+    <message>
+        <source>a record ends before the place it states</source>
+        <translation>レコードが示された位置より前に終わっています</translation>
+    </message>
+    <message>
+        <source>a value reaches beyond its record</source>
+        <translation>値がレコードを越えています</translation>
+    </message>
+    <message>
+        <source>ends within a record</source>
+        <translation>レコードの途中で終わっています</translation>
+    </message>
+    <message>
+        <source>ends within an array</source>
+        <translation>配列の途中で終わっています</translation>
+    </message>
+    <message>
+        <source>ends within a value</source>
+        <translation>値の途中で終わっています</translation>
+    </message>
+    <message>
+        <source>ends within a text</source>
+        <translation>テキストの途中で終わっています</translation>
+    </message>
+    <message>
+        <source>has a value of an unknown type</source>
+        <translation>型が未知の値があります</translation>
+    </message>
+    <message>
+        <source>has a value outside of records</source>
+        <translation>レコードの外に値があります</translation>
+    </message>
+    <message>
+        <source>closes a record that is not open</source>
+        <translation>開いていないレコードを閉じています</translation>
+    </message>
+    <message>
+        <source>is not pictured in the report: %1</source>
+        <translation>レポートに図がありません：%1</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::Session</name>

@@ -130,7 +130,8 @@ bool isOfOthers(const QString& path) {
       QStringLiteral("/core/mocapress/example/"),
       QStringLiteral("/core/mocapress/player"),
       QStringLiteral("/core/mocapress/python/"),
-      QStringLiteral("/core/motion/difference"),  // additive clips
+      QStringLiteral("/core/motion/difference"),     // additive clips
+      QStringLiteral("/core/report/review_script"),  // JavaScript of pages
       QStringLiteral("/core/runtime/format/memory"),
       QStringLiteral("/core/runtime/format/packed_clip"),  // clips of banks
       QStringLiteral("/core/runtime/pose/"),               // cooked clips
@@ -162,7 +163,7 @@ bool isOfOthersAlone(const QString& text) {
 /// Whoever writes a new message into core is told to translate it.
 TEST(Sentence, AreAllThatCoreSays) {
   static const QRegularExpression kSaid(QStringLiteral(
-      R"(\b(?:fail|failure|refuse|warn|leave_out|fail_expecting|take_measure|take_number|)"
+      R"(\b(?:fail|fail_at|failure|refuse|warn|leave_out|fail_expecting|take_measure|take_number|)"
       R"(take_vector|(?:Input|Format|Write)?Error|TargetMissed|push_back)(\())"));
   const Speaking french("fr");
   const std::vector<QString> known = translatableSentences();

@@ -361,18 +361,15 @@ QString filled(const QString& pattern, const QStringList& parts) {
 std::optional<QString> translatedWhole(const QString& text) {
   static const std::vector<Pattern> kAll = patternsOf(allSentences());
   static const std::vector<Pattern> kAllCounts = patternsOf(kCounts);
-  const auto known = [](const char* source) {
-    return QCoreApplication::translate(kContext, source) != QString::fromUtf8(source);
-  };
   for (const auto& [source, fits] : kAllCounts)
     if (const QRegularExpressionMatch match = fits.match(text); match.hasMatch())
-      return known(source) ? std::optional(QCoreApplication::translate(kContext, source, nullptr,
-                                                                       match.captured(1).toInt()))
-                           : std::nullopt;
+      if (const QString counted =
+              QCoreApplication::translate(kContext, source, nullptr, match.captured(1).toInt());
+          !counted.contains(QLatin1String("(s)")))
+        return counted;
   for (const auto& [source, fits] : kAll) {
     const QRegularExpressionMatch match = fits.match(text);
     if (!match.hasMatch()) continue;
-    if (!known(source)) return std::nullopt;
     QStringList parts;
     for (const QString& part : match.capturedTexts().mid(1)) parts << translatedSentence(part);
     return filled(QCoreApplication::translate(kContext, source), parts);

@@ -145,6 +145,7 @@ struct TextsOfWork {
       QT_TR_NOOP("a script for sbatch cannot name %1: it has %2 in it"),
       QT_TR_NOOP("a line break or another control character"),
       QT_TR_NOOP("a backslash"),
+      QT_TR_NOOP("is not pictured in the report: %1"),
       // Files and folders.
       QT_TR_NOOP("cannot be made: %1"),
       QT_TR_NOOP("is written, but a power cut may undo it: its folder cannot be synchronised: %1"),
