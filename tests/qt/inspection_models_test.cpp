@@ -40,6 +40,8 @@ TEST(RangeErrors, AreThoseOfTheFramesInTheRange) {
   distances(12, 1) = 2;
   const RangeErrors errors = rangeErrors(distances, 10, 29);
   EXPECT_DOUBLE_EQ(errors.max, 2);
+  EXPECT_EQ(errors.frame, 12);
+  EXPECT_EQ(errors.landmark, 1);
   EXPECT_DOUBLE_EQ(errors.p95, 0.5);
   EXPECT_NEAR(errors.rms, std::sqrt((39 * 0.25 + 4) / 40), 1e-6);
   EXPECT_DOUBLE_EQ(rangeErrors(distances, 0, 0).rms, 9);

@@ -20,8 +20,11 @@ RangeErrors rangeErrors(const Eigen::MatrixXf& distances, int first, int last) {
   Eigen::Map<Eigen::MatrixXf>(all.data(), rows.rows(), rows.cols()) = rows;
   const auto share = static_cast<std::ptrdiff_t>(std::ceil(0.95 * double(all.size()))) - 1;
   std::nth_element(all.begin(), all.begin() + share, all.end());
+  Eigen::Index frame = 0;
+  Eigen::Index landmark = 0;
+  const double max = double(rows.maxCoeff(&frame, &landmark));
   return {std::sqrt(rows.cast<double>().array().square().mean()), double(all[std::size_t(share)]),
-          double(rows.maxCoeff())};
+          max, first + static_cast<int>(frame), static_cast<int>(landmark)};
 }
 
 std::vector<int> worstFrames(const Eigen::VectorXf& max, int apart, int most) {

@@ -22,6 +22,8 @@ struct RangeErrors {
   double rms = 0;
   double p95 = 0;
   double max = 0;
+  int frame = 0;     // of the maximum
+  int landmark = 0;  // likewise
 };
 
 /// Requires that the range is within the clip.

@@ -163,14 +163,37 @@ void ErrorGraph::redraw() {
   plot_->clearGraphs();
   plot_->legend->setVisible(errors_ != nullptr);
   plot_->yAxis->setLabel(quantity_ == ErrorQuantity::Angle ? tr("Angle (°)") : tr("Error (cm)"));
-  double highest = 0;
   if (shown().size() > 0) {
     addWorst();
     for (const ErrorCurve& curve : curves_) addCurve(curve);
-    highest = static_cast<double>(shown().maxCoeff());
   }
   fitLegend();
+  scaleErrors();
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+/// The largest error of the clip, or of the range, fills the height.
+void ErrorGraph::scaleErrors() {
+  const Eigen::MatrixXf& errors = shown();
+  double highest = 0;
+  if (errors.size() > 0) {
+    const auto last = static_cast<int>(errors.rows()) - 1;
+    const auto [from, to] = range_.value_or(std::pair(0, last));
+    const int first = std::clamp(from, 0, last);
+    highest = static_cast<double>(
+        errors.middleRows(first, std::clamp(to, first, last) - first + 1).maxCoeff());
+  }
   plot_->yAxis->setRange(0, highest > 0 ? 1.08 * highest : 1);
+}
+
+void ErrorGraph::setRange(const std::optional<std::pair<int, int>>& range) {
+  range_ = range;
+  if (!range) {
+    scaleErrors();
+    return showAll();
+  }
+  plot_->xAxis->setRange(range->first / sample_rate_hz_, range->second / sample_rate_hz_);
+  scaleErrors();
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 

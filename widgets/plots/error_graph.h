@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <QColor>
 #include <QWidget>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "widgets/models/error_colour.h"
@@ -40,6 +42,9 @@ class ErrorGraph : public QWidget {
   /// The action in the corner that switches to the other quantity.
   void setSwitch(QAction* action);
 
+  /// Shows the errors of these frames alone, on a scale of their own; unset: of all.
+  void setRange(const std::optional<std::pair<int, int>>& range);
+
   void setCurves(std::vector<ErrorCurve> curves);
   void setFrame(int frame);
 
@@ -56,6 +61,7 @@ class ErrorGraph : public QWidget {
   void addCurve(const ErrorCurve& curve);
   void addWorst();
   void showAll();
+  void scaleErrors();
   void seekTo(int x_pixel);
   int frameAt(int x_pixel) const;
   QString readout(int frame) const;
@@ -74,6 +80,7 @@ class ErrorGraph : public QWidget {
   ErrorsPtr errors_;
   ErrorQuantity quantity_ = ErrorQuantity::Distance;
   double sample_rate_hz_ = 120;
+  std::optional<std::pair<int, int>> range_;
   std::vector<ErrorCurve> curves_;
 };
 

@@ -146,6 +146,12 @@ void Timeline::showAll() {
   setWindow(0, frames_);
 }
 
+void Timeline::showRange(const FrameRange& range) {
+  const double wanted = range.second - range.first + 1;
+  const double length = possibleLength(wanted, frames_);
+  setWindow(range.first - (length - wanted) / 2, length);
+}
+
 TimeAxis Timeline::axis() const {
   return {static_cast<double>(2 * kStripMargin + labelWidth()),
           static_cast<double>(width() - kStripMargin), frames_, window_};

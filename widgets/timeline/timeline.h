@@ -55,6 +55,9 @@ class Timeline : public QWidget {
   /// Shows the whole clip again.
   void showAll();
 
+  /// Shows these frames, and a few around them where the range is short.
+  void showRange(const FrameRange& range);
+
   const FrameWindow& window() const { return window_; }
 
  signals:

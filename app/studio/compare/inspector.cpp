@@ -191,10 +191,12 @@ void Inspector::showRangeErrors() {
   const RangeErrors errors =
       rangeErrors(decoded->distortion->distances, range->first, range->second);
   views_.figures->setRange(
-      tr("Frames %L1–%L2: RMS %3, p95 %4, max %5")
+      tr("Frames %L1–%L2: RMS %3, p95 %4, max %5 (%6, frame %L7)")
           .arg(range->first + 1)
           .arg(range->second + 1)
-          .arg(lengthText(errors.rms), lengthText(errors.p95), lengthText(errors.max)));
+          .arg(lengthText(errors.rms), lengthText(errors.p95), lengthText(errors.max),
+               session_->document().landmarkNames()[static_cast<std::size_t>(errors.landmark)])
+          .arg(errors.frame + 1));
 }
 
 void Inspector::showPoses() {
