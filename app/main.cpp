@@ -83,10 +83,10 @@ void say(int argc, char** argv) {
   parseLaunchOptions(application);
 }
 
-/// The event loop's exit code, and the frame that was shown last.
+/// The event loop's exit code, and what the window handed on.
 struct Ended {
   int code = 0;
-  int frame = 0;
+  WindowState state;
 };
 
 Ended showFirst(const LaunchOptions& options) {
@@ -112,20 +112,18 @@ Ended showFirst(const LaunchOptions& options) {
   else if (!goes_on || window.library().isOutOfReach())
     window.files().openFirst();
   const int code = QApplication::exec();
-  return {code, window.playback().frame()};
+  return {code, window.state()};
 }
 
-/// Opens the project of the window before, at the same frame, in the language chosen since.
-Ended showAgain(int frame) {
+/// Opens the project of the window before, as it was shown, in the language chosen since.
+Ended showAgain(const WindowState& before) {
   MainWindow window;
-  QObject::connect(
-      &window.session(), &Session::opened, &window, [&] { window.playback().seek(frame); },
-      static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
+  window.takeOver(before);
   window.show();
   if (!window.library().begin(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)))
     window.files().openFirst();
   const int code = QApplication::exec();
-  return {code, window.playback().frame()};
+  return {code, window.state()};
 }
 
 int run(int argc, char** argv) {
@@ -139,7 +137,7 @@ int run(int argc, char** argv) {
   Ended ended = showFirst(parseLaunchOptions(application));
   while (ended.code == kOtherLanguage) {
     setLanguage(application);
-    ended = showAgain(ended.frame);
+    ended = showAgain(ended.state);
   }
   return ended.code;
 }

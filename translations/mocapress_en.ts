@@ -396,14 +396,4 @@
         </translation>
     </message>
 </context>
-<context>
-    <name>mocapress::WarningsPanel</name>
-    <message numerus="yes">
-        <source>%n note(s) on reading this clip</source>
-        <translation>
-            <numerusform>%n note on reading this clip</numerusform>
-            <numerusform>%n notes on reading this clip</numerusform>
-        </translation>
-    </message>
-</context>
 </TS>

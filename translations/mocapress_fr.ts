@@ -383,6 +383,22 @@
         <source>Compress the clip track by track, with key frames, to the same number of bytes, and show it beside this result</source>
         <translation>Compresser le clip piste par piste, avec des images clés, au même nombre d&apos;octets, et le montrer à côté de ce résultat</translation>
     </message>
+    <message>
+        <source>Fold Panels Below</source>
+        <translation>Replier les panneaux du bas</translation>
+    </message>
+    <message>
+        <source>Fold the panels below the timeline to their tabs, or unfold them</source>
+        <translation>Replier les panneaux sous la ligne de temps sur leurs onglets, ou les déplier</translation>
+    </message>
+    <message>
+        <source>Compare in the Ran&amp;ge</source>
+        <translation>Comparer &amp;dans la plage</translation>
+    </message>
+    <message>
+        <source>Loop the chosen range with both figures side by side, and show its errors alone</source>
+        <translation>Jouer la plage choisie en boucle, les deux figures côte à côte, et montrer ses erreurs seules</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::AnnealingPanel</name>
@@ -1954,10 +1970,6 @@
         <source>Errors of all joints in the frames of the chosen range: root mean square, 95th percentile and largest. A double click on the ruler chooses the whole clip again.</source>
         <translation>Erreurs de toutes les articulations dans la plage choisie : moyenne quadratique, 95e centile et maximum. Un double-clic sur la règle choisit de nouveau tout le clip.</translation>
     </message>
-    <message>
-        <source>%L1 : 1</source>
-        <translation>%L1 : 1</translation>
-    </message>
 </context>
 <context>
     <name>mocapress::FilmRecorder</name>
@@ -2368,8 +2380,8 @@
         <translation>La courbe de ce clip est tracée dès qu&apos;il est compressé.</translation>
     </message>
     <message>
-        <source>Frames %L1–%L2: RMS %3, p95 %4, max %5</source>
-        <translation>Images %L1–%L2 : RMS %3, p95 %4, max %5</translation>
+        <source>Frames %L1–%L2: RMS %3, p95 %4, max %5 (%6, frame %L7)</source>
+        <translation>Images %L1–%L2 : RMS %3, p95 %4, max %5 (%6, image %L7)</translation>
     </message>
 </context>
 <context>
@@ -2571,6 +2583,10 @@
     <message>
         <source>&lt; %1 mm</source>
         <translation>&lt; %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 : 1</source>
+        <translation>%1 : 1</translation>
     </message>
 </context>
 <context>
@@ -2798,10 +2814,6 @@
         <translation>Le préréglage dont viennent ses réglages</translation>
     </message>
     <message>
-        <source>%L1 : 1</source>
-        <translation>%L1 : 1</translation>
-    </message>
-    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
@@ -2887,10 +2899,6 @@
         <translation>! cible manquée</translation>
     </message>
     <message>
-        <source>%L1 : 1, %2</source>
-        <translation>%L1 : 1, %2</translation>
-    </message>
-    <message>
         <source>! file missing</source>
         <translation>! fichier manquant</translation>
     </message>
@@ -2969,6 +2977,10 @@
         <source>%1: %2</source>
         <comment>take of a file</comment>
         <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -3097,6 +3109,10 @@
         <source>Take the Character Off</source>
         <translation>Retirer le personnage</translation>
     </message>
+    <message>
+        <source>Notes on Reading</source>
+        <translation>Notes sur la lecture</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryPlot</name>
@@ -3174,10 +3190,6 @@
         <translation>Ajouter un dossier</translation>
     </message>
     <message>
-        <source>%L1 : 1, %2</source>
-        <translation>%L1 : 1, %2</translation>
-    </message>
-    <message>
         <source>Find Missing Clips</source>
         <translation>Retrouver les clips manquants</translation>
     </message>
@@ -3196,6 +3208,10 @@
     <message>
         <source>No clip that is shown waits for a verdict.</source>
         <translation>Aucun clip affiché n&apos;attend de verdict.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -3553,10 +3569,6 @@
 <context>
     <name>mocapress::PinnedResults</name>
     <message>
-        <source>%L1 : 1</source>
-        <translation>%L1 : 1</translation>
-    </message>
-    <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
@@ -3579,6 +3591,10 @@
     <message>
         <source>The result is not final yet, or four are pinned.</source>
         <translation>Le résultat n&apos;est pas encore définitif, ou quatre sont épinglés.</translation>
+    </message>
+    <message>
+        <source>Four results are pinned already.</source>
+        <translation>Quatre résultats sont déjà épinglés.</translation>
     </message>
 </context>
 <context>
@@ -4216,10 +4232,6 @@
 <context>
     <name>mocapress::ResultPanel</name>
     <message>
-        <source>%1, %L2 : 1</source>
-        <translation>%1, %L2 : 1</translation>
-    </message>
-    <message>
         <source>%L1 / %L2 °/s</source>
         <translation>%L1 / %L2 °/s</translation>
     </message>
@@ -4306,10 +4318,6 @@
     <message>
         <source>Highest speed of a held leg&apos;s knee, and that of the original. A much higher speed means that the correction makes the knee snap.</source>
         <translation>La plus grande vitesse du genou d&apos;une jambe tenue, et celle de l&apos;original : une correction ne doit pas faire claquer les genoux.</translation>
-    </message>
-    <message>
-        <source>%L1 : 1</source>
-        <translation>%L1 : 1</translation>
     </message>
     <message>
         <source>eps_x, %1</source>
@@ -4410,6 +4418,10 @@
     <message>
         <source>All figures</source>
         <translation>Tous les chiffres</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -7832,43 +7844,9 @@ Cliquer pour le charger dans le studio.</translation>
         <source>The 3D view needs OpenGL 3.2, which is not available here.</source>
         <translation>La vue 3D a besoin d&apos;OpenGL 3.2, qui n&apos;est pas disponible ici.</translation>
     </message>
-</context>
-<context>
-    <name>mocapress::WarningsPanel</name>
     <message>
-        <source>Notes on reading</source>
-        <translation>Notes de lecture</translation>
-    </message>
-    <message>
-        <source>Show notes</source>
-        <translation>Montrer les notes</translation>
-    </message>
-    <message>
-        <source>Show what was repaired or guessed while reading</source>
-        <translation>Montrer ce qui a été réparé ou deviné à la lecture</translation>
-    </message>
-    <message>
-        <source>Dismiss notes</source>
-        <translation>Écarter les notes</translation>
-    </message>
-    <message>
-        <source>Dismiss</source>
-        <translation>Écarter</translation>
-    </message>
-    <message>
-        <source>Notes</source>
-        <translation>Notes</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n note(s) on reading this clip</source>
-        <translation>
-            <numerusform>%n note sur la lecture de ce clip</numerusform>
-            <numerusform>%n notes sur la lecture de ce clip</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>line %L1: %2</source>
-        <translation>ligne %L1 : %2</translation>
+        <source>3D view</source>
+        <translation>Vue 3D</translation>
     </message>
 </context>
 </TS>

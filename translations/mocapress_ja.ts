@@ -383,6 +383,22 @@
         <source>Compress the clip track by track, with key frames, to the same number of bytes, and show it beside this result</source>
         <translation>クリップをトラックごとにキーフレームで同じバイト数に圧縮し、この結果と並べて表示します</translation>
     </message>
+    <message>
+        <source>Fold Panels Below</source>
+        <translation>下のパネルを折りたたむ</translation>
+    </message>
+    <message>
+        <source>Fold the panels below the timeline to their tabs, or unfold them</source>
+        <translation>タイムラインの下のパネルをタブだけに折りたたむ、または開く</translation>
+    </message>
+    <message>
+        <source>Compare in the Ran&amp;ge</source>
+        <translation>範囲内で比較(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Loop the chosen range with both figures side by side, and show its errors alone</source>
+        <translation>選んだ範囲を2体並べて繰り返し再生し、その誤差だけを表示します</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::AnnealingPanel</name>
@@ -1942,10 +1958,6 @@
         <source>Errors of all joints in the frames of the chosen range: root mean square, 95th percentile and largest. A double click on the ruler chooses the whole clip again.</source>
         <translation>選択した範囲の全関節の誤差：二乗平均平方根、95パーセンタイル、最大。ルーラーをダブルクリックするとクリップ全体に戻ります。</translation>
     </message>
-    <message>
-        <source>%L1 : 1</source>
-        <translation>%L1 : 1</translation>
-    </message>
 </context>
 <context>
     <name>mocapress::FilmRecorder</name>
@@ -2356,8 +2368,8 @@
         <translation>圧縮が済むとこのクリップの曲線が描かれます。</translation>
     </message>
     <message>
-        <source>Frames %L1–%L2: RMS %3, p95 %4, max %5</source>
-        <translation>フレーム %L1–%L2：RMS %3、p95 %4、最大 %5</translation>
+        <source>Frames %L1–%L2: RMS %3, p95 %4, max %5 (%6, frame %L7)</source>
+        <translation>フレーム %L1–%L2：RMS %3、p95 %4、最大 %5（%6、フレーム %L7）</translation>
     </message>
 </context>
 <context>
@@ -2559,6 +2571,10 @@
     <message>
         <source>&lt; %1 mm</source>
         <translation>%1 mm 未満</translation>
+    </message>
+    <message>
+        <source>%1 : 1</source>
+        <translation>%1 : 1</translation>
     </message>
 </context>
 <context>
@@ -2777,10 +2793,6 @@
         <translation>設定の元になったプリセット</translation>
     </message>
     <message>
-        <source>%L1 : 1</source>
-        <translation>%L1 : 1</translation>
-    </message>
-    <message>
         <source>%1 s</source>
         <translation>%1 秒</translation>
     </message>
@@ -2865,10 +2877,6 @@
         <translation>! 目標未達</translation>
     </message>
     <message>
-        <source>%L1 : 1, %2</source>
-        <translation>%L1 : 1、%2</translation>
-    </message>
-    <message>
         <source>! file missing</source>
         <translation>! ファイルなし</translation>
     </message>
@@ -2945,6 +2953,10 @@
         <source>%1: %2</source>
         <comment>take of a file</comment>
         <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -3073,6 +3085,10 @@
         <source>Take the Character Off</source>
         <translation>キャラクターを外す</translation>
     </message>
+    <message>
+        <source>Notes on Reading</source>
+        <translation>読み込みに関するメモ</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryPlot</name>
@@ -3149,10 +3165,6 @@
         <translation>フォルダーの追加</translation>
     </message>
     <message>
-        <source>%L1 : 1, %2</source>
-        <translation>%L1 : 1、%2</translation>
-    </message>
-    <message>
         <source>Find Missing Clips</source>
         <translation>見つからないクリップを探す</translation>
     </message>
@@ -3171,6 +3183,10 @@
     <message>
         <source>No clip that is shown waits for a verdict.</source>
         <translation>表示中のクリップに判定待ちはありません。</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -3527,10 +3543,6 @@
 <context>
     <name>mocapress::PinnedResults</name>
     <message>
-        <source>%L1 : 1</source>
-        <translation>%L1 : 1</translation>
-    </message>
-    <message>
         <source>%1, %2</source>
         <translation>%1、%2</translation>
     </message>
@@ -3553,6 +3565,10 @@
     <message>
         <source>The result is not final yet, or four are pinned.</source>
         <translation>結果がまだ確定していないか、すでに4つピン留めされています。</translation>
+    </message>
+    <message>
+        <source>Four results are pinned already.</source>
+        <translation>すでに4つの結果がピン留めされています。</translation>
     </message>
 </context>
 <context>
@@ -4186,10 +4202,6 @@
 <context>
     <name>mocapress::ResultPanel</name>
     <message>
-        <source>%1, %L2 : 1</source>
-        <translation>%1、%L2 : 1</translation>
-    </message>
-    <message>
         <source>%L1 / %L2 °/s</source>
         <translation>%L1 / %L2 °/s</translation>
     </message>
@@ -4276,10 +4288,6 @@
     <message>
         <source>Highest speed of a held leg&apos;s knee, and that of the original. A much higher speed means that the correction makes the knee snap.</source>
         <translation>固定した脚の膝の最大速度と元の最大速度。補正で膝が跳ねてはいけません。</translation>
-    </message>
-    <message>
-        <source>%L1 : 1</source>
-        <translation>%L1 : 1</translation>
     </message>
     <message>
         <source>eps_x, %1</source>
@@ -4380,6 +4388,10 @@
     <message>
         <source>All figures</source>
         <translation>すべての数値</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -7783,42 +7795,9 @@ Click to load it into the studio.</source>
         <source>The 3D view needs OpenGL 3.2, which is not available here.</source>
         <translation>3Dビューに必要なOpenGL 3.2がここでは使えません。</translation>
     </message>
-</context>
-<context>
-    <name>mocapress::WarningsPanel</name>
     <message>
-        <source>Notes on reading</source>
-        <translation>読み込みの注記</translation>
-    </message>
-    <message>
-        <source>Show notes</source>
-        <translation>注記を表示</translation>
-    </message>
-    <message>
-        <source>Show what was repaired or guessed while reading</source>
-        <translation>読み込み時に修復・推測した内容を表示</translation>
-    </message>
-    <message>
-        <source>Dismiss notes</source>
-        <translation>注記を閉じる</translation>
-    </message>
-    <message>
-        <source>Dismiss</source>
-        <translation>閉じる</translation>
-    </message>
-    <message>
-        <source>Notes</source>
-        <translation>注記</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n note(s) on reading this clip</source>
-        <translation>
-            <numerusform>このクリップの読み込みに関する注記 %n 件</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>line %L1: %2</source>
-        <translation>%L1行目：%2</translation>
+        <source>3D view</source>
+        <translation>3Dビュー</translation>
     </message>
 </context>
 </TS>

@@ -30,6 +30,10 @@ bool isInteractive(const QWidget* widget) {
         qobject_cast<const QLineEdit*>(above) || qobject_cast<const QAbstractItemView*>(above))
       return false;
   if (widget->objectName().startsWith(QStringLiteral("qt_"))) return false;
+  // Own widgets that the keyboard reaches: the 3D view, plots, maps, strips.
+  if (QLatin1String(widget->metaObject()->className()).startsWith(QLatin1String("mocapress::")) &&
+      (widget->focusPolicy() & Qt::TabFocus))
+    return true;
   return qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QComboBox*>(widget) ||
          qobject_cast<const QAbstractSpinBox*>(widget) ||
          qobject_cast<const QAbstractSlider*>(widget) || qobject_cast<const QLineEdit*>(widget) ||

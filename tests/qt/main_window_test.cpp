@@ -22,6 +22,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTreeView>
@@ -32,6 +33,7 @@
 #include "tests/support/test_motion.h"
 #include "widgets/panels/compression_panel.h"
 #include "widgets/panels/correction_control.h"
+#include "widgets/panels/joints_panel.h"
 #include "widgets/panels/library_panel.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/number_fields.h"
@@ -463,6 +465,72 @@ TEST_F(StudioWithoutAScreen, TheLibraryGetsItsWidthBackAfterASmallWindow) {
   window_.resize(1600, 900);
   runDueEvents();
   EXPECT_EQ(dock->width(), width);
+}
+
+TEST_F(StudioWithoutAScreen, TheViewKeepsNearlyHalfOfALowWindow) {
+  const QWidget* view = window_.views().viewport;
+  for (const QSize size : {QSize(1280, 720), QSize(1600, 1000), QSize(1280, 720)}) {
+    window_.resize(size);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view->height() >= 0.45 * size.height(); }, kPatience))
+        << view->height() << " of " << size.height();
+    EXPECT_EQ(isInSight(window_.views().joints), size.height() == 1000);
+    for (const auto* bar : window_.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
+      if (bar->isVisible()) {
+        EXPECT_GE(bar->width(), bar->sizeHint().width()) << qPrintable(bar->tabText(0));
+      }
+  }
+}
+
+TEST_F(StudioWithoutAScreen, AClickOnATabUnfoldsThePanelsBelowAndAnotherFoldsThem) {
+  window_.resize(1280, 720);
+  const QWidget* map = window_.inspection().heat_map;
+  const auto click = [&] {
+    for (auto* bar : window_.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
+      for (int tab = 0; tab < bar->count(); ++tab)
+        if (bar->tabText(tab) == QStringLiteral("Heat map"))
+          QTest::mouseClick(bar, Qt::LeftButton, {}, bar->tabRect(tab).center());
+  };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !isInSight(window_.views().joints); }, kPatience));
+  click();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return isInSight(map); }, kPatience));
+  EXPECT_TRUE(isInSight(window_.views().joints));
+  click();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !isInSight(map); }, kPatience));
+}
+
+TEST_F(StudioWithoutAScreen, CommandsThatWorkOnAClipAreGreyWithoutOne) {
+  const Actions& actions = window_.actions();
+  const QList<QAction*> of_clip{actions.save_picture, actions.note_here,  actions.next_worst,
+                                actions.hold_feet,    actions.copy_link,  actions.transport.play,
+                                actions.approve,      actions.write_notes};
+  for (const QAction* action : of_clip)
+    EXPECT_FALSE(action->isEnabled()) << qPrintable(action->text());
+  settleAfter([&] { window_.files().open(clip("walk.bvh")); });
+  for (const QAction* action : of_clip)
+    EXPECT_TRUE(action->isEnabled()) << qPrintable(action->text());
+}
+
+TEST_F(StudioWithoutAScreen, AWindowInAnotherLanguageTakesOverRangeSlotsAndView) {
+  settleAfter([&] { window_.files().open(clip("walk.bvh")); });
+  Tuning tuning = document_.tuning();
+  tuning.both[1].encode.target = {Target::Kind::Ratio, 30};
+  window_.session().recallTuning(tuning);
+  window_.playback().setRange(std::pair(10, 20));
+  window_.playback().seek(15);
+  window_.actions().view.mode[1]->trigger();
+  window_.actions().view.in_place->trigger();
+  window_.actions().view.follow->trigger();
+  MainWindow next;
+  next.takeOver(window_.state());
+  next.show();
+  next.files().open(clip("walk.bvh"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return next.playback().frame() == 15; }, kPatience));
+  EXPECT_EQ(next.playback().range(), (std::pair(10, 20)));
+  EXPECT_EQ(next.session().document().tuning().both[1].encode.target.value, 30);
+  EXPECT_EQ(next.views().viewport->options(), window_.views().viewport->options());
+  EXPECT_TRUE(next.actions().view.mode[1]->isChecked());
+  EXPECT_TRUE(next.actions().view.in_place->isChecked());
+  EXPECT_FALSE(next.actions().view.follow->isChecked());
 }
 
 TEST_F(StudioWithoutAScreen, AClickOnWhatIsSeenGoesThereAndSelectsTheJoint) {

@@ -31,7 +31,6 @@
 #include "widgets/panels/number_fields.h"
 #include "widgets/panels/result_panel.h"
 #include "widgets/panels/target_control.h"
-#include "widgets/panels/warnings_panel.h"
 #include "widgets/plots/error_graph.h"
 #include "widgets/timeline/playback.h"
 #include "widgets/timeline/transport_bar.h"
@@ -447,47 +446,15 @@ TEST(MessageBar, OffersARemedyOnceAndLeavesWithIt) {
     EXPECT_NE(button->defaultAction(), &remedy);
 }
 
-TEST(WarningsPanel, ShowsItselfOnlyWhereThereAreWarnings) {
-  QWidget window;
-  WarningsPanel panel(&window);
-  window.show();
-  panel.setWarnings(QStringLiteral("a.bvh"), {{"a.bvh", 3, "guessed"}, {"a.bvh", 0, "repaired"}});
-  EXPECT_TRUE(panel.isVisible());
-  panel.setWarnings(QStringLiteral("b.bvh"), {});
-  EXPECT_FALSE(panel.isVisible());
-}
-
-TEST(WarningsPanel, TellsTheSameOnceAClip) {
-  QWidget window;
-  WarningsPanel panel(&window);
-  window.show();
-  const QString a = QStringLiteral("a.bvh");
-  const QString b = QStringLiteral("b.bvh");
-  const Warnings guessed = {{"a.bvh", 3, "guessed"}};
-  panel.setWarnings(a, guessed);
-  panel.setWarnings(a, guessed);
-  EXPECT_TRUE(panel.isVisible()) << "it is still being told";
-  panel.setWarnings(b, guessed);
-  EXPECT_TRUE(panel.isVisible());
-  panel.setWarnings(a, guessed);
-  EXPECT_FALSE(panel.isVisible());
-  panel.setWarnings(a, {{"a.bvh", 3, "guessed"}, {"a.bvh", 4, "repaired"}});
-  EXPECT_TRUE(panel.isVisible()) << "there is more to tell";
-}
-
 TEST(Notices, NeverMakeTheirWindowWider) {
   QWidget window;
   auto* column = new QVBoxLayout(&window);
   auto* bar = new MessageBar(&window);
-  auto* panel = new WarningsPanel(&window);
   column->addWidget(bar);
-  column->addWidget(panel);
   bar->showError(QStringLiteral("no"));
-  panel->setWarnings(QStringLiteral("a"), {{"a.bvh", 1, "guessed"}});
   window.show();
   const int before = window.minimumSizeHint().width();
   bar->showError(QString(400, QLatin1Char('w')));
-  panel->setWarnings(QStringLiteral("b"), {{"b.bvh", 1, std::string(400, 'w')}});
   EXPECT_LE(window.minimumSizeHint().width(), before);
   EXPECT_TRUE(bar->text().size() == 400) << "and keep every word";
 }

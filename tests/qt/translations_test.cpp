@@ -16,6 +16,7 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSettings>
+#include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTranslator>
@@ -244,6 +245,15 @@ TEST(Translations, LayoutsHoldInEveryLanguage) {
           << qPrintable(language);
       EXPECT_LE(window.minimumSizeHint().width(), 1440) << qPrintable(language);
       EXPECT_LE(window.minimumSizeHint().height(), 900) << qPrintable(language);
+      window.resize(1280, 720);
+      const auto tabs_fit = [&window] {
+        const auto bars = window.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly);
+        return std::all_of(bars.begin(), bars.end(), [](const QTabBar* bar) {
+          return !bar->isVisible() || bar->width() >= bar->sizeHint().width();
+        });
+      };
+      EXPECT_TRUE(QTest::qWaitFor(tabs_fit, kPatience)) << qPrintable(language);
+      EXPECT_GE(window.views().viewport->height(), 0.45 * 720) << qPrintable(language);
       StudyWindow* study = window.showStudy();
       ASSERT_TRUE(QTest::qWaitForWindowExposed(study));
       EXPECT_EQ(cutOff(*study).join(QLatin1Char('\n')).toStdString(), "") << qPrintable(language);

@@ -12,9 +12,9 @@
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <QStyledItemDelegate>
-#include <QToolTip>
 #include <QTreeView>
 #include <QVBoxLayout>
+#include <QWhatsThis>
 #include <algorithm>
 
 #include "widgets/models/display_names.h"
@@ -35,6 +35,13 @@ constexpr int kMargin = 6;
 constexpr int kColumnWidth = 12;            // characters
 constexpr int kClipWidth = 200;             // at least, where there are other columns
 const QString kMark = QStringLiteral("⚠");  // there are notes on reading the clip
+
+/// Shows what was repaired or guessed on reading the clip, until a click or key.
+void showNotes(const LibraryEntry& entry, const QPoint& place) {
+  QStringList lines;
+  for (const QString& note : notesOf(entry)) lines << translatedSentence(note);
+  if (!lines.isEmpty()) QWhatsThis::showText(place, lines.join(QLatin1Char('\n')).toHtmlEscaped());
+}
 
 /// Draws a clip's pose, name, result and verdict, and a folder's summary.
 class RowPainter : public QStyledItemDelegate {
@@ -95,11 +102,8 @@ class RowPainter : public QStyledItemDelegate {
     const int clip = tree_->clipOf(index);
     const auto* mouse = dynamic_cast<QMouseEvent*>(event);
     if (clip >= 0 && mouse && event->type() == QEvent::MouseButtonRelease &&
-        markOf(option).contains(mouse->pos())) {
-      QStringList lines;
-      for (const QString& note : notesOf(model_->entry(clip))) lines << translatedSentence(note);
-      QToolTip::showText(mouse->globalPosition().toPoint(), lines.join(QLatin1Char('\n')));
-    }
+        markOf(option).contains(mouse->pos()))
+      showNotes(model_->entry(clip), mouse->globalPosition().toPoint());
     return QStyledItemDelegate::editorEvent(event, model, option, index);
   }
 
@@ -380,6 +384,13 @@ QMenu* LibraryPanel::makeMenu() {
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   addVerdicts(menu, rows);
+  const LibraryEntry shown = current() >= 0 ? model_->entry(current()) : LibraryEntry();
+  QAction* notes = menu->addAction(tr("Notes on Reading"));
+  notes->setEnabled(!notesOf(shown).isEmpty());
+  connect(notes, &QAction::triggered, this, [this, shown] {
+    const QRect row = view_->visualRect(view_->currentIndex());
+    showNotes(shown, view_->viewport()->mapToGlobal(row.bottomLeft()));
+  });
   QMenu* presets = menu->addMenu(tr("Preset"));
   presets->setEnabled(!rows.empty() && !presets_.empty());
   for (const Settings& preset : presets_)

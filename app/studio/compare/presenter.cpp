@@ -14,7 +14,6 @@
 #include "widgets/panels/joints_panel.h"
 #include "widgets/panels/result_panel.h"
 #include "widgets/panels/target_control.h"
-#include "widgets/panels/warnings_panel.h"
 #include "widgets/plots/error_graph.h"
 #include "widgets/timeline/playback.h"
 #include "widgets/timeline/transport_bar.h"
@@ -62,7 +61,6 @@ void Presenter::connectDocument() {
   connect(document, &Document::shownChanged, this, &Presenter::showShown);
   connect(document, &Document::skinChanged, this, [this] {
     showSkin();
-    showWarnings();
     showSkeleton();
   });
   connect(document, &Document::curvesChanged, this, &Presenter::showCurves);
@@ -121,7 +119,6 @@ void Presenter::showClip() {
   views_.viewport->setSkeleton(skeleton);
   views_.viewport->setSampleRate(document.sampleRate());
   showSkin();
-  showWarnings();
   views_.compression->setEnabled(original != nullptr);
   views_.compression->setHasTracks(original && !original->scalars.empty());
   showSkeleton();
@@ -134,13 +131,6 @@ void Presenter::showClip() {
   showDecoded();
   showShown();
   showCurrentJoint();
-}
-
-void Presenter::showWarnings() {
-  const OriginalPtr& original = session_->document().original();
-  Warnings all = original ? original->warnings : Warnings();
-  if (original) all.insert(all.end(), original->of_character.begin(), original->of_character.end());
-  views_.warnings->setWarnings(original ? original->path : QString(), all);
 }
 
 /// Shows the skeleton and the choices that a character offers.

@@ -20,7 +20,6 @@ class ResultPanel;
 class Session;
 class TransportBar;
 class Viewport;
-class WarningsPanel;
 
 /// Widgets that show a document.
 struct Views {
@@ -31,7 +30,6 @@ struct Views {
   AnnealingPanel* annealing = nullptr;
   JointsPanel* joints = nullptr;
   ErrorGraph* graph = nullptr;
-  WarningsPanel* warnings = nullptr;
   FootskatePanel* footskate = nullptr;
   TransportBar* transport = nullptr;
 };
@@ -61,7 +59,6 @@ class Presenter : public QObject {
   void showTarget();
   void showShown();
   void showSkin();
-  void showWarnings();
   void showSkeleton();
   void showCurves();
   void showCurrentJoint();

@@ -331,6 +331,11 @@ void Session::copyToOtherSlot() {
   changeTuning(document_.tuning(), tuning);
 }
 
+void Session::recallTuning(const Tuning& tuning) {
+  document_.loadTuning(tuning);
+  emit slotsChanged();
+}
+
 void Session::apply(const Tuning& tuning) {
   document_.setTuning(tuning);
   emit slotsChanged();

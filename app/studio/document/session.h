@@ -97,6 +97,9 @@ class Session : public QObject {
   void switchSlot();
   void copyToOtherSlot();
 
+  /// Sets A and B of the open clip as a window before had them; not a step of the history.
+  void recallTuning(const Tuning& tuning);
+
   /// Figures of a slot's last answer; unset: unknown.
   std::optional<SlotFigures> slotFigures(int slot) const;
 

@@ -161,6 +161,9 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
       make(window, Texts::tr("Copy &Link to This Frame"), Qt::CTRL | Qt::SHIFT | Qt::Key_L);
   actions.copy_link->setToolTip(
       Texts::tr("Copy a link that opens this clip, frame, joint and view"));
+  actions.compare_range = make(window, Texts::tr("Compare in the Ran&ge"), Qt::SHIFT | Qt::Key_C);
+  actions.compare_range->setToolTip(
+      Texts::tr("Loop the chosen range with both figures side by side, and show its errors alone"));
   actions.hold_feet = make(window, Texts::tr("&Hold Feet"), Qt::Key_I);
   actions.hold_feet->setToolTip(Texts::tr("Compress with or without inverse kinematics (I)"));
   actions.without_ik =
@@ -168,6 +171,9 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
   actions.without_ik->setCheckable(true);
   actions.without_ik->setToolTip(
       Texts::tr("Show the compressed figure without the IK correction of its feet (B)"));
+  actions.panels_below = make(window, Texts::tr("Fold Panels Below"), Qt::CTRL | Qt::Key_J);
+  actions.panels_below->setToolTip(
+      Texts::tr("Fold the panels below the timeline to their tabs, or unfold them"));
   actions.reset_layout = make(window, Texts::tr("Reset La&yout"));
   actions.study = make(window, Texts::tr("&Study…"), Qt::CTRL | Qt::Key_T);
   actions.study->setToolTip(
@@ -237,10 +243,12 @@ void nameActions(const Actions& actions) {
       {"write-notes", actions.write_notes},
       {"read-notes", actions.read_notes},
       {"copy-link", actions.copy_link},
+      {"compare-range", actions.compare_range},
       {"next-worst", actions.next_worst},
       {"previous-worst", actions.previous_worst},
       {"hold-feet", actions.hold_feet},
       {"without-ik", actions.without_ik},
+      {"panels-below", actions.panels_below},
       {"reset-layout", actions.reset_layout},
       {"study", actions.study},
       {"blind-test", actions.blind_test},
@@ -326,8 +334,8 @@ RecentMenus addMenus(QMainWindow* window, const Actions& actions,
   play->addSeparator();
   play->addActions({actions.next_worst, actions.previous_worst});
   play->addSeparator();
-  play->addActions(
-      {transport.loop, transport.range_from, transport.range_to, transport.whole_clip});
+  play->addActions({transport.loop, transport.range_from, transport.range_to, transport.whole_clip,
+                    actions.compare_range});
   recent.play = play;
 
   window->menuBar()
@@ -346,7 +354,7 @@ RecentMenus addMenus(QMainWindow* window, const Actions& actions,
   for (const QDockWidget* dock : docks) view->addAction(dock->toggleViewAction());
   recent.timeline = view->addMenu(Texts::tr("Timeline"));
   view->addSeparator();
-  view->addAction(actions.reset_layout);
+  view->addActions({actions.panels_below, actions.reset_layout});
   view->addMenu(Texts::tr("The&me"))->addActions(actions.themes->actions());
   view->addMenu(Texts::tr("Lan&guage"))->addActions(actions.languages->actions());
 

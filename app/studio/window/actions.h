@@ -56,10 +56,12 @@ struct Actions {
   QAction* write_notes = nullptr;  // to files beside the clips
   QAction* read_notes = nullptr;
   QAction* copy_link = nullptr;
+  QAction* compare_range = nullptr;
   QAction* next_worst = nullptr;
   QAction* previous_worst = nullptr;
   QAction* hold_feet = nullptr;
   QAction* without_ik = nullptr;  // toggles the IK correction
+  QAction* panels_below = nullptr;
   QAction* reset_layout = nullptr;
   QAction* study = nullptr;
   QAction* blind_test = nullptr;

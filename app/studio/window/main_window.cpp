@@ -7,11 +7,13 @@
 #include <QCheckBox>
 #include <QCloseEvent>
 #include <QMenu>
+#include <QScreen>
 #include <QWidget>
 
 #include "app/studio/compare/byte_view.h"
 #include "app/studio/compare/pinned_results.h"
 #include "app/studio/compare/range_actions.h"
+#include "app/studio/compare/range_comparison.h"
 #include "app/studio/compare/view_pictures.h"
 #include "app/studio/document/clip_files.h"
 #include "app/studio/document/own_limits.h"
@@ -28,6 +30,7 @@
 #include "app/studio/window/keyboard_map.h"
 #include "app/studio/window/language.h"
 #include "app/studio/window/notices.h"
+#include "app/studio/window/panels_below.h"
 #include "app/studio/window/tool_windows.h"
 #include "app/studio/window/trace.h"
 #include "app/studio/window/undo_target.h"
@@ -84,7 +87,7 @@ constexpr QSize kFirstSize(1440, 900);
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   setWindowIcon(QIcon(QStringLiteral(":/icons/app.svg")));
   qApp->installEventFilter(new ShortcutsFirst(this));
-  resize(kFirstSize);
+  resize(kFirstSize.boundedTo(screen()->availableSize()));
   auto* undo = new UndoTarget(session_, library_, this);
   actions_ = makeActions(playback_, undo->histories(), this);
   actions_.error_scales = error_display_->scales(ErrorQuantity::Distance);
@@ -98,7 +101,9 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
                        actions_.transport);
   undo->setLibraryPanel(panels_.library);
   recent_ = addMenus(this, actions_, layout_.docks());
-  layout_.restore();
+  layout_.restore(panels_.views.viewport);
+  // The parts below depend on others by their constructors alone: what each shows follows from the
+  // document and the playback, in whatever order their signals reach the parts.
   new Presenter(session_, playback_, models, panels_.views, error_display_, this);
   library_views_ =
       new LibraryViews(session_, library_, panels_.library, panels_.slot_control, this);
@@ -113,13 +118,18 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   new ByteView(session_, playback_, panels_.inspection.timeline->bytes(), byte_model, panels_.bytes,
                this);
   recent_.play->addActions(inspector_->rangeActions()->actions());
+  new RangeComparison(playback_, panels_.inspection.timeline, panels_.views.graph,
+                      actions_.compare_range,
+                      {.overlay = actions_.view.mode[0],
+                       .side_by_side = actions_.view.mode[1],
+                       .loop = actions_.transport.loop},
+                      this);
   recent_.timeline->addActions(panels_.inspection.timeline->foldActions());
   notes_ =
       new FrameNotes(session_, library_, playback_, panels_.inspection.timeline->notes(), this);
   notes_->showIn(panels_.views.viewport);
   links_ = new ClipLinks(session_, library_, playback_, panels_.views.viewport, this);
   sign_off_ = new SignOffExport(library_, clips_, this);
-  // Comes after the presenter, since a picture counts once the view has the answer.
   trace_ = new Trace(session_, panels_.views.viewport, this);
   notices_ = new Notices(session_, library_, panels_.messages, this);
   notices_->tellOf(files_, actions_.choose_skeleton);
@@ -153,6 +163,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   connect(&session_->document(), &Document::skinChanged, this, &MainWindow::updateTitle);
   connect(&session_->document(), &Document::decodedChanged, this, &MainWindow::updateTitle);
   connect(library_, &Library::projectChanged, this, &MainWindow::updateTitle);
+  connect(clips_, &LibraryModel::modelReset, this, &MainWindow::updateCommands);
+  connect(clips_, &LibraryModel::rowsInserted, this, &MainWindow::updateCommands);
   updateTitle();
   // Gives the view the focus, so that keys control the playback from the start.
   panels_.views.viewport->setFocus();
@@ -235,6 +247,7 @@ void MainWindow::connectWindowActions() {
   connect(library_, &Library::entered, actions_.view.skin,
           [this] { actions_.view.skin->setChecked(library_->showsSkin()); });
   connect(actions_.reset_layout, &QAction::triggered, this, [this] { layout_.reset(); });
+  connect(actions_.panels_below, &QAction::triggered, layout_.below(), &PanelsBelow::toggle);
   connect(actions_.guide, &QAction::triggered, this, [this] { showGuide(this); });
   connect(actions_.shortcuts, &QAction::triggered, this,
           [this] { showShortcuts(*menuBar(), this); });
@@ -289,7 +302,8 @@ void MainWindow::addContextMenus() {
     menu->popup(at);
   });
   panels_.inspection.timeline->ruler()->addActions(
-      {actions_.transport.play, actions_.transport.whole_clip, actions_.note_here, actions_.film});
+      {actions_.transport.play, actions_.transport.whole_clip, actions_.compare_range,
+       actions_.note_here, actions_.film});
   panels_.views.joints->addActions({view.frame_joint, view.path, actions_.note_here});
   panels_.views.joints->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
@@ -315,23 +329,82 @@ void MainWindow::updateTitle() {
   setWindowTitle(document.title().isEmpty() ? project + QStringLiteral("[*]")
                                             : tr("%1[*] – %2").arg(document.fileTitle(), project));
   setWindowModified(document.modified() || library_->stuck());
-  actions_.save->setEnabled(document.decoded() != nullptr);
-  actions_.save_as->setEnabled(document.decoded() != nullptr);
-  actions_.export_motion->setEnabled(document.decoded() != nullptr);
-  actions_.export_review->setEnabled(document.decoded() && document.original());
-  for (QAction* action :
-       {actions_.copy_picture, actions_.save_picture, actions_.film, actions_.turntable})
-    action->setEnabled(document.skeleton() != nullptr);
-  actions_.import_options->setEnabled(document.original() != nullptr);
-  actions_.put_character->setEnabled(document.skeleton() != nullptr);
+  updateCommands();
+}
+
+/// Commands that have nothing to work on are grey, in menus and in the palette.
+void MainWindow::updateCommands() {
+  const Document& document = session_->document();
+  const ViewActions& view = actions_.view;
+  const TransportActions& play = actions_.transport;
+  const auto enable = [](bool enabled, const QList<QAction*>& actions) {
+    for (QAction* action : actions) action->setEnabled(enabled);
+  };
+  const bool has_original = document.original() != nullptr;
+  const bool has_decoded = document.decoded() != nullptr;
+  const bool has_figure = document.skeleton() != nullptr;
+  enable(has_figure, {actions_.copy_picture,
+                      actions_.save_picture,
+                      actions_.film,
+                      actions_.turntable,
+                      actions_.put_character,
+                      actions_.note_here,
+                      actions_.next_note,
+                      actions_.copy_link,
+                      view.front,
+                      view.side,
+                      view.floor,
+                      view.frame_joint,
+                      view.reset_camera,
+                      play.first,
+                      play.previous,
+                      play.play,
+                      play.next,
+                      play.last,
+                      play.backwards,
+                      play.halt,
+                      play.forwards,
+                      play.ten_back,
+                      play.ten_on,
+                      play.range_from,
+                      play.range_to,
+                      play.whole_clip});
+  enable(has_original,
+         {actions_.import_options, actions_.switch_slot, actions_.copy_slot, actions_.hold_feet});
+  enable(has_decoded, {actions_.save, actions_.save_as, actions_.export_motion});
+  enable(has_decoded && has_original, {actions_.export_review, actions_.pin_engine});
+  enable(has_decoded && document.decoded()->distortion,
+         {actions_.next_worst, actions_.previous_worst});
+  enable(clips_->rowCount() > 0,
+         {actions_.next_review, actions_.approve, actions_.reject, actions_.write_notes,
+          actions_.read_notes, actions_.export_library, actions_.export_sign_off});
   actions_.take_character_off->setEnabled(!document.character().path.isEmpty());
-  actions_.view.skin->setEnabled(document.skin() != nullptr);
-  actions_.switch_slot->setEnabled(document.original() != nullptr);
-  actions_.copy_slot->setEnabled(document.original() != nullptr);
-  actions_.hold_feet->setEnabled(document.original() != nullptr);
-  actions_.pin_engine->setEnabled(document.decoded() && document.original());
-  actions_.without_ik->setEnabled(document.decoded() && document.decoded()->uncorrected_tracks);
-  actions_.compare->setEnabled(document.decoded() && !document.original());
+  view.skin->setEnabled(document.skin() != nullptr);
+  actions_.without_ik->setEnabled(has_decoded && document.decoded()->uncorrected_tracks);
+  actions_.compare->setEnabled(has_decoded && !has_original);
+}
+
+WindowState MainWindow::state() const {
+  return {session_->openKey(),
+          playback_->frame(),
+          playback_->range(),
+          session_->document().tuning(),
+          panels_.views.viewport->options(),
+          actions_.view.follow->isChecked()};
+}
+
+void MainWindow::takeOver(const WindowState& state) {
+  const auto take_over = [this, state] {
+    showOptions(actions_.view, panels_.views.viewport, state.view);
+    actions_.view.follow->setChecked(state.follows);
+    if (session_->openKey() != state.clip) return;
+    session_->recallTuning(state.tuning);
+    playback_->setRange(state.range);
+    playback_->seek(state.frame);
+  };
+  // Others answer the signal first: the library remembers the clip's settings.
+  connect(session_, &Session::opened, this, take_over,
+          static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

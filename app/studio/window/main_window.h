@@ -16,6 +16,7 @@
 #include "app/studio/window/commands.h"
 #include "app/studio/window/panels.h"
 #include "app/studio/window/theme.h"
+#include "app/studio/window/window_state.h"
 #include "widgets/models/library_model.h"
 #include "widgets/timeline/playback.h"
 
@@ -88,6 +89,12 @@ class MainWindow : public QMainWindow {
   Trace& trace() { return *trace_; }
   ViewPictures& pictures() { return *pictures_; }
 
+  /// What a window in another language takes over.
+  WindowState state() const;
+
+  /// Takes it over once the clip is open that it belongs to.
+  void takeOver(const WindowState& state);
+
   /// See IncomingFiles::open().
   void open(const QStringList& paths, const QString& skeleton = {});
 
@@ -105,6 +112,7 @@ class MainWindow : public QMainWindow {
   void connectChoices();
   void changeLanguage(const QString& code);
   void updateTitle();
+  void updateCommands();
 
   // Children instead of members: they must outlive the widgets' hide events in ~QWidget().
   Session* session_ = new Session(this);

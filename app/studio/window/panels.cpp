@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "app/studio/window/panels_below.h"
 #include "widgets/models/library_tree.h"
 #include "widgets/panels/annealing_panel.h"
 #include "widgets/panels/bytes_panel.h"
@@ -29,7 +30,6 @@
 #include "widgets/panels/pinned_panel.h"
 #include "widgets/panels/result_panel.h"
 #include "widgets/panels/slot_control.h"
-#include "widgets/panels/warnings_panel.h"
 #include "widgets/plots/channel_graph.h"
 #include "widgets/plots/error_graph.h"
 #include "widgets/plots/heat_map.h"
@@ -43,19 +43,26 @@ namespace mocapress {
 
 namespace {
 
-constexpr int kLayoutVersion = 7;
+constexpr int kLayoutVersion = 8;
 const QString kGeometry = QStringLiteral("window/geometry");
 const QString kState = QStringLiteral("window/state");
 
-/// A plain title for a dock: drag it to move the dock, double-click to float it.
-QLabel* makeTitle(const QString& title, QWidget* parent) {
-  auto* label = new QLabel(title, parent);
-  QFont font = label->font();
-  font.setWeight(QFont::DemiBold);
-  label->setFont(font);
-  label->setContentsMargins(10, 7, 10, 5);
-  return label;
-}
+/// A plain title for a dock: drag it to move the dock, double-click to float it. Docks leave room
+/// for hidden titles, unless these have no size.
+class DockTitle : public QLabel {
+ public:
+  DockTitle(const QString& title, QWidget* parent) : QLabel(title, parent) {
+    QFont bold = font();
+    bold.setWeight(QFont::DemiBold);
+    setFont(bold);
+    setContentsMargins(10, 7, 10, 5);
+  }
+
+  QSize sizeHint() const override { return isHidden() ? QSize(0, 0) : QLabel::sizeHint(); }
+  QSize minimumSizeHint() const override {
+    return isHidden() ? QSize(0, 0) : QLabel::minimumSizeHint();
+  }
+};
 
 }  // namespace
 
@@ -90,6 +97,7 @@ QDockWidget* WindowLayout::addRight(QWidget* panel, const QString& id, const QSt
 }
 
 QDockWidget* WindowLayout::addBelow(QWidget* panel, const QString& id, const QString& title) {
+  panel->setMinimumHeight(PanelsBelow::kFolded);  // else its contents decide
   return add(Qt::BottomDockWidgetArea, panel, id, title);
 }
 
@@ -98,7 +106,7 @@ QDockWidget* WindowLayout::add(Qt::DockWidgetArea area, QWidget* panel, const QS
   auto* dock = new QDockWidget(title, window_);
   dock->setObjectName(id);
   dock->toggleViewAction()->setObjectName(QStringLiteral("show-") + id);
-  dock->setTitleBarWidget(makeTitle(title, dock));
+  dock->setTitleBarWidget(new DockTitle(title, dock));
   dock->setWidget(panel);
   window_->addDockWidget(area, dock);
   docks_ << dock;
@@ -110,10 +118,18 @@ void WindowLayout::bringUp(const QWidget* panel) const {
     if (dock->widget() == panel) {
       dock->show();
       dock->raise();
+      if (window_->dockWidgetArea(dock) == Qt::BottomDockWidgetArea) below_->unfold();
     }
 }
 
-void WindowLayout::restore() {
+void WindowLayout::restore(const QWidget* view) {
+  below_ = new PanelsBelow(window_, view);
+  below_->restore();
+  for (const QDockWidget* dock : docks_)
+    QObject::connect(dock->toggleViewAction(), &QAction::triggered, window_,
+                     [this, dock](bool shown) {
+                       if (shown) bringUp(dock->widget());
+                     });
   built_ = window_->saveState(kLayoutVersion);
   const QSettings settings;
   window_->restoreGeometry(settings.value(kGeometry).toByteArray());
@@ -124,10 +140,12 @@ void WindowLayout::remember() const {
   QSettings settings;
   settings.setValue(kGeometry, window_->saveGeometry());
   settings.setValue(kState, window_->saveState(kLayoutVersion));
+  below_->remember();
 }
 
 void WindowLayout::reset() {
   window_->restoreState(built_, kLayoutVersion);
+  below_->reset();
 }
 
 namespace {
@@ -135,7 +153,6 @@ namespace {
 constexpr int kSidebarWidth = 320;
 constexpr int kLibraryWidth = 240;
 constexpr int kJointsWidth = 440;
-constexpr int kBelowHeight = 240;
 
 struct DockTitles {
   Q_DECLARE_TR_FUNCTIONS(mocapress::Panels)
@@ -152,14 +169,12 @@ QWidget* makeCentre(Panels& panels, Playback* playback, const TransportActions& 
                     QWidget* window) {
   auto* centre = new QWidget(window);
   panels.messages = new MessageBar(centre);
-  panels.views.warnings = new WarningsPanel(centre);
   panels.views.viewport = new Viewport(centre);
   panels.inspection.timeline = new Timeline(centre);
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(panels.messages);
-  column->addWidget(panels.views.warnings);
   column->addWidget(panels.views.viewport, 1);
   column->addWidget(panels.inspection.timeline);
   panels.views.transport = new TransportBar(playback, transport, centre);
@@ -267,7 +282,6 @@ Panels makePanels(QMainWindow* window, WindowLayout* layout, const PanelModels& 
   window->resizeDocks({library, sidebar}, {kLibraryWidth, kSidebarWidth}, Qt::Horizontal);
   const int rest = window->width() - kLibraryWidth - kSidebarWidth - kJointsWidth;
   window->resizeDocks({joints, graph}, {kJointsWidth, rest}, Qt::Horizontal);
-  window->resizeDocks({joints, graph}, {kBelowHeight, kBelowHeight}, Qt::Vertical);
   return panels;
 }
 

@@ -20,6 +20,7 @@ class LibraryModel;
 class LibraryPanel;
 class LibraryPlot;
 class MessageBar;
+class PanelsBelow;
 class PinnedModel;
 class PinnedPanel;
 class SlotControl;
@@ -53,13 +54,16 @@ class WindowLayout {
 
   const QList<QDockWidget*>& docks() const { return docks_; }
 
-  /// Shows a panel's dock and raises it above its tabs.
+  /// Shows a panel's dock, raises it above its tabs and unfolds it.
   void bringUp(const QWidget* panel) const;
 
   /// Called after the last dock: records the initial layout and restores that of the last run.
-  void restore();
+  /// `view` is the 3D view, for which the docks below make room.
+  void restore(const QWidget* view);
   void remember() const;
   void reset();
+
+  PanelsBelow* below() const { return below_; }
 
  private:
   QDockWidget* add(Qt::DockWidgetArea area, QWidget* panel, const QString& id,
@@ -67,6 +71,7 @@ class WindowLayout {
 
   QMainWindow* window_;
   QList<QDockWidget*> docks_;
+  PanelsBelow* below_ = nullptr;
   QByteArray built_;
 };
 

@@ -218,6 +218,25 @@ void connectViewActions(const ViewActions& actions, Viewport* viewport) {
   actions.skin->setChecked(true);
 }
 
+void showOptions(const ViewActions& actions, Viewport* viewport, const ViewOptions& options) {
+  const auto check = [](const QActionGroup* group, int value) {
+    for (QAction* action : group->actions())
+      if (action->data().toInt() == value) action->setChecked(true);
+  };
+  actions.mode[static_cast<std::size_t>(options.mode)]->setChecked(true);
+  check(actions.trail_poses, options.trail);
+  check(actions.exaggeration, static_cast<int>(options.exaggeration));
+  for (const auto& [action, on] :
+       {std::pair(actions.quarters, options.quartered), std::pair(actions.swap, options.swapped),
+        std::pair(actions.blink, options.blinking), std::pair(actions.by_error, options.by_error),
+        std::pair(actions.skin, options.skin), std::pair(actions.path, options.path),
+        std::pair(actions.trail, options.trail > 0),
+        std::pair(actions.exaggerate, options.exaggeration != 1),
+        std::pair(actions.in_place, options.in_place)})
+    action->setChecked(on);
+  viewport->setOptions(options);
+}
+
 void addInGroups(QMenu* menu, const ViewActions& actions) {
   addAll(menu, actions);
   menu->addMenu(ViewTexts::tr("Poses of the Tra&il"))->addActions(actions.trail_poses->actions());

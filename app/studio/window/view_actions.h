@@ -13,6 +13,7 @@ class QToolBar;
 namespace mocapress {
 
 class Viewport;
+struct ViewOptions;
 
 /// Display of the figures in the 3D view.
 struct ViewActions {
@@ -47,6 +48,9 @@ ViewActions makeViewActions(QMainWindow* window);
 
 /// Connects the actions to a view.
 void connectViewActions(const ViewActions& actions, Viewport* viewport);
+
+/// Sets the actions and the view to these options.
+void showOptions(const ViewActions& actions, Viewport* viewport, const ViewOptions& options);
 
 void addInGroups(QMenu* menu, const ViewActions& actions);
 void addInGroups(QToolBar* bar, const ViewActions& actions);

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/window/panels_below.h"
+
+#include <QDockWidget>
+#include <QGuiApplication>
+#include <QMainWindow>
+#include <QMouseEvent>
+#include <QSettings>
+#include <QTabBar>
+#include <QTimer>
+#include <algorithm>
+
+namespace mocapress {
+namespace {
+
+constexpr double kViewShare = 0.46;  // of the window's height
+constexpr int kUsualHeight = 240;
+constexpr int kLeastHeight = 120;  // with less a list or plot is of no use
+const QString kHeight = QStringLiteral("window/below");
+const QString kWindowHeight = QStringLiteral("window/belowAt");
+
+}  // namespace
+
+PanelsBelow::PanelsBelow(QMainWindow* window, const QWidget* view)
+    : QObject(window), window_(window), view_(view), chosen_(kUsualHeight) {
+  window->installEventFilter(this);
+  for (QObject* child : window->children()) watch(child);
+}
+
+void PanelsBelow::watch(QObject* child) {
+  if (qobject_cast<QTabBar*>(child)) child->installEventFilter(this);
+  auto* dock = qobject_cast<QDockWidget*>(child);
+  if (!dock) return;
+  dock->installEventFilter(this);
+  // A floating dock is moved by its title.
+  connect(dock, &QDockWidget::topLevelChanged, dock->titleBarWidget(), &QWidget::show);
+}
+
+QList<QDockWidget*> PanelsBelow::docks() const {
+  QList<QDockWidget*> docks;
+  for (auto* dock : window_->findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly))
+    if (window_->dockWidgetArea(dock) == Qt::BottomDockWidgetArea && !dock->isFloating())
+      docks << dock;
+  return docks;
+}
+
+/// The docks that are seen: those behind other tabs are outside the window.
+QList<QDockWidget*> PanelsBelow::inFront() const {
+  QList<QDockWidget*> seen;
+  for (QDockWidget* dock : docks())
+    if (dock->isVisible() && window_->rect().contains(dock->pos())) seen << dock;
+  return seen;
+}
+
+int PanelsBelow::height() const {
+  const QList<QDockWidget*> docks = inFront();
+  return docks.isEmpty() ? 0 : docks.front()->height();
+}
+
+/// The tabs name the docks while they are folded.
+void PanelsBelow::showTitles(bool shown) {
+  for (const QDockWidget* dock : docks()) dock->titleBarWidget()->setVisible(shown);
+}
+
+void PanelsBelow::resize(int height) {
+  showTitles(height > kFolded);
+  const QList<QDockWidget*> docks = inFront();
+  window_->resizeDocks(docks, QList<int>(docks.size(), height), Qt::Vertical);
+}
+
+void PanelsBelow::choose(int height) {
+  chosen_ = height;
+  chosen_at_ = window_->height();
+}
+
+void PanelsBelow::unfold() {
+  if (unfolded()) return;
+  choose(chosen_ < kLeastHeight ? kUsualHeight : chosen_);
+  resize(chosen_);
+}
+
+void PanelsBelow::toggle() {
+  if (!unfolded()) return unfold();
+  choose(kFolded);
+  resize(kFolded);
+}
+
+void PanelsBelow::restore() {
+  const QSettings settings;
+  chosen_ = settings.value(kHeight, kUsualHeight).toInt();
+  chosen_at_ = settings.value(kWindowHeight, 0).toInt();
+}
+
+void PanelsBelow::remember() const {
+  QSettings settings;
+  settings.setValue(kHeight, chosen_);
+  settings.setValue(kWindowHeight, chosen_at_);
+}
+
+void PanelsBelow::reset() {
+  chosen_ = kUsualHeight;
+  chosen_at_ = 0;
+  fit();
+}
+
+/// Gives the docks the height that was chosen for a window of this height, in another one no more
+/// than the view leaves.
+void PanelsBelow::fit() {
+  fitTabs();
+  if (inFront().isEmpty()) return;
+  const int view = static_cast<int>(kViewShare * window_->height());
+  const int room = view_->height() + height() - view;
+  const int most = window_->height() == chosen_at_ ? chosen_ : std::min(chosen_, room);
+  resize(most < kLeastHeight ? kFolded : most);
+}
+
+void PanelsBelow::fitTabs() {
+  const QWidget* centre = window_->centralWidget();
+  QList<QTabBar*> bars;
+  for (auto* bar : window_->findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
+    if (bar->isVisible() && bar->y() > centre->geometry().bottom()) bars << bar;
+  int wanted = 0;
+  for (const QTabBar* bar : bars) wanted += bar->sizeHint().width();
+  window_->setCorner(Qt::BottomLeftCorner,
+                     wanted > centre->width() ? Qt::BottomDockWidgetArea : Qt::LeftDockWidgetArea);
+  const bool is_cut_off = std::any_of(bars.begin(), bars.end(), [](const QTabBar* bar) {
+    return bar->width() < bar->sizeHint().width();
+  });
+  if (!is_cut_off) return;
+  QList<QDockWidget*> docks;
+  QList<int> widths;
+  for (QDockWidget* dock : inFront())
+    for (const QTabBar* bar : bars)
+      if (dock->geometry().left() <= bar->x() && bar->x() <= dock->geometry().right()) {
+        docks << dock;
+        widths << bar->sizeHint().width();
+      }
+  window_->resizeDocks(docks, widths, Qt::Horizontal);
+}
+
+void PanelsBelow::click(const QTabBar& bar, int tab, bool was_in_front) {
+  if (tab < 0 || bar.y() <= window_->centralWidget()->geometry().bottom()) return;
+  if (!unfolded())
+    unfold();
+  else if (was_in_front)
+    toggle();
+}
+
+bool PanelsBelow::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == window_) {
+    // The docks are laid out after this event.
+    if (event->type() == QEvent::Resize) QTimer::singleShot(0, this, &PanelsBelow::fit);
+    if (event->type() == QEvent::ChildPolished) {
+      QObject* child = static_cast<QChildEvent*>(event)->child();
+      watch(child);
+      // Bars of tabs are made when docks are first laid out.
+      if (qobject_cast<QTabBar*>(child)) QTimer::singleShot(0, this, &PanelsBelow::fit);
+    }
+  } else if (event->type() == QEvent::Resize) {
+    const auto* dock = qobject_cast<QDockWidget*>(watched);
+    const bool is_dragged = QGuiApplication::mouseButtons() != Qt::NoButton;
+    if (dock && is_dragged && inFront().contains(dock)) {
+      choose(dock->height());
+      showTitles(dock->height() > kFolded);
+    }
+  } else if (const auto* bar = qobject_cast<QTabBar*>(watched)) {
+    const int tab =
+        event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonRelease
+            ? bar->tabAt(static_cast<QMouseEvent*>(event)->pos())
+            : -1;
+    if (event->type() == QEvent::MouseButtonPress) {
+      pressed_tab_ = tab;
+      pressed_in_front_ = tab == bar->currentIndex();
+    } else if (event->type() == QEvent::MouseButtonRelease && tab == pressed_tab_) {
+      click(*bar, tab, pressed_in_front_);
+    }
+  }
+  return false;
+}
+
+}  // namespace mocapress

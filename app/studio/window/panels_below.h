@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QList>
+#include <QObject>
+
+class QDockWidget;
+class QMainWindow;
+class QTabBar;
+
+namespace mocapress {
+
+/// Folds the docks below the timeline to their tabs where the 3D view would become too low
+/// otherwise. A click on a tab unfolds them; one on the tab in front folds them. Tabs that do not
+/// fit get the corner below the library.
+class PanelsBelow : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Height of a folded dock.
+  static constexpr int kFolded = 1;
+
+  /// `view` is the 3D view, within the window's central widget.
+  PanelsBelow(QMainWindow* window, const QWidget* view);
+
+  bool unfolded() const { return height() > kFolded; }
+  void unfold();
+  void toggle();
+
+  /// Keeps the height that the user chose, from run to run.
+  void restore();
+  void remember() const;
+  void reset();
+
+ private:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void watch(QObject* child);
+  QList<QDockWidget*> docks() const;
+  QList<QDockWidget*> inFront() const;
+  int height() const;
+  void choose(int height);
+  void resize(int height);
+  void showTitles(bool shown);
+  void fit();
+  void fitTabs();
+  void click(const QTabBar& bar, int tab, bool was_in_front);
+
+  QMainWindow* window_;
+  const QWidget* view_;
+  int chosen_;            // height, by the user if they have chosen one
+  int chosen_at_ = 0;     // height of the window then
+  int pressed_tab_ = -1;  // of the bar that the mouse is pressed on
+  bool pressed_in_front_ = false;
+};
+
+}  // namespace mocapress
