@@ -7,7 +7,6 @@
 #include <QCheckBox>
 #include <QCloseEvent>
 #include <QMenu>
-#include <QScreen>
 #include <QWidget>
 
 #include "app/studio/compare/byte_view.h"
@@ -87,7 +86,7 @@ constexpr QSize kFirstSize(1440, 900);
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   setWindowIcon(QIcon(QStringLiteral(":/icons/app.svg")));
   qApp->installEventFilter(new ShortcutsFirst(this));
-  resize(kFirstSize.boundedTo(screen()->availableSize()));
+  resize(kFirstSize);
   auto* undo = new UndoTarget(session_, library_, this);
   actions_ = makeActions(playback_, undo->histories(), this);
   actions_.error_scales = error_display_->scales(ErrorQuantity::Distance);
@@ -247,6 +246,9 @@ void MainWindow::connectWindowActions() {
   connect(library_, &Library::entered, actions_.view.skin,
           [this] { actions_.view.skin->setChecked(library_->showsSkin()); });
   connect(actions_.reset_layout, &QAction::triggered, this, [this] { layout_.reset(); });
+  // A clip brings rows of the timeline with it.
+  connect(&session_->document(), &Document::clipChanged, layout_.below(), &PanelsBelow::fit,
+          Qt::QueuedConnection);
   connect(actions_.panels_below, &QAction::triggered, layout_.below(), &PanelsBelow::toggle);
   connect(actions_.guide, &QAction::triggered, this, [this] { showGuide(this); });
   connect(actions_.shortcuts, &QAction::triggered, this,
@@ -265,7 +267,8 @@ void MainWindow::connectWindowActions() {
   // Raises the panel that a shortcut changes. One behind another tab is visible to Qt, which puts
   // it outside the window.
   const auto is_in_sight = [this](const QWidget* panel) {
-    return panel->isVisible() && rect().contains(panel->mapTo(this, panel->rect().center()));
+    return panel->isVisible() && panel->height() > PanelsBelow::kFolded &&
+           rect().contains(panel->mapTo(this, panel->rect().center()));
   };
   for (const QAction* action : {actions_.in_degrees, actions_.as_seen})
     connect(action, &QAction::triggered, this, [this, action, is_in_sight] {

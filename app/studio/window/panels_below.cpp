@@ -64,8 +64,10 @@ void PanelsBelow::showTitles(bool shown) {
 
 void PanelsBelow::resize(int height) {
   showTitles(height > kFolded);
+  int tabs = 0;  // belong to the height of docks that are side by side
+  for (const QTabBar* bar : bars()) tabs = std::max(tabs, bar->height());
   const QList<QDockWidget*> docks = inFront();
-  window_->resizeDocks(docks, QList<int>(docks.size(), height), Qt::Vertical);
+  window_->resizeDocks(docks, QList<int>(docks.size(), height + tabs), Qt::Vertical);
 }
 
 void PanelsBelow::choose(int height) {
@@ -103,8 +105,6 @@ void PanelsBelow::reset() {
   fit();
 }
 
-/// Gives the docks the height that was chosen for a window of this height, in another one no more
-/// than the view leaves.
 void PanelsBelow::fit() {
   fitTabs();
   if (inFront().isEmpty()) return;
@@ -114,11 +114,18 @@ void PanelsBelow::fit() {
   resize(most < kLeastHeight ? kFolded : most);
 }
 
+QList<QTabBar*> PanelsBelow::bars() const {
+  QList<QTabBar*> below;
+  for (auto* bar : window_->findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
+    if (bar->isVisible() && bar->y() > window_->centralWidget()->geometry().bottom() &&
+        bar->x() < window_->centralWidget()->geometry().right())
+      below << bar;
+  return below;
+}
+
 void PanelsBelow::fitTabs() {
   const QWidget* centre = window_->centralWidget();
-  QList<QTabBar*> bars;
-  for (auto* bar : window_->findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
-    if (bar->isVisible() && bar->y() > centre->geometry().bottom()) bars << bar;
+  const QList<QTabBar*> bars = this->bars();
   int wanted = 0;
   for (const QTabBar* bar : bars) wanted += bar->sizeHint().width();
   window_->setCorner(Qt::BottomLeftCorner,
@@ -139,7 +146,7 @@ void PanelsBelow::fitTabs() {
 }
 
 void PanelsBelow::click(const QTabBar& bar, int tab, bool was_in_front) {
-  if (tab < 0 || bar.y() <= window_->centralWidget()->geometry().bottom()) return;
+  if (tab < 0 || !bars().contains(&bar)) return;
   if (!unfolded())
     unfold();
   else if (was_in_front)

@@ -27,6 +27,10 @@ class PanelsBelow : public QObject {
   void unfold();
   void toggle();
 
+  /// Gives the docks the height that was chosen for a window of this height, in another one no more
+  /// than the view leaves.
+  void fit();
+
   /// Keeps the height that the user chose, from run to run.
   void restore();
   void remember() const;
@@ -41,7 +45,7 @@ class PanelsBelow : public QObject {
   void choose(int height);
   void resize(int height);
   void showTitles(bool shown);
-  void fit();
+  QList<QTabBar*> bars() const;
   void fitTabs();
   void click(const QTabBar& bar, int tab, bool was_in_front);
 
