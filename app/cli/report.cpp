@@ -31,10 +31,10 @@ void print(const char* of, const Spread& spread) {
 
 void print(const Visibility& seen, const Skeleton& skeleton) {
   const std::string why = printable(reason(seen.worst(), skeleton));
-  std::cerr << "  visibility: "
-            << (seen.sight() == Sight::NotVisible ? "not visible" : name(seen.sight()))
+  std::cerr << "  visibility: " << sight_text(seen.sight(), seen.limits.distance_m)
             << (why.empty() ? "" : ": ") << why << '\n'
-            << "  not noticed beyond " << significant_text(seen.unnoticed_from_m, 2) << " m\n"
+            << "  not noticed beyond " << significant_text(seen.unnoticed_from_m, 2) << " m, by "
+            << limits_text(seen.limits) << '\n'
             << "  velocity error " << fixed_text(seen.velocity_error, 2) << " cm/s (RMS)";
   if (seen.jitter_ratio)
     std::cerr << ", jitter " << fixed_text(*seen.jitter_ratio, 2) << " of the original's";

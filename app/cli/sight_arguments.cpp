@@ -15,15 +15,16 @@ void SightArguments::add_options(CLI::App& command) {
       ->type_name("FILE");
   command
       .add_option("--distance", distance_m,
-                  "Viewing distance for visibility in metres, 0.5 to 100 [the preset's, 5]")
+                  "Viewing distance for visibility in metres, 0.5 to 100 [the preset's, else 5]")
       ->type_name("M")
       ->check(CLI::Range(kLeastDistance, kMostDistance));
 }
 
 SightLimits SightArguments::read(const SightLimits& otherwise) const {
-  SightLimits limits = limits_file.empty()
-                           ? otherwise
-                           : limits_from_text(limits_file, read_text(utf8_path(limits_file)));
+  SightLimits limits =
+      limits_file.empty()
+          ? otherwise
+          : limits_from_text(limits_file, read_text(utf8_path(limits_file)), otherwise.distance_m);
   if (distance_m) limits.distance_m = *distance_m;
   return limits;
 }

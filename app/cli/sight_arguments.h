@@ -16,8 +16,8 @@ struct SightArguments {
 
   void add_options(CLI::App& command);
 
-  /// The limits of the file, else `otherwise`, at the distance that was asked for. Throws
-  /// InputError.
+  /// The limits of the file, else `otherwise`, at the distance that was asked for, else the file's,
+  /// else that of `otherwise`. Throws InputError.
   SightLimits read(const SightLimits& otherwise = {}) const;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/metrics/sight_limits.h"
 
+#include "core/base/number_text.h"
+
 namespace mocapress {
 
 std::string_view name(Cue cue) {
@@ -20,6 +22,20 @@ std::string_view unit(Cue cue) {
     default:
       return "cm";
   }
+}
+
+std::string limits_text(const SightLimits& limits) {
+  const SightLimits built_in;
+  std::string own;
+  for (std::size_t c = 0; c < kCues; ++c) {
+    const auto cue = static_cast<Cue>(c);
+    const CueLimit& limit = limits.of(cue);
+    if (limit == built_in.of(cue)) continue;
+    own += (own.empty() ? "own limits: " : ", ") + std::string(name(cue)) + ' ' +
+           significant_text(limit.least, 3) + ' ' + std::string(unit(cue));
+    if (limit.share > 0) own += " or " + significant_text(100 * limit.share, 3) + " %";
+  }
+  return own.empty() ? "built-in limits" : own;
 }
 
 }  // namespace mocapress

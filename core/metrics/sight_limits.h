@@ -17,6 +17,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace mocapress {
@@ -47,6 +48,9 @@ inline constexpr double kUsualDistance = 5;
 inline constexpr double kLeastDistance = 0.5;
 inline constexpr double kMostDistance = 100;
 
+/// The stature in cm of the figure whose head and hands the built-in limits are for.
+inline constexpr double kUsualStature = 175;  // ours
+
 /// The error from which one cue is noticed: `least`, in the cue's unit at kUsualDistance, or
 /// `share` of what the original does itself, whichever is larger.
 struct CueLimit {
@@ -57,9 +61,10 @@ struct CueLimit {
 };
 
 /// Limits above which errors are noticed, and the viewer's distance from the figure. `least` grows
-/// with the distance, for what one sees shrinks; turned heads and hands are judged by their size on
-/// the screen, too. Shares do not depend on it. "Ours" marks limits that no study gives: a blind
-/// test (blind_test.h) replaces them by a viewer's own.
+/// with the distance, for what one sees shrinks. Turned heads and hands are judged by their size on
+/// the screen, too: their limits shrink with the figure's stature (visibility.h). Shares do not
+/// depend on the distance. "Ours" marks limits that no study gives: a blind test (blind_test.h)
+/// replaces them by a viewer's own.
 struct SightLimits {
   double distance_m = kUsualDistance;  // ours
   std::array<CueLimit, kCues> of_cues = {{
@@ -89,5 +94,8 @@ struct SightLimits {
 
   bool operator==(const SightLimits&) const = default;
 };
+
+/// "built-in limits", or "own limits: slide 2.1 cm, velocity 3 cm/s or 7 %": those that differ.
+std::string limits_text(const SightLimits& limits);
 
 }  // namespace mocapress

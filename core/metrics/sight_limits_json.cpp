@@ -63,9 +63,9 @@ Json to_json(const SightLimits& limits, bool all) {
   return json;
 }
 
-SightLimits limits_from(const Json& json) {
+SightLimits limits_from(const Json& json, double distance_m) {
   if (!json.is_object()) refuse("what should be limits is not a JSON object");
-  SightLimits limits;
+  SightLimits limits{.distance_m = distance_m};
   for (const auto& [key, value] : json.items()) {
     if (key != kDistance) {
       read_limit(value, key, limits.of(cue_named(key)));
@@ -80,14 +80,16 @@ SightLimits limits_from(const Json& json) {
 }
 
 std::string limits_to_text(const SightLimits& limits) {
-  return dumped(to_json(limits, true), 2) + '\n';
+  Json json = to_json(limits, true);
+  json.erase(kDistance);
+  return dumped(json, 2) + '\n';
 }
 
-SightLimits limits_from_text(const std::string& file, std::string_view text) {
+SightLimits limits_from_text(const std::string& file, std::string_view text, double distance_m) {
   constexpr JsonLimits kSmall = {.depth = 4, .values = 200};
   const Json json = parse_json(file, text, kSmall);
   try {
-    return limits_from(json);
+    return limits_from(json, distance_m);
   } catch (const Error& error) {
     throw InputError(file, 0, 0, error.what());
   }

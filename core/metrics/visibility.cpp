@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/base/number_text.h"
+#include "core/motion/body.h"
 #include "core/motion/body_part.h"
 
 namespace mocapress {
@@ -65,6 +66,11 @@ std::string_view name(Sight sight) {
   return "";
 }
 
+std::string sight_text(Sight sight, double distance_m) {
+  return std::string(sight == Sight::NotVisible ? "not visible" : name(sight)) + " from " +
+         significant_text(distance_m, 3) + " m";
+}
+
 std::string reason(const WorstSight& worst, const Skeleton& skeleton) {
   if (worst.value == 0) return "";
   const std::string of_unit = ' ' + std::string(unit(worst.cue));
@@ -76,7 +82,7 @@ std::string reason(const WorstSight& worst, const Skeleton& skeleton) {
 Seen seen_in(const Visibility& visibility, const Skeleton& skeleton) {
   const WorstSight& worst = visibility.worst();
   return {worst.times_noticed(), visibility.visible_share, reason(worst, skeleton),
-          visibility.unnoticed_from_m};
+          visibility.unnoticed_from_m, visibility.limits};
 }
 
 const WorstSight& Visibility::worst() const {
@@ -121,12 +127,12 @@ VisibilityMeter::VisibilityMeter(const Skeleton& skeleton, int frames, double sa
     : skeleton_(skeleton),
       frames_(frames),
       sample_rate_hz_(sample_rate_hz),
-      limits_(limits),
       points_(landmarks(skeleton)),
       shares_(shares(skeleton)),
       reaches_(reaches(skeleton, points_)),
       heads_(namesakes_of(skeleton, BodyPart::Head)),
       hands_(joints_of(skeleton, BodyPart::Hands)),
+      turns_easier_(kUsualStature / stature(skeleton).value_or(kUsualStature)),
       squared_turns_(Eigen::VectorXd::Zero(std::ssize(heads_) + std::ssize(hands_))),
       floor_(std::numeric_limits<double>::infinity()),
       known_jitter_(original_jitter),
@@ -134,6 +140,7 @@ VisibilityMeter::VisibilityMeter(const Skeleton& skeleton, int frames, double sa
       decoded_jitter_(own_jitter_),
       contacts_(contacts, window_frames(sample_rate_hz)) {
   const int windows = windows_in(frames, sample_rate_hz);
+  seen_.limits = limits;
   seen_.table.window_frames = window_frames(sample_rate_hz);
   seen_.table.times_noticed = Eigen::MatrixXf::Zero(windows, skeleton.joint_count());
   seen_.table.cues.setZero(windows, skeleton.joint_count());
@@ -214,7 +221,7 @@ void VisibilityMeter::finish_window() {
     raise(is_head ? seen_.worst_head : seen_.worst_hand, degrees);
     see(seen_, window_,
         {is_head ? Cue::Head : Cue::Hand, is_head ? heads_[head] : hands_[head - heads_.size()],
-         middle_of(window_), degrees});
+         middle_of(window_), degrees, 0, turns_easier_});
   }
   squared_turns_.setZero();
   ++window_;
@@ -292,7 +299,7 @@ void VisibilityMeter::compare_flight(const Both& first, const Both& before, cons
 
 void VisibilityMeter::see(Visibility& seen, int window, const Deviation& error) const {
   const WorstSight what = {error.cue, error.joint, error.frame, error.value,
-                           error.easier * limits_.noticed_from(error.cue, error.own)};
+                           error.easier * seen.limits.noticed_from(error.cue, error.own)};
   const auto times = static_cast<float>(what.times_noticed());
   float& most = seen.table.times_noticed(window, what.joint);
   if (times > most) {
@@ -304,7 +311,7 @@ void VisibilityMeter::see(Visibility& seen, int window, const Deviation& error) 
   if (what.times_noticed() > worst.times_noticed()) worst = what;
   seen.unnoticed_from_m =
       std::max(seen.unnoticed_from_m,
-               limits_.unnoticed_from(error.cue, error.own, error.value / error.easier));
+               seen.limits.unnoticed_from(error.cue, error.own, error.value / error.easier));
 }
 
 void VisibilityMeter::see_jitter(Visibility& seen) const {

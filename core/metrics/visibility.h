@@ -22,6 +22,9 @@ enum class Sight { NotVisible, Borderline, Visible };
 /// "not-visible", "borderline", "visible".
 std::string_view name(Sight sight);
 
+/// "not visible from 8 m".
+std::string sight_text(Sight sight, double distance_m);
+
 /// The rest of how errors are judged, beside SightLimits. Places are compared in means over
 /// kWindowSeconds: anything shorter is seen as trembling, if at all. Velocities are compared in
 /// means over two such windows.
@@ -74,6 +77,7 @@ struct SightTable {
 /// Visible differences of a decoded clip from its original. Worst values are the largest of any
 /// joint and window.
 struct Visibility {
+  SightLimits limits;                        // that it was judged by
   std::array<WorstSight, kCues> worst_of{};  // one for each cue
   double velocity_error = 0;                 // cm/s, RMS over joints and windows
   double worst_velocity_error = 0;
@@ -103,6 +107,7 @@ struct Seen {
   double visible_share = 0;     // share of the frames
   std::string reason;           // the text from reason()
   double unnoticed_from_m = 0;  // distance from which nothing is noticed
+  SightLimits limits;           // that it was judged by
 
   Sight sight() const { return sight_of(times_noticed); }
   bool operator==(const Seen&) const = default;
@@ -145,7 +150,8 @@ class VisibilityMeter {
   void compare_flight(const Both& first, const Both& before, const Both& now);
   void add_turns(const TrackRows& original, const TrackRows& decoded);
 
-  /// An error to be judged. `own` is what the limit is a share of; a limit counts `easier` times.
+  /// An error to be judged. `own` is what the limit is a share of; a limit counts `easier` times:
+  /// the smaller a figure, the more its head may turn.
   struct Deviation {
     Cue cue;
     int joint;
@@ -164,12 +170,12 @@ class VisibilityMeter {
   Skeleton skeleton_;
   int frames_;
   double sample_rate_hz_;
-  SightLimits limits_;
   std::vector<Landmark> points_;
   Eigen::VectorXd shares_;   // each point's weight in the body's centre
   Eigen::VectorXd reaches_;  // cm from the root, along the bones
   std::vector<int> heads_;
   std::vector<int> hands_;
+  double turns_easier_;  // factor of the limits of heads and hands
 
   int window_ = 0;  // the one being filled
   Eigen::RowVectorXd original_sum_;

@@ -10,14 +10,15 @@
 
 namespace mocapress {
 
-Measurement measure(const Motion& original, std::span<const std::byte> file) {
+Measurement measure(const Motion& original, std::span<const std::byte> file,
+                    const SightLimits& limits) {
   OpenedMcpr opened = read_mcpr(file);
   const std::vector<ContactSpan> contacts = find_foot_contacts(original);
   Encoding compared;
   compared.compressed = std::move(opened.compressed);
   compared.file.assign(file.begin(), file.end());
-  static_cast<Comparison&>(compared) =
-      compare(original, body_tracks(original.skeleton, original.clip), opened.decoded, contacts);
+  static_cast<Comparison&>(compared) = compare(
+      original, body_tracks(original.skeleton, original.clip), opened.decoded, contacts, limits);
   Measurement measurement =
       LoadedClip(MotionFile{.motion = original}).measure(compared, contacts.size());
   if (compared.compressed.correction) measurement.ik_bytes = compared.compressed.correction_bytes();

@@ -258,6 +258,12 @@ std::vector<BodyRegion> body_regions(const Skeleton& skeleton) {
   return anatomy.is_human() ? anatomy.regions() : std::vector<BodyRegion>();
 }
 
+std::optional<double> stature(const Skeleton& skeleton) {
+  const Anatomy anatomy(skeleton);
+  if (!anatomy.is_human() || anatomy.stature() <= 0) return std::nullopt;
+  return anatomy.stature();
+}
+
 int body_root(const Skeleton& skeleton) {
   std::vector<int> children(static_cast<std::size_t>(skeleton.joint_count()), 0);
   for (const Joint& joint : skeleton.joints())

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "core/motion/skeleton.h"
@@ -16,6 +17,10 @@ enum class BodyRegion { Trunk, Neck, Head, UpperArm, Forearm, Hand, Thigh, Lower
 /// The region of each joint's bones, told by the names of head, hands and feet and by what lies
 /// between these and the trunk. Empty unless the skeleton has two arms and two legs.
 std::vector<BodyRegion> body_regions(const Skeleton& skeleton);
+
+/// The standing height (cm) of a figure with two arms and two legs, by the length of its legs.
+/// Unset for other skeletons.
+std::optional<double> stature(const Skeleton& skeleton);
 
 /// The first joint that carries the body. A game's root on the floor does not: its only child moves
 /// away from it. Landmarks from here on are the body's.

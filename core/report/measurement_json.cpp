@@ -3,9 +3,27 @@
 
 #include <utility>
 
+#include "core/metrics/sight_limits_json.h"
+
 namespace mocapress {
 
+Json own_limits_json(const SightLimits& limits) {
+  SightLimits at_usual_distance = limits;
+  at_usual_distance.distance_m = kUsualDistance;
+  Json json = to_json(at_usual_distance, false);
+  return json.empty() ? Json() : json;
+}
+
 namespace {
+
+/// Rows of before limits were stated have the built-in ones, from kUsualDistance.
+SightLimits limits_of(const Json& json) {
+  const Json own = json.value("own_limits", Json());
+  SightLimits limits = own.is_object() ? limits_from(own) : SightLimits();
+  const Json distance = json.value("distance_m", Json());
+  if (distance.is_number()) limits.distance_m = distance.get<double>();
+  return limits;
+}
 
 /// Reads the keys of add_seen(); unset if there are none. Throws the JSON library's exceptions.
 std::optional<Seen> seen_of(const Json& json) {
@@ -14,7 +32,8 @@ std::optional<Seen> seen_of(const Json& json) {
               optional_at<std::string>(json, "visibility_reason").value_or(""),
               json.value("unnoticed_from_m", Json()).is_number()
                   ? json.at("unnoticed_from_m").get<double>()
-                  : 0};
+                  : 0,
+              limits_of(json)};
 }
 
 /// Reads the keys of add_body_figures(), except the places of the worst points. Throws the JSON

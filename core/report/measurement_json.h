@@ -10,6 +10,9 @@
 
 namespace mocapress {
 
+/// The limits that differ from the built-in ones, without the distance; null if none does.
+Json own_limits_json(const SightLimits& limits);
+
 /// Calls `add(key, value)` for each figure.
 template <typename Add>
 void add_body_figures(const BodyFigures& figures, const Add& add) {
@@ -47,7 +50,7 @@ void add_body_figures(const BodyFigures& figures, const Add& add) {
   add("worst_neighbours_cm_per_frame", Json(figures.ends.worst_neighbours_cm_per_frame));
 }
 
-/// The same for visibility.
+/// The same for visibility. "own_limits" is null where all limits are the built-in ones.
 template <typename Add>
 void add_seen(const std::optional<Seen>& seen, const Add& add) {
   add("visibility", seen ? Json(name(seen->sight())) : Json());
@@ -55,6 +58,8 @@ void add_seen(const std::optional<Seen>& seen, const Add& add) {
   add("times_noticed", seen ? Json(seen->times_noticed) : Json());
   add("unnoticed_from_m", seen ? Json(seen->unnoticed_from_m) : Json());
   add("visible_frames_share", seen ? Json(seen->visible_share) : Json());
+  add("distance_m", seen ? Json(seen->limits.distance_m) : Json());
+  add("own_limits", seen ? own_limits_json(seen->limits) : Json());
 }
 
 /// Calls `add` for a measurement's errors, from the coefficient ratio to the worst frame.

@@ -75,6 +75,7 @@ const std::set<std::string> kNumberKeys = {"sample_rate_hz",
                                            "worst_neighbours_cm_per_frame",
                                            "times_noticed",
                                            "unnoticed_from_m",
+                                           "distance_m",
                                            "visible_frames_share",
                                            "velocity_error_cm_per_s",
                                            "velocity_error_worst_cm_per_s",
@@ -95,6 +96,7 @@ const std::set<std::string> kNullKeys = {"hand_degrees",
                                          "skin_p99_cm",
                                          "skin_max_cm",
                                          "track_max_error",
+                                         "own_limits",
                                          "ik_ratio",
                                          "ik_bytes",
                                          "footskate_cm",
@@ -686,6 +688,8 @@ TEST_F(Cli, ViewersWhoAreNearerNoticeMore) {
   };
   EXPECT_GT(seen({"--distance", "1"}), seen({}));
   EXPECT_EQ(seen({"--distance", "5"}), seen({}));
+  EXPECT_THAT(mocapress({"measure", clip_, packed_, "--distance", "8"}).err,
+              testing::HasSubstr(" from 8 m"));
   const std::string blind = write("limits.json", R"({"distance_m": 100})");
   EXPECT_LT(seen({"--limits", blind}), seen({}));
   const Outcome bad = mocapress(

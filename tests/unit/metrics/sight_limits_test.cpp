@@ -15,7 +15,8 @@ TEST(SightLimits, ComeBackFromJson) {
   limits.distance_m = 2.5;
   limits.of(Cue::Slide).least = 2.1;
   limits.of(Cue::Velocity).share = 0.11;
-  EXPECT_EQ(limits_from_text("limits.json", limits_to_text(limits)), limits);
+  EXPECT_EQ(limits_from(to_json(limits, true)), limits);
+  EXPECT_EQ(limits_from_text("limits.json", limits_to_text(limits), 2.5), limits);
   EXPECT_EQ(limits_from_text("limits.json", "{}"), SightLimits());
 }
 
@@ -25,6 +26,20 @@ TEST(SightLimits, JsonOfChangesHoldsNothingElse) {
   limits.distance_m = 2;
   limits.of(Cue::Hand).least = 6;
   EXPECT_EQ(dumped(to_json(limits, false)), R"({"distance_m":2.0,"hand":{"least":6.0}})");
+}
+
+TEST(SightLimits, AFileWithoutADistanceKeepsTheOneGiven) {
+  EXPECT_EQ(limits_from_text("limits.json", limits_to_text({}), 12).distance_m, 12);
+  EXPECT_EQ(limits_from_text("limits.json", R"({"distance_m": 3})", 12).distance_m, 3);
+}
+
+TEST(SightLimits, TextNamesThoseThatDiffer) {
+  SightLimits limits;
+  limits.distance_m = 12;
+  EXPECT_EQ(limits_text(limits), "built-in limits");
+  limits.of(Cue::Velocity) = {3, 0.08};
+  limits.of(Cue::Slide).least = 2.1;
+  EXPECT_EQ(limits_text(limits), "own limits: velocity 3 cm/s or 8 %, slide 2.1 cm");
 }
 
 TEST(SightLimits, PartsOfAFileReplaceBuiltInOnes) {

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/motion/body_tracks.h"
+#include "resources/samples/generator/human_skeleton.h"
 #include "tests/support/test_motion.h"
 
 namespace mocapress {
@@ -240,6 +241,41 @@ TEST(Visibility, ATurnedHeadIsVisibleAndAHandLater) {
   EXPECT_NEAR(*hand.worst_hand, 3, 1e-6);
   EXPECT_EQ(hand.sight(), Sight::NotVisible);
   EXPECT_FALSE(turned("tail").worst_head.has_value());
+}
+
+/// The sample's human, whose head turns as well as their root, `times` as large.
+Skeleton human(double times) {
+  Skeleton skeleton;
+  for (Joint joint : samples::human_skeleton().joints()) {
+    joint.offset *= times;
+    if (joint.end_site) *joint.end_site *= times;
+    skeleton.add(joint);
+  }
+  return skeleton;
+}
+
+TEST(Visibility, HeadsAndHandsMayTurnFurtherTheSmallerTheFigureIs) {
+  const auto turned = [](double times, const char* joint) {
+    const Skeleton skeleton = human(times);
+    const int channels = skeleton.channel_count();
+    const Clip clip{kRate, Eigen::MatrixXd::Zero(60, channels)};
+    Clip other = clip;
+    const int first = skeleton.first_channel(skeleton.find(joint));
+    other.channels.col(first).setConstant(3 * std::numbers::pi / 180);
+    return compare(skeleton, clip, other);
+  };
+  for (const auto& [cue, joint] : {std::pair(Cue::Head, "head"), {Cue::Hand, "lhand"}}) {
+    const double grown_up = times(turned(1, joint), cue);
+    EXPECT_GT(grown_up, 0);
+    EXPECT_NEAR(times(turned(0.6, joint), cue), 0.6 * grown_up, 1e-6);
+    EXPECT_NEAR(times(turned(10, joint), cue), 10 * grown_up, 1e-5);
+  }
+  EXPECT_NEAR(times(turned(1, "head"), Cue::Head), 3 / SightLimits().of(Cue::Head).least, 0.03);
+}
+
+TEST(Visibility, SaysFromWhatDistanceItIsMeant) {
+  EXPECT_EQ(sight_text(Sight::NotVisible, 15), "not visible from 15 m");
+  EXPECT_EQ(sight_text(Sight::Borderline, 2.5), "borderline from 2.5 m");
 }
 
 TEST(Visibility, ALongerLimbIsAnErrorOfPlace) {

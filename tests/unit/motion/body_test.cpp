@@ -87,6 +87,12 @@ TEST_P(BodyOf, IsAsThickAsPeopleAre) {
   }
 }
 
+TEST(Body, HasTheStatureThatItsLegsTell) {
+  EXPECT_NEAR(stature(samples::human_skeleton()).value_or(0), samples::kStature, 2);
+  EXPECT_NEAR(stature(game_skeleton()).value_or(0), 2 * 42 / 0.491, 1e-9);
+  EXPECT_FALSE(stature(test::small_skeleton()).has_value());  // arms without legs
+}
+
 TEST(Body, SharesSumToOne) {
   for (const Skeleton& skeleton :
        {samples::human_skeleton(), game_skeleton(), test::small_skeleton()}) {
