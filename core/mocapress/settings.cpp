@@ -36,25 +36,37 @@ std::span<const Settings> built_in_presets() {
   };
   constexpr double kCloseUp = 1.0 / 3;
   constexpr double kCrowd = 3;
+  // On a screen 60 cm away a person is 26, 7 and 2.6 cm tall from these distances. Results of a
+  // preset are not visible from its distance, or borderline (FIGURES.md: Weightings and presets).
+  constexpr SightLimits kNearby{.distance_m = 4};
+  constexpr SightLimits kInPlay{.distance_m = 15};
+  constexpr SightLimits kInCrowds{.distance_m = 40};
   static const std::vector<Settings> presets = {
       {.name = "Hero close-up",
        .target = {Target::Kind::Error, 0.065},
        .importance = looks,
-       .promises = promises(kCloseUp)},
+       .promises = promises(kCloseUp),
+       .limits = kNearby},
       {.name = "Gameplay",
        .target = {Target::Kind::Error, 0.25},
        .importance = looks,
-       .promises = promises(1)},
+       .promises = promises(1),
+       .limits = kInPlay},
       // A seventh of the sliding is left in the mean of the study clips, for 9 % more bytes.
       {.name = "Planted feet",
        .target = {Target::Kind::Error, 0.25},
        .importance = planted,
-       .promises = promises(1)},
+       .promises = promises(1),
+       .limits = kInPlay},
       {.name = "Crowd",
        .target = {Target::Kind::Error, 0.6},
        .importance = looks,
-       .promises = promises(kCrowd)},
-      {.name = "Archive", .target = {Target::Kind::MaxError, 0.1}, .promises = promises(kCloseUp)}};
+       .promises = promises(kCrowd),
+       .limits = kInCrowds},
+      {.name = "Archive",
+       .target = {Target::Kind::MaxError, 0.1},
+       .promises = promises(kCloseUp),
+       .limits = kNearby}};
   return presets;
 }
 

@@ -89,7 +89,8 @@ std::string settings_to_json(const Settings& settings);
 /// one or a wrong value; and with the reason for what check() refuses.
 Settings settings_from_json(const std::string& text);
 
-/// "Hero close-up", "Gameplay", "Planted feet", "Crowd", "Archive".
+/// "Hero close-up", "Gameplay", "Planted feet", "Crowd", "Archive", each with the distance from
+/// which its results are meant to be watched.
 std::span<const Settings> built_in_presets();
 
 /// A built-in preset by its name or slug(), else the first of a file. Throws InputError.
