@@ -17,6 +17,9 @@ constexpr int kTries = 8;        // to meet a target error on a base that is no 
 constexpr double kShrink = 0.9;  // each try's target at most, beside the last one's
 constexpr double kSafe = 0.995;  // of the error that the last try leads to expect
 
+// Share of a target that is left to the rounding of an engine's floats.
+constexpr double kRounding = 1e-5;
+
 void require_possible(const EncodeSettings& settings) {
   const Target::Kind kind = settings.target.kind;
   if (settings.correction) throw Error("inverse kinematics cannot correct an additive clip");
@@ -40,22 +43,23 @@ Encoding AdditiveEncoder::compress(const CompressionMethod& method, EncodeSettin
     throw Error("an additive clip needs the adaptive coding, as the closed loop has it");
   require_possible(settings);
   settings.contacts = contacts;
-  const double wanted_cm = settings.target.value;
+  const Target wanted = settings.target;
   const auto error_cm = [&](const Comparison& found) {
     return settings.target.kind == Target::Kind::Error ? found.distortion.eps(settings.weighting)
                                                        : found.distortion.max.cm;
   };
   const bool is_error =
       settings.target.kind == Target::Kind::Error || settings.target.kind == Target::Kind::MaxError;
+  if (is_error) settings.target.value *= 1 - kRounding;
   for (int left = kTries;; --left) {
     Encoding made = on_base_pose_.compress(method, settings, observer);
     CompressedClip& clip = made.compressed;
     clip.skeleton = difference_.skeleton;  // the same channels, about the joints' own axes
     const Comparison found = measure(write_container(clip), contacts, settings.limits);
     const double found_cm = error_cm(found);
-    if (is_error && found_cm > wanted_cm && made.complete) {
+    if (is_error && !reached(wanted, found_cm) && made.complete) {
       if (left == 1) throw TargetMissed("the target error was not met on the base");
-      settings.target.value *= std::min(kSafe * wanted_cm / found_cm, kShrink);
+      settings.target.value *= std::min(kSafe * wanted.value / found_cm, kShrink);
       continue;
     }
     static_cast<Comparison&>(made) = found;
