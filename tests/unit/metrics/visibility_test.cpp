@@ -245,8 +245,9 @@ TEST(Visibility, ATurnedHeadIsVisibleAndAHandLater) {
 
 /// The sample's human, whose head turns as well as their root, `times` as large.
 Skeleton human(double times) {
+  const Skeleton usual = samples::human_skeleton();
   Skeleton skeleton;
-  for (Joint joint : samples::human_skeleton().joints()) {
+  for (Joint joint : usual.joints()) {
     joint.offset *= times;
     if (joint.end_site) *joint.end_site *= times;
     skeleton.add(joint);
