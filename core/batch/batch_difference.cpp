@@ -20,6 +20,7 @@ ClipFigures figures_of(const BatchRow& row) {
   figures.max_cm = row.measured->max_error_cm;
   if (!row.measured->seen) return figures;
   figures.sight = row.measured->seen->sight();
+  figures.limits = row.measured->seen->limits;
   figures.reason = row.measured->seen->reason;
   return figures;
 }
@@ -44,7 +45,8 @@ std::vector<ClipChange> changes_of(const std::optional<ClipFigures>& before,
   if (before->done != after->done) return {after->done ? Done : Failed};
   if (!after->done) return {};
   std::vector<ClipChange> changes;
-  if (before->sight && after->sight && *after->sight != *before->sight)
+  if (before->sight && after->sight && before->limits == after->limits &&
+      *after->sight != *before->sight)
     changes.push_back(*after->sight > *before->sight ? NewlyVisible : NoLongerSeen);
   const int mean =
       before->weighting == after->weighting ? compared_cm(before->eps_cm, after->eps_cm, share) : 0;

@@ -45,6 +45,7 @@ struct ClipFigures {
   Weighting weighting = {};
   double max_cm = 0;
   std::optional<Sight> sight;
+  SightLimits limits;  // that `sight` was judged by
   std::string reason;  // of what is seen, or of the failure
 };
 
@@ -67,7 +68,8 @@ struct BatchDifference {
 
 /// Compares two batches, clip by clip of the same output. Bytes and errors that differ by less than
 /// `share` are the same, and so are errors that differ by less than a hundredth of a millimetre.
-/// Mean errors in different weightings are not compared.
+/// Mean errors in different weightings are not compared, nor is visibility by different limits or
+/// from different distances.
 BatchDifference difference_of(const BatchRows& before, const BatchRows& after, double share);
 
 Json to_json(const BatchDifference& difference);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "core/base/fnv1a.h"
 #include "core/base/make_folders.h"
 #include "core/base/number_text.h"
@@ -105,6 +106,21 @@ class Export {
         characters_(characters),
         observer_(observer),
         row_(failed_row(batch, index, "")) {}
+
+  /// The row of an earlier export, judged by other limits of visibility.
+  BatchRow judged_again(const BatchRow& earlier) {
+    const LoadedClip clip(read());
+    const Bytes bytes = read_bytes(folder_ / utf8_path(item_.output + ".mcpr"));
+    const EncodeSettings options = options_for(clip.motion());
+    const Verification found = mocapress::verify(
+        bytes, clip.encoder().wavelets(),
+        {.contacts = options.contacts.value_or(clip.contacts()), .limits = preset_.limits});
+    BatchRow row = earlier;
+    row.preset = preset_;
+    row.measured->seen = seen_in(found.visibility, clip.motion().skeleton);
+    row.sights = sight_chart(found.visibility.table, clip.motion().skeleton);
+    return row;
+  }
 
   std::optional<BatchRow> run() {
     try {
@@ -363,9 +379,11 @@ std::string_view name(ClipProgress::Stage stage) {
 
 bool still_done(const BatchRow& row, const Batch& batch, const BatchItem& item,
                 const fs::path& folder) {
-  if (!row.done() || !item.problem.empty() || row.input != item.input ||
-      row.preset != batch.presets[item.preset] || row.formats != batch.formats ||
-      row.reading != batch.reading_of(item) || row.writing != batch.writing)
+  Settings wanted = batch.presets[item.preset];
+  if (wanted.target.kind != Target::Kind::Visibility) wanted.limits = row.preset.limits;
+  if (!row.done() || !item.problem.empty() || row.input != item.input || row.preset != wanted ||
+      row.formats != batch.formats || row.reading != batch.reading_of(item) ||
+      row.writing != batch.writing)
     return false;
   try {
     for (const WrittenFile& file : row.files) {
@@ -411,6 +429,17 @@ BatchRow failed_row(const Batch& batch, std::size_t index, const std::string& wh
   row.writing = batch.writing;
   row.error = why;
   return row;
+}
+
+std::optional<BatchRow> judged_again(const BatchRow& row, const Batch& batch, std::size_t index,
+                                     const fs::path& folder, SharedCharacters& characters) {
+  if (std::ranges::find(row.formats, OutputFormat::Mcpr) == row.formats.end() || !row.measured)
+    return std::nullopt;
+  try {
+    return Export(batch, index, folder, {}, characters, {}).judged_again(row);
+  } catch (const std::exception&) {
+    return std::nullopt;  // the export says why
+  }
 }
 
 std::optional<BatchRow> export_clip(const Batch& batch, std::size_t index, const fs::path& folder,

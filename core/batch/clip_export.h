@@ -37,9 +37,16 @@ std::set<FileIdentity> source_files(const Batch& batch);
 BatchRow failed_row(const Batch& batch, std::size_t index, const std::string& why);
 
 /// True if everything that a row records is unchanged: clip, settings, options for reading and
-/// writing, and the written files.
+/// writing, and the written files. Limits of visibility may differ where they do not shape files:
+/// then judged_again() is due.
 bool still_done(const BatchRow& row, const Batch& batch, const BatchItem& item,
                 const std::filesystem::path& folder);
+
+/// A row that is still done, its file judged by the batch's limits of visibility. Unset if the
+/// batch writes no .mcpr, or something cannot be read.
+std::optional<BatchRow> judged_again(const BatchRow& row, const Batch& batch, std::size_t index,
+                                     const std::filesystem::path& folder,
+                                     SharedCharacters& characters);
 
 /// Exports a clip: reads it, puts it on the batch's character if there is one, compresses it,
 /// writes its files under temporary names, reads them back and measures them against the request.

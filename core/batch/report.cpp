@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <ostream>
+#include <set>
 #include <utility>
 
 #include "core/base/file.h"
@@ -87,6 +88,7 @@ struct Totals {
   double worst_cm = 0;
   std::vector<BatchRow> worst;      // drawn in the report
   std::vector<BatchRow> most_seen;  // charted in the report
+  std::set<std::string> limits;     // by which visibility was judged, as text
 
   void add(const BatchRow& row) {
     warned += !row.warnings.empty();
@@ -112,12 +114,22 @@ struct Totals {
  private:
   void count(const BatchRow& row) {
     const Sight sight = row.measured->seen->sight();
+    limits.insert(limits_text(row.measured->seen->limits));
     visible += sight == Sight::Visible;
     borderline += sight == Sight::Borderline;
     not_visible += sight == Sight::NotVisible;
     if (sight != Sight::NotVisible) add_worst(row, kSightCharts, most_seen);
   }
 };
+
+/// Says by which limits errors are visible.
+std::string visibility_note(const std::set<std::string>& limits) {
+  std::string all;
+  for (const std::string& one : limits) all += (all.empty() ? "" : "; or by ") + one;
+  return "Errors from 1 to 2 times the noticeable size are borderline, larger ones visible. Each "
+         "clip is judged from the viewing distance that its verdict names, by " +
+         escaped(all) + ". report.csv lists distance and own limits of each clip.";
+}
 
 std::string muted(std::string_view text) {
   return element("p", attribute("class", "muted"), text);
@@ -206,7 +218,7 @@ std::string text_cell(std::string_view text, std::string_view css) {
 /// A table cell with the verdict on visibility, and its reason.
 std::string seen_cell(const std::optional<Seen>& seen) {
   if (!seen) return cell(kNothing, "name");
-  std::string text(seen->sight() == Sight::NotVisible ? "not visible" : name(seen->sight()));
+  std::string text = sight_text(seen->sight(), seen->limits.distance_m);
   if (!seen->reason.empty()) text += ": " + escaped(seen->reason);
   return element("td",
                  attribute("class", "wrap") + attribute("data-key", fixed(seen->times_noticed, 3)),
@@ -351,7 +363,7 @@ void write_warnings(std::ostream& out, const BatchRows& rows) {
   out << "</tbody></table></div></section>\n";
 }
 
-std::string notes() {
+std::string notes(const Totals& totals) {
   std::string all;
   const auto add = [&](std::string_view term, std::string_view text) {
     all += element("dt", "", term) + element("dd", "", text);
@@ -369,6 +381,7 @@ std::string notes() {
       "original. report.csv has it in two more weightings.");
   add("p95, p99, max",
       "Percentiles and maximum of these distances over all points and frames, unweighted.");
+  if (!totals.limits.empty()) add("Visibility", visibility_note(totals.limits));
   add("Joints, head, hands",
       "Angle between a joint&#8217;s world-space rotation and the original&#8217;s, root mean "
       "square over frames and joints. Head and hands are recognised by their names.");
@@ -410,7 +423,7 @@ void write_batch_html(std::ostream& out, const BatchRows& rows, std::size_t wait
   if (totals.noted > 0) write_notes(out, rows);
   if (!totals.most_seen.empty()) write_sights(out, totals);
   if (totals.warned > 0) write_warnings(out, rows);
-  out << notes() << "</main>";
+  out << notes(totals) << "</main>";
   if (totals.done > 0)
     out << element("script", "", kReportScript + (has_viewer ? review_buttons() : ""));
   out << "</body></html>\n";

@@ -116,6 +116,7 @@ std::optional<std::string> stale_reason(const BatchRow& row, const FrameNote& no
 std::string settings_hash(const Settings& settings, const ReadOptions& reading) {
   Json json = to_json(settings);
   json.erase("name");
+  if (settings.target.kind != Target::Kind::Visibility) json.erase("limits");
   put(json["reading"] = Json::object(), reading);
   json["reading"].erase("character");
   Fnv1a hash;
@@ -240,6 +241,9 @@ BatchRow row_from(const Json& json) {
   if (!json.at("frames").is_null()) {
     row.measured = measurement_of(json);
     row.measured->ik_ratio_used = optional_at<double>(json, "ik_ratio_used");
+    // Older rows state the limits among their settings only.
+    if (row.measured->seen && !json.contains("distance_m"))
+      row.measured->seen->limits = row.preset.limits;
     json.at("joints").get_to(row.joints);
     json.at("verified_by").get_to(row.verified_by);
   }

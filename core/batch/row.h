@@ -38,8 +38,9 @@ InputStamp stamp_again(const BatchItem& item, const ReadOptions& reading,
 bool unchanged(const BatchItem& item, const ReadOptions& reading, const InputStamp& stamp);
 
 /// A hash of everything that shapes a clip's file: settings without their name, and options for
-/// reading. For a character and curves their bytes count, through InputStamp::hash, and not their
-/// paths.
+/// reading. Limits of visibility count only where they are the target: elsewhere they judge a file
+/// and do not change it. For a character and curves their bytes count, through InputStamp::hash,
+/// and not their paths.
 std::string settings_hash(const Settings& settings, const ReadOptions& reading);
 
 /// The hash of a file's bytes. Throws InputError.

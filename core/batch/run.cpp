@@ -158,9 +158,13 @@ class Run {
     const BatchItem item = batch_.items[clip.index];
     const std::optional<BatchRow> earlier = find(clip.index);
     if (earlier && options_.resumed && still_done(*earlier, batch_, item, folder_)) {
-      BatchRow kept = *earlier;
-      kept.review = item.review;
-      return finish(clip, kept, true, earlier->review != item.review);
+      const bool judges = earlier->preset.limits != batch_.presets[item.preset].limits;
+      std::optional<BatchRow> kept =
+          judges ? judged_again(*earlier, batch_, clip.index, folder_, characters_) : earlier;
+      if (kept) {
+        kept->review = item.review;
+        return finish(clip, *kept, true, judges || earlier->review != item.review);
+      }
     }
     const ExportRights rights{.overwrite = options_.overwrite,
                               .resumed = options_.resumed,

@@ -32,11 +32,10 @@ std::string review_clip(std::string_view name, const Encoder& original,
 
 std::vector<std::string> review_facts(std::string_view method, double ratio,
                                       const Distortion& distortion, const Visibility& visibility) {
-  const Sight sight = visibility.sight();
   return {std::string(method_title(method)), ratio_text(ratio),
           "largest error " + format_significant(distortion.max.cm) + " cm",
-          "errors " + (sight == Sight::NotVisible ? std::string("not visible")
-                                                  : std::string(mocapress::name(sight)))};
+          "errors " + sight_text(visibility.sight(), visibility.limits.distance_m) + ", by " +
+              limits_text(visibility.limits)};
 }
 
 }  // namespace mocapress

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 #include <span>
 
 #include "core/base/number_text.h"
@@ -61,10 +62,23 @@ std::string reason_text(const ReportLanguage& say, const std::optional<std::stri
   return or_nothing(reason ? say(*reason) : "");
 }
 
-/// "not visible", "borderline", "visible"; empty: nobody looked.
-std::string sight_text(const SignOffFigures& figures) {
+/// "not visible from 8 m"; empty: nobody looked.
+std::string sight_text(const ReportLanguage& say, const SignOffFigures& figures) {
   if (!figures.sight) return "";
-  return *figures.sight == Sight::NotVisible ? "not visible" : std::string(name(*figures.sight));
+  const bool is_hidden = *figures.sight == Sight::NotVisible;
+  return say("%1 from %2 m", {say(is_hidden ? "not visible" : std::string(name(*figures.sight))),
+                              significant_text(figures.limits.distance_m, 3)});
+}
+
+/// "built-in limits"; several texts where clips were judged by different ones.
+std::string limits_text(const SignOff& report) {
+  std::set<std::string> texts;
+  for (const SignOffClip& clip : report.clips)
+    if (clip.figures && clip.figures->sight)
+      texts.insert(report.language(mocapress::limits_text(clip.figures->limits)));
+  std::string all;
+  for (const std::string& text : texts) all += (all.empty() ? "" : "; ") + text;
+  return all;
 }
 
 std::string moment_text(const SignOffClip& clip, int frame) {
@@ -101,7 +115,7 @@ std::string worst_table(const SignOff& report) {
                               link_to(*clip, figures.worst_frame, figures.worst_point))) +
                   cell(format_significant(figures.max_cm)) +
                   cell(or_nothing(figures.worst_point), "name") +
-                  cell(or_nothing(say(sight_text(figures))), "name") +
+                  cell(or_nothing(sight_text(say, figures)), "name") +
                   cell(reason_text(say, figures.stale), "wrap"));
   }
   return element("section", "",
@@ -152,7 +166,7 @@ std::string clips_table(const SignOff& report) {
       cells += cell(ratio_text(figures->ratio)) + cell(std::to_string(figures->bytes)) +
                cell(format_significant(figures->eps_cm)) +
                cell(format_significant(figures->max_cm)) +
-               cell(or_nothing(say(sight_text(*figures))), "name");
+               cell(or_nothing(sight_text(say, *figures)), "name");
     else
       cells += cell(kNothing) + cell(kNothing) + cell(kNothing) + cell(kNothing) + cell(kNothing);
     lines += line(cells);
@@ -184,6 +198,7 @@ SignOffCounts count(const SignOff& report) {
 
 std::string sign_off_html(const SignOff& report, ReportMedium medium) {
   const ReportLanguage& say = report.language;
+  const std::string judged_by = limits_text(report);
   const std::string title =
       report.title.empty() ? say("Sign-off") : say("Sign-off: %1", {report.title});
   return "<!DOCTYPE html>\n<html" + attribute("lang", say.code) +
@@ -197,6 +212,10 @@ std::string sign_off_html(const SignOff& report, ReportMedium medium) {
                      muted(escaped(report.stamp.program + ", " + report.stamp.time)) +
                      element("p", "", element("b", "", escaped(summary(report))))) +
          worst_table(report) + notes_table(report) + clips_table(report) +
+         (judged_by.empty()
+              ? ""
+              : muted(escaped(say("The eye judges from the viewing distance that is named, by %1.",
+                                  {judged_by})))) +
          muted(escaped(say("A verdict or note is stale if the clip's file or its settings have "
                            "changed since; stale verdicts do not count as reviewed. Links open "
                            "the clip in Mocapress on this computer."))) +
@@ -222,7 +241,7 @@ std::string sign_off_csv(const SignOff& report) {
                     {shortest_text(figures->ratio), std::to_string(figures->bytes),
                      shortest_text(figures->eps_cm), shortest_text(figures->max_cm),
                      figures->worst_frame ? std::to_string(*figures->worst_frame) : "",
-                     figures->worst_point, sight_text(*figures), figures->stale.value_or("")});
+                     figures->worst_point, sight_text({}, *figures), figures->stale.value_or("")});
     else
       fields.resize(fields.size() + 8);
     fields.insert(fields.end(),

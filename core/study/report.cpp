@@ -233,6 +233,13 @@ std::string measuring_notes(const Results& results) {
           std::string(name(results.weighting())) +
           ": the weighted root mean square distance between points of the body and the same points "
           "of the original. The paper&#8217;s own figures use the weighting joint-origins.");
+  if (const auto judged = std::ranges::find_if(
+          results.rows(), [](const StudyRow& one) { return one.measured && one.measured->seen; });
+      judged != results.rows().end()) {
+    const SightLimits& limits = judged->measured->seen->limits;
+    add("Visibility", "Judged from " + format_shortest(limits.distance_m) + " m, by " +
+                          escaped(limits_text(limits)) + ".");
+  }
   add("Mean",
       "Geometric mean over the clips of the ratio at equal &#949;<sub>x</sub>, at errors within "
       "the measured range of every clip. Ratios between measured points are interpolated, linearly "

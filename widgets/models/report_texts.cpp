@@ -25,6 +25,9 @@ struct ReportTexts {
       QT_TR_NOOP("not visible"),
       QT_TR_NOOP("borderline"),
       QT_TR_NOOP("visible"),
+      QT_TR_NOOP("%1 from %2 m"),
+      QT_TR_NOOP("built-in limits"),
+      QT_TR_NOOP("The eye judges from the viewing distance that is named, by %1."),
       // Sign-offs.
       QT_TR_NOOP("Sign-off"),
       QT_TR_NOOP("Sign-off: %1"),

@@ -419,6 +419,27 @@ TEST_F(BatchRun, ResumedRedoesWhatChangedAndKeepsTheRest) {
   for (const BatchRow& row : rows()) EXPECT_LE(row.measured->eps_bone_ends_cm, 1) << row.error;
 }
 
+TEST_F(BatchRun, ResumedJudgesFilesByOtherLimitsAndLeavesThemAsTheyAre) {
+  Batch asked = batch();
+  run(asked);
+  const std::vector<BatchRow> before = rows();
+  asked.presets[0].limits.distance_m = 40;
+  EXPECT_EQ(run(asked, {.resumed = true}).counts.kept, 3u);
+  const std::vector<BatchRow> after = rows();
+  ASSERT_EQ(after.size(), before.size());
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    EXPECT_EQ(after[i].files, before[i].files);
+    EXPECT_EQ(after[i].measured->encode_seconds, before[i].measured->encode_seconds);
+    EXPECT_EQ(after[i].measured->seen->limits, asked.presets[0].limits);
+    EXPECT_LT(after[i].measured->seen->times_noticed, before[i].measured->seen->times_noticed);
+  }
+  EXPECT_THAT(read_text(out() / "report.html"), HasSubstr("from 40 m"));
+  asked.presets[0].limits.of(Cue::Place).least = 3;
+  run(asked, {.resumed = true});
+  EXPECT_EQ(rows()[0].measured->seen->limits, asked.presets[0].limits);
+  EXPECT_THAT(read_text(out() / "report.html"), HasSubstr("own limits: place 3 cm or 3 %"));
+}
+
 TEST_F(BatchRun, ResumedRedoesEveryClipWhenFilesAreReadOrWrittenOtherwise) {
   Batch asked = batch();
   asked.formats.push_back(OutputFormat::Bvh);

@@ -32,7 +32,8 @@ SignOff report() {
                                 .max_cm = 1.75,
                                 .worst_frame = 60,
                                 .worst_point = "rhand",
-                                .sight = Sight::Borderline};
+                                .sight = Sight::Borderline,
+                                .limits = {.distance_m = 15}};
   SignOffClip run = walk;
   run.name = "moves.fbx: Run";
   run.path = "/m/moves.fbx";

@@ -53,6 +53,14 @@ TEST(Verdict, SettingsHashIgnoresNamesAndPlacesAlone) {
   EXPECT_EQ(settings_hash(renamed, {}), hash);
   EXPECT_EQ(settings_hash(settings, with_character), hash);
   EXPECT_NE(settings_hash(finer, {}), hash);
+  Settings from_afar = settings;
+  from_afar.limits.distance_m = 50;
+  EXPECT_EQ(settings_hash(from_afar, {}), hash);  // the same bytes
+  Settings not_visible = settings;
+  Settings not_visible_from_afar = from_afar;
+  for (Settings* one : {&not_visible, &not_visible_from_afar})
+    one->target = {Target::Kind::Visibility, 1};
+  EXPECT_NE(settings_hash(not_visible_from_afar, {}), settings_hash(not_visible, {}));
   EXPECT_NE(settings_hash(settings, in_metres), hash);
 }
 
