@@ -1208,8 +1208,8 @@
 <context>
     <name>mocapress::ByteView</name>
     <message>
-        <source>%1 at twice the error</source>
-        <translation>%1 : erreur doublée</translation>
+        <source>%1: error × 2</source>
+        <translation>%1 : erreur × 2</translation>
     </message>
     <message>
         <source>10 % more bytes</source>
@@ -3084,6 +3084,22 @@
     <message>
         <source>Groups of the clips</source>
         <translation>Groupes des clips</translation>
+    </message>
+    <message>
+        <source>Order and columns</source>
+        <translation>Ordre et colonnes</translation>
+    </message>
+    <message>
+        <source>What clips are sorted by, and the columns beside them</source>
+        <translation>Critère de tri des clips, et colonnes à leur côté</translation>
+    </message>
+    <message>
+        <source>Sort By</source>
+        <translation>Trier par</translation>
+    </message>
+    <message>
+        <source>Order of the Library</source>
+        <translation>Ordre de la bibliothèque</translation>
     </message>
     <message>
         <source>Grouping of clips</source>

@@ -1199,8 +1199,8 @@
 <context>
     <name>mocapress::ByteView</name>
     <message>
-        <source>%1 at twice the error</source>
-        <translation>%1：誤差を 2 倍に</translation>
+        <source>%1: error × 2</source>
+        <translation>%1: 誤差 × 2</translation>
     </message>
     <message>
         <source>10 % more bytes</source>
@@ -3060,6 +3060,22 @@
     <message>
         <source>Groups of the clips</source>
         <translation>クリップのまとめ方</translation>
+    </message>
+    <message>
+        <source>Order and columns</source>
+        <translation>並び順と列</translation>
+    </message>
+    <message>
+        <source>What clips are sorted by, and the columns beside them</source>
+        <translation>クリップの並び順と、横に示す列</translation>
+    </message>
+    <message>
+        <source>Sort By</source>
+        <translation>並べ替え</translation>
+    </message>
+    <message>
+        <source>Order of the Library</source>
+        <translation>ライブラリの順</translation>
     </message>
     <message>
         <source>Grouping of clips</source>

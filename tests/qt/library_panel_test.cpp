@@ -35,6 +35,25 @@ TEST(LibraryModel, SaysInWordsWhatItsPicturesShow) {
       model.index(0, 0).data(Qt::ToolTipRole).toString().contains(QStringLiteral("nonsense")));
 }
 
+TEST(LibraryModel, FindsClipsByTheirKeysAsRowsComeGoAndGetTakes) {
+  LibraryModel model;
+  const auto at = [](const char* path) { return LibraryEntry{.path = QString::fromLatin1(path)}; };
+  model.setEntry(at("/a.fbx"));
+  model.setEntry(at("/c.fbx"));
+  EXPECT_EQ(model.rowOf(QStringLiteral("/c.fbx")), 1);
+  model.insert(1, {at("/b.fbx")});
+  EXPECT_EQ(model.rowOf(QStringLiteral("/b.fbx")), 1);
+  EXPECT_EQ(model.rowOf(QStringLiteral("/c.fbx")), 2);
+  LibraryEntry run = at("/a.fbx");
+  run.take = "Run";
+  model.replace({{0, run}});
+  EXPECT_EQ(model.rowOf(QStringLiteral("/a.fbx")), -1);
+  EXPECT_EQ(model.rowOf(run.key()), 0);
+  model.setEntries({at("/c.fbx")});
+  EXPECT_EQ(model.rowOf(QStringLiteral("/c.fbx")), 0);
+  EXPECT_EQ(model.rowOf(run.key()), -1);
+}
+
 TEST(LibraryModel, SaysWhyAVerdictIsStaleWhoGaveItAndWhen) {
   LibraryModel model;
   LibraryEntry entry{.path = QStringLiteral("/a/walk.bvh")};

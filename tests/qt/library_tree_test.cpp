@@ -228,6 +228,35 @@ TEST_F(ALibraryTree, ThePanelsColumnsAreChosenAndComeBack) {
   EXPECT_FALSE(next.view()->isColumnHidden(bytes));
 }
 
+TEST_F(ALibraryTree, ThePanelSortsByColumnsThatAreNotShown) {
+  LibraryEntry large = entry("/m/walks/a.bvh", true);
+  large.outcome->motion_bytes = 5000;
+  clips_.setEntry(large);
+  LibraryPanel panel(&clips_);
+  panel.groupingBox()->setCurrentIndex(static_cast<int>(Grouping::None));
+  const QString before = textOf(*panel.tree());
+  const auto sort_by = [&panel](int column) {
+    const QList<QAction*> orders = panel.makeColumnMenu()->actions().last()->menu()->actions();
+    orders.at(column + 1)->trigger();
+  };
+  const int bytes = static_cast<int>(LibraryColumn::Bytes);
+  sort_by(bytes);
+  EXPECT_TRUE(textOf(*panel.tree()).startsWith(QStringLiteral("a.bvh")));
+  sort_by(bytes);
+  EXPECT_TRUE(textOf(*panel.tree()).endsWith(QStringLiteral("a.bvh")));
+  EXPECT_TRUE(panel.view()->isColumnHidden(bytes));
+  sort_by(-1);
+  EXPECT_EQ(textOf(*panel.tree()), before);
+}
+
+TEST_F(ALibraryTree, AChosenColumnHasRoomBesideTheClips) {
+  LibraryPanel panel(&clips_);
+  const int narrow = panel.minimumSizeHint().width();
+  const int bytes = static_cast<int>(LibraryColumn::Bytes);
+  panel.makeColumnMenu()->actions().at(bytes - 1)->trigger();
+  EXPECT_GE(panel.minimumSizeHint().width(), narrow + panel.view()->columnWidth(bytes));
+}
+
 TEST_F(ALibraryTree, ThePanelKeepsTheSelectionWhereRowsMove) {
   LibraryPanel panel(&clips_);
   panel.setCurrent(0);

@@ -85,10 +85,15 @@ bool LibraryFilter::filterAcceptsRow(int clip, const QModelIndex&) const {
   const LibraryEntry& entry = clips_->entry(clip);
   if (!isOf(entry, show_)) return false;
   if (words_.isEmpty()) return true;
-  const QString text = entry.path + QLatin1Char(' ') +
-                       clips_->index(clip, 0).data(Qt::AccessibleTextRole).toString();
-  return std::all_of(words_.begin(), words_.end(),
-                     [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+  // Most words are in the path; a state takes longer to put together.
+  QString state;
+  return std::all_of(words_.begin(), words_.end(), [&](const QString& word) {
+    if (entry.path.contains(word, Qt::CaseInsensitive)) return true;
+    if (state.isNull())
+      state = QString::fromStdString(entry.take.value_or("")) + QLatin1Char(' ') +
+              (entry.outcome ? stateText(entry) : outcomeText(entry) + stateText(entry));
+    return state.contains(word, Qt::CaseInsensitive);
+  });
 }
 
 bool LibraryFilter::lessThan(const QModelIndex& a, const QModelIndex& b) const {

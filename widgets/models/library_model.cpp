@@ -171,13 +171,14 @@ QString sumText(const LibraryModel& model, const std::vector<int>& rows) {
 void LibraryModel::setEntries(std::vector<LibraryEntry> entries) {
   beginResetModel();
   entries_ = std::move(entries);
+  rows_.clear();
   endResetModel();
 }
 
 int LibraryModel::rowOf(const QString& key) const {
-  for (int row = 0; row < rowCount(); ++row)
-    if (entry(row).key() == key) return row;
-  return -1;
+  if (rows_.isEmpty())
+    for (int row = rowCount() - 1; row >= 0; --row) rows_.insert(entry(row).key(), row);
+  return rows_.value(key, -1);
 }
 
 void LibraryModel::setEntry(const LibraryEntry& entry) {
@@ -185,6 +186,7 @@ void LibraryModel::setEntry(const LibraryEntry& entry) {
   if (row < 0) {
     beginInsertRows({}, rowCount(), rowCount());
     entries_.push_back(entry);
+    rows_.insert(entry.key(), rowCount() - 1);
     endInsertRows();
     return;
   }
@@ -198,7 +200,11 @@ void LibraryModel::tellOf(int first, int last) {
 
 void LibraryModel::replace(const std::map<int, LibraryEntry>& entries) {
   if (entries.empty()) return;
-  for (const auto& [row, entry] : entries) entries_[static_cast<std::size_t>(row)] = entry;
+  for (const auto& [row, entry] : entries) {
+    LibraryEntry& old = entries_[static_cast<std::size_t>(row)];
+    if (old.key() != entry.key()) rows_.clear();
+    old = entry;
+  }
   tellOf(entries.begin()->first, entries.rbegin()->first);
 }
 
@@ -206,6 +212,7 @@ void LibraryModel::insert(int row, const std::vector<LibraryEntry>& entries) {
   if (entries.empty()) return;
   beginInsertRows({}, row, row + static_cast<int>(entries.size()) - 1);
   entries_.insert(entries_.begin() + row, entries.begin(), entries.end());
+  rows_.clear();
   endInsertRows();
 }
 
@@ -257,6 +264,9 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
                            translatedSentence(shown.failure),
                            reviewerText(shown.review),
                            QString::fromStdString(shown.review.note)};
+      for (const FrameNote& note : shown.review.notes)
+        lines << QString::fromStdString(note.joint.empty() ? note.text
+                                                           : note.joint + ": " + note.text);
       for (const QString& note : notesOf(shown)) lines << translatedSentence(note);
       lines.removeAll(QString());
       return lines.join(QLatin1Char('\n'));

@@ -115,6 +115,7 @@ class LibraryModel : public QAbstractTableModel {
   void tellOf(int first, int last);
 
   std::vector<LibraryEntry> entries_;
+  mutable QHash<QString, int> rows_;  // by key; empty: made anew when it is next asked
 };
 
 /// The notes on a clip: the reader's, and those of its last compression, such as on its character,

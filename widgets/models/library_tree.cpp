@@ -2,7 +2,7 @@
 #include "widgets/models/library_tree.h"
 
 #include <QDir>
-#include <QFileInfo>
+#include <QHash>
 #include <algorithm>
 
 namespace mocapress {
@@ -82,20 +82,20 @@ LibraryTree::LibraryTree(LibraryModel* clips, QObject* parent)
 
 LibraryTree::~LibraryTree() = default;
 
-/// The names of the folders that a clip is in, from the outermost one.
-QStringList LibraryTree::foldersOf(int clip) const {
+/// The path of the clip's folder, or the name of its group. Empty where clips have no groups.
+QString LibraryTree::groupOf(int clip) const {
   const LibraryEntry& entry = clips_->entry(clip);
   switch (grouping_) {
     case Grouping::Folder:
-      return QFileInfo(entry.path).path().split(QLatin1Char('/'), Qt::SkipEmptyParts);
+      return entry.path.left(entry.path.lastIndexOf(QLatin1Char('/')));
     case Grouping::Verdict:
-      if (entry.review.verdict == Verdict::None) return {displayName(LibraryShow::NotReviewed)};
-      if (entry.stale != Staleness::None) return {displayName(LibraryShow::Stale)};
-      return {displayName(entry.review.verdict == Verdict::Approved ? LibraryShow::Approved
-                                                                    : LibraryShow::Rejected)};
+      if (entry.review.verdict == Verdict::None) return displayName(LibraryShow::NotReviewed);
+      if (entry.stale != Staleness::None) return displayName(LibraryShow::Stale);
+      return displayName(entry.review.verdict == Verdict::Approved ? LibraryShow::Approved
+                                                                   : LibraryShow::Rejected);
     case Grouping::Seen:
-      if (!entry.outcome || !entry.outcome->sight) return {tr("not known")};
-      return {displayName(*entry.outcome->sight)};
+      if (!entry.outcome || !entry.outcome->sight) return tr("not known");
+      return displayName(*entry.outcome->sight);
     case Grouping::None:
       break;
   }
@@ -106,13 +106,20 @@ void LibraryTree::build() {
   beginResetModel();
   root_ = std::make_unique<Folder>();
   places_.assign(static_cast<std::size_t>(clips_->rowCount()), {});
+  QHash<QString, Folder*> folders;  // by group
   for (int row = 0; row < filter_.rowCount(); ++row) {
     const int clip = filter_.clipAt(row);
-    Folder* folder = root_.get();
-    const QStringList names = foldersOf(clip);
-    for (const QString& name : names) folder = &folder->child(name);
+    const QString group = groupOf(clip);
+    Folder*& folder = folders[group];
+    if (!folder) {
+      folder = root_.get();
+      const QStringList names =
+          grouping_ == Grouping::Folder ? group.split(QLatin1Char('/')) : QStringList(group);
+      for (const QString& name : names)
+        if (!name.isEmpty()) folder = &folder->child(name);
+    }
     folder->clips.push_back(clip);
-    places_[static_cast<std::size_t>(clip)] = {row, nullptr, names};
+    places_[static_cast<std::size_t>(clip)] = {row, nullptr, group};
   }
   // A single group by verdict or visibility stays, since it says something about the clips.
   root_->arrange(grouping_ == Grouping::Folder);
@@ -154,7 +161,7 @@ void LibraryTree::sort(int column, Qt::SortOrder order) {
 void LibraryTree::clipsChanged(int first, int last) {
   for (int clip = first; clip <= last; ++clip) {
     const Place& place = places_[static_cast<std::size_t>(clip)];
-    if (place.row != filter_.rowOf(clip) || (place.folder && place.folders != foldersOf(clip)))
+    if (place.row != filter_.rowOf(clip) || (place.folder && place.group != groupOf(clip)))
       return build();
   }
   for (int clip = first; clip <= last; ++clip)

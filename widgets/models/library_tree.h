@@ -63,7 +63,7 @@ class LibraryTree : public QAbstractItemModel {
   struct Folder;
 
   void build();
-  QStringList foldersOf(int clip) const;
+  QString groupOf(int clip) const;
   Folder* holderOf(const QModelIndex& index) const;  // the folder the index is a row of
   Folder* folderAt(const QModelIndex& index) const;  // null: a clip
   void clipsChanged(int first, int last);
@@ -77,8 +77,8 @@ class LibraryTree : public QAbstractItemModel {
   struct Place {
     int row = -1;  // -1: filtered out
     Folder* folder = nullptr;
-    QStringList folders;  // foldersOf() it
-    int in_folder = 0;    // among its clips
+    QString group;      // groupOf() it
+    int in_folder = 0;  // among its clips
   };
   std::vector<Place> places_;  // of each clip
 };

@@ -60,12 +60,15 @@ BytesPanel::BytesPanel(ByteCostModel* model, QWidget* parent)
   view_->setSortingEnabled(true);
   view_->sortByColumn(ByteCostModel::Bytes, Qt::DescendingOrder);
   view_->setItemDelegateForColumn(ByteCostModel::Share, new BarDelegate(this));
-  view_->header()->setStretchLastSection(true);
-  view_->header()->setSectionResizeMode(ByteCostModel::Name, QHeaderView::ResizeToContents);
-  view_->header()->setSectionResizeMode(ByteCostModel::Bytes, QHeaderView::ResizeToContents);
+  // Names give way, for the figures are what the table is about.
+  view_->header()->setStretchLastSection(false);
+  view_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  view_->header()->setSectionResizeMode(ByteCostModel::Name, QHeaderView::Stretch);
   auto* halves = new QSplitter(this);
   halves->addWidget(view_);
   halves->addWidget(makeSlopes());
+  halves->setStretchFactor(1, 1);
+  halves->setSizes({150, 250});
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(halves);
@@ -138,6 +141,7 @@ void BytesPanel::setSlopes(const std::vector<SlopeRow>& slopes) {
                   tr("%L1 → %L2 mm")
                       .arg(10 * slope.error_cm, 0, 'f', 1)
                       .arg(10 * slope.becomes_cm, 0, 'f', 1)});
+    item->setToolTip(0, slope.change);
     item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
     item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
   }

@@ -12,6 +12,7 @@
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <QStyledItemDelegate>
+#include <QToolButton>
 #include <QTreeView>
 #include <QVBoxLayout>
 #include <QWhatsThis>
@@ -32,9 +33,11 @@ constexpr int kRowHeight = 58;
 constexpr int kPicture = 46;
 constexpr int kFolderHeight = 28;
 constexpr int kMargin = 6;
-constexpr int kColumnWidth = 12;            // characters
-constexpr int kClipWidth = 200;             // at least, where there are other columns
+constexpr int kColumnWidth = 10;            // characters
+constexpr int kRoomyColumns = 2;            // have room from the start
+constexpr int kClipWidth = 180;             // at least, where there are other columns
 const QString kMark = QStringLiteral("⚠");  // there are notes on reading the clip
+const QString kPen = QStringLiteral("✎");   // a reviewer has written something
 
 /// Shows what was repaired or guessed on reading the clip, until a click or key.
 void showNotes(const LibraryEntry& entry, const QPoint& place) {
@@ -86,7 +89,14 @@ class RowPainter : public QStyledItemDelegate {
       painter->setPen(chosen ? text : colourOf(RowState::Doubtful, palette));
       painter->drawText(markOf(option), Qt::AlignCenter, kMark);
     }
-    const int room = line.width() - (has_notes ? markOf(option).width() : 0);
+    const bool has_review = !entry.review.note.empty() || !entry.review.notes.empty();
+    if (has_review) {
+      painter->setPen(text);
+      painter->drawText(markOf(option).translated(has_notes ? -markOf(option).width() : 0, 0),
+                        Qt::AlignCenter, kPen);
+    }
+    const int marks = (has_notes ? 1 : 0) + (has_review ? 1 : 0);
+    const int room = line.width() - marks * markOf(option).width();
     write(shortened(index.data().toString(), tree_->sharedNameOf(index), QFontMetrics(bold), room),
           entry.missing ? faint : text, bold);
     write(outcomeText(entry), entry.outdated == Staleness::None ? text : faint, option.font);
@@ -236,6 +246,14 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
   auto* choices = new QHBoxLayout;
   choices->addWidget(shown_, 1);
   choices->addWidget(grouping_, 1);
+  auto* order = new QToolButton(this);
+  order->setText(QStringLiteral("⋯"));
+  order->setAccessibleName(tr("Order and columns"));
+  order->setToolTip(tr("What clips are sorted by, and the columns beside them"));
+  connect(order, &QToolButton::clicked, this, [this, order] {
+    makeColumnMenu()->popup(order->mapToGlobal(QPoint(0, order->height())));
+  });
+  choices->addWidget(order);
   above->addLayout(choices);
   column->addLayout(above);
   column->addWidget(view_, 1);
@@ -309,12 +327,23 @@ bool LibraryPanel::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
+int LibraryPanel::columnsWidth() const {
+  const QHeaderView* head = view_->header();
+  int width = 0;
+  for (int column = 1; column < kLibraryColumns; ++column)
+    if (!head->isSectionHidden(column)) width += head->sectionSize(column);
+  return width;
+}
+
+QSize LibraryPanel::minimumSizeHint() const {
+  const int column = view_->header()->fontMetrics().averageCharWidth() * kColumnWidth;
+  return {210 + std::min(columnsWidth(), kRoomyColumns * column), 200};
+}
+
 /// Gives the clips' column the width that the others leave, but at least a readable one.
 void LibraryPanel::fitColumns() {
   QHeaderView* head = view_->header();
-  int others = 0;
-  for (int column = 1; column < kLibraryColumns; ++column)
-    if (!head->isSectionHidden(column)) others += head->sectionSize(column);
+  const int others = columnsWidth();
   const int width = std::max(view_->viewport()->width() - others, others > 0 ? kClipWidth : 0);
   if (head->sectionSize(0) != width) head->resizeSection(0, width);
 }
@@ -328,11 +357,35 @@ QMenu* LibraryPanel::makeColumnMenu() {
     action->setChecked(!view_->isColumnHidden(column));
     connect(action, &QAction::toggled, this, [this, column](bool shown) {
       view_->setColumnHidden(column, !shown);
+      updateGeometry();
       fitColumns();
       emit arrangementChanged();
     });
   }
+  menu->addSeparator();
+  addOrders(menu->addMenu(tr("Sort By")));
   return menu;
+}
+
+/// Names rise; of all else the largest comes first. Choosing the same once more turns it round.
+void LibraryPanel::addOrders(QMenu* menu) {
+  const QHeaderView* head = view_->header();
+  const int sorted = head->sortIndicatorSection();
+  const auto add = [&](const QString& title, int column) {
+    QAction* action = menu->addAction(title);
+    action->setCheckable(true);
+    action->setChecked(sorted == column);
+    const auto kind = static_cast<LibraryColumn>(column);
+    const bool falls = column == sorted
+                           ? head->sortIndicatorOrder() == Qt::AscendingOrder
+                           : kind != LibraryColumn::Clip && kind != LibraryColumn::FromPreset;
+    connect(action, &QAction::triggered, this, [this, column, falls] {
+      view_->sortByColumn(column, falls ? Qt::DescendingOrder : Qt::AscendingOrder);
+    });
+  };
+  add(tr("Order of the Library"), -1);
+  for (int column = 0; column < kLibraryColumns; ++column)
+    add(titleOf(static_cast<LibraryColumn>(column)), column);
 }
 
 QByteArray LibraryPanel::arrangement() const {
@@ -346,6 +399,7 @@ void LibraryPanel::arrange(const QByteArray& arrangement) {
   head->setSortIndicatorClearable(true);
   view_->sortByColumn(head->sortIndicatorSection(), head->sortIndicatorOrder());
   grouping_->setCurrentIndex(arrangement.left(space).toInt());
+  updateGeometry();
   fitColumns();
 }
 

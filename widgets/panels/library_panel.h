@@ -22,8 +22,8 @@ class LibraryModel;
 class LibraryTree;
 class ReviewBar;
 
-/// Lists the clips of the project in groups, with results and verdicts. A click opens a clip. The
-/// context menu of the head chooses columns.
+/// Lists the clips of the project in groups, with results and verdicts. A click opens a clip. A
+/// button, and the context menu of the head, choose columns and order.
 class LibraryPanel : public QWidget {
   Q_OBJECT
 
@@ -58,7 +58,7 @@ class LibraryPanel : public QWidget {
   /// Restores what arrangement() returned; other bytes change nothing.
   void arrange(const QByteArray& arrangement);
 
-  /// Makes the menu that chooses columns.
+  /// Makes the menu that chooses the columns, and what clips are sorted by.
   QMenu* makeColumnMenu();
   QComboBox* verdict() const { return verdict_; }
   QLineEdit* note() const { return note_; }
@@ -73,8 +73,8 @@ class LibraryPanel : public QWidget {
 
   QSize sizeHint() const override { return {230, 400}; }
 
-  /// Rows narrower than this could not be read.
-  QSize minimumSizeHint() const override { return {210, 200}; }
+  /// Rows narrower than this could not be read. The first columns that are chosen have room, too.
+  QSize minimumSizeHint() const override;
 
  signals:
   void addRequested();
@@ -107,6 +107,8 @@ class LibraryPanel : public QWidget {
  private:
   void makeHead();
   void fitColumns();
+  int columnsWidth() const;  // of all but the clips' own
+  void addOrders(QMenu* menu);
   void noteSelection();
   QSet<QString> keysOf(const std::vector<int>& rows) const;
   void showReview();

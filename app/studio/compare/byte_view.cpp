@@ -125,7 +125,7 @@ void ByteView::measure() {
     std::vector<int> joints = joints_of(skeleton, part);
     of_parts.insert(of_parts.end(), joints.begin(), joints.end());
     if (!joints.empty())
-      add(tr("%1 at twice the error").arg(displayName(part)), std::move(joints), kRelaxed);
+      add(tr("%1: error × 2").arg(displayName(part)), std::move(joints), kRelaxed);
   }
   std::vector<std::pair<double, int>> dearest;
   for (int row = 0; row < model_->rowCount(); ++row)
@@ -138,7 +138,7 @@ void ByteView::measure() {
   dearest.resize(std::min<std::size_t>(dearest.size(), kDearest));
   const std::vector<QString> names = document.landmarkNames();
   for (const auto& [bytes, joint] : dearest)
-    add(tr("%1 at twice the error").arg(names[static_cast<std::size_t>(joint)]), {joint}, kRelaxed);
+    add(tr("%1: error × 2").arg(names[static_cast<std::size_t>(joint)]), {joint}, kRelaxed);
   add(tr("10 % more bytes"), {}, kMore);
   add(tr("10 % fewer bytes"), {}, kFewer);
   finder_.start(task_);
