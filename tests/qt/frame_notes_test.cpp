@@ -164,6 +164,35 @@ TEST_F(NotesOnAClip, TravelBesideTheClipAndKeepOtherPeoples) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return other.frameNotes(0).size() == 2; }, kPatience));
 }
 
+TEST_F(NotesOnAClip, ANoteThatWasDeletedLeavesTheFileBesideTheClip) {
+  const QString path = session_.document().original()->path;
+  add(10, "lhand", "slides");
+  QSignalSpy noted(&library_, &Library::noted);
+  library_.writeNotes();
+  ASSERT_TRUE(noted.wait(kPatience));
+  EXPECT_EQ(read_notes(path.toStdU16String()).at("").size(), 1u);
+  library_.setFrameNote(0, 0, {});
+  ASSERT_TRUE(library_.frameNotes(0).empty());
+  library_.writeNotes();
+  ASSERT_TRUE(noted.wait(kPatience));
+  EXPECT_TRUE(read_notes(path.toStdU16String()).empty());
+  library_.readNotes();
+  ASSERT_TRUE(noted.wait(kPatience));
+  EXPECT_TRUE(library_.frameNotes(0).empty());
+}
+
+TEST_F(NotesOnAClip, NotesThatTheLibraryNeverHadStayInTheFile) {
+  const QString path = session_.document().original()->path;
+  add(10, "lhand", "slides");
+  FrameNote own = library_.frameNotes(0).front();
+  library_.setFrameNote(0, 0, {});
+  write_notes(path.toStdU16String(), {{"", {own}}});  // on another computer
+  QSignalSpy noted(&library_, &Library::noted);
+  library_.writeNotes();
+  ASSERT_TRUE(noted.count() > 0 || noted.wait(kPatience));
+  EXPECT_EQ(read_notes(path.toStdU16String()).at("").size(), 1u);
+}
+
 std::vector<LibraryEntry> fourClips() {
   std::vector<LibraryEntry> clips;
   for (const char* name : {"a", "b", "c", "d"})

@@ -17,6 +17,8 @@
 namespace mocapress {
 namespace {
 
+constexpr int kNoteWidth = 420;  // a sentence
+
 QString placeOf(const FrameNote& note) {
   const QString frame = FrameNotes::tr("Frame %L1").arg(note.frame + 1);
   return note.joint.empty()
@@ -148,6 +150,7 @@ void FrameNotes::ask(const FrameNote& note, int index) {
             library->setFrameNote(
                 row, found == notes.end() ? -1 : static_cast<int>(found - notes.begin()), written);
           });
+  dialog->resize(kNoteWidth, dialog->sizeHint().height());
   dialog->open();
 }
 

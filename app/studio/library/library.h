@@ -158,7 +158,9 @@ class Library : public KeptProject {
     int added = 0;
   };
   MoreNotes withNotes(const NotesByFile& found) const;
+  void noteBeside(const NotesByFile& files);
   void readNotesOfNew(const QString& path);
+  void readNewNotes();
   static std::string userName();
   static std::string timeNow();
   void openIfChanged();
@@ -207,7 +209,7 @@ class Library : public KeptProject {
   JobRunner reading_character_;
   JobRunner carrying_notes_{Workers::LongRunning};
   JobRunner reading_new_notes_{Workers::LongRunning};
-  std::vector<QString> new_;  // files whose notes are being read
+  std::vector<QString> new_;  // files whose notes will be read next
   std::optional<NamedSettings> copied_;
 };
 

@@ -57,16 +57,17 @@ std::map<QString, NotesByTake> notesBeside(const std::vector<QString>& paths, co
 
 }  // namespace
 
-/// Other people's notes that the library lacks stay in the files.
+/// Other people's notes that the library lacks stay in the files; the user's own do not, if the
+/// library had them.
 void Library::writeNotes() {
   std::map<QString, NotesByTake> by_file;
   for (const ProjectClip& clip : project_.clips)
-    if (!clip.missing && !clip.review.notes.empty())
+    if (!clip.missing && (clip.notes_beside || !clip.review.notes.empty()))
       by_file[clip.path][takeKey(clip)] = clip.review.notes;
   if (by_file.empty()) return emit noted(tr("No clip has notes on its frames."));
   carrying_notes_.start(
       [by_file = std::move(by_file), me = userName()](const Job& job) {
-        int written = 0;
+        NotesByFile written;
         for (auto [path, notes] : by_file) {
           if (job.stopRequested()) break;
           for (auto& [take, there] : read_notes(path.toStdU16String())) {
@@ -75,12 +76,14 @@ void Library::writeNotes() {
             add_notes(notes[take], there);
           }
           write_notes(path.toStdU16String(), notes);
-          ++written;
+          written.emplace(path, by_file.at(path));
         }
         return written;
       },
-      [this](int written) {
-        emit noted(tr("Wrote the notes of %Ln file(s) beside them.", nullptr, written));
+      [this](const NotesByFile& written) {
+        noteBeside(written);
+        emit noted(tr("Wrote the notes of %Ln file(s) beside them.", nullptr,
+                      static_cast<int>(written.size())));
       },
       [this](const QString& message) { emit failed(message); });
 }
@@ -92,6 +95,7 @@ void Library::readNotes() {
   carrying_notes_.start(
       [paths = std::move(paths)](const Job& job) { return notesBeside(paths, job); },
       [this](const NotesByFile& found) {
+        noteBeside(found);
         const auto [before, after, added] = withNotes(found);
         if (!after.empty())
           history_.push(new EditStep(
@@ -106,16 +110,37 @@ void Library::readNotes() {
 /// New clips have their notes from the start, and no step for that.
 void Library::readNotesOfNew(const QString& path) {
   new_.push_back(path);
-  reading_new_notes_.start([paths = new_](const Job& job) { return notesBeside(paths, job); },
-                           [this](const NotesByFile& found) {
-                             new_.clear();
-                             if (const auto more = withNotes(found); !more.after.empty())
-                               apply(more.after);
-                           },
-                           [this](const QString& message) {
-                             new_.clear();
-                             emit failed(message);
-                           });
+  readNewNotes();
+}
+
+/// Reads the notes of all files that are new by now, unless it is reading.
+void Library::readNewNotes() {
+  if (reading_new_notes_.busy() || new_.empty()) return;
+  // The runner is busy until its delivery has returned.
+  const auto go_on = [this] {
+    QMetaObject::invokeMethod(this, &Library::readNewNotes, Qt::QueuedConnection);
+  };
+  reading_new_notes_.start(
+      [paths = std::exchange(new_, {})](const Job& job) { return notesBeside(paths, job); },
+      [this, go_on](const NotesByFile& found) {
+        noteBeside(found);
+        if (const auto more = withNotes(found); !more.after.empty()) apply(more.after);
+        go_on();
+      },
+      [this, go_on](const QString& message) {
+        emit failed(message);
+        go_on();
+      });
+}
+
+/// Remembers which clips have notes in the files that were read or written.
+void Library::noteBeside(const NotesByFile& files) {
+  if (files.empty()) return;
+  for (ProjectClip& clip : project_.clips)
+    if (const auto file = files.find(clip.path); file != files.end())
+      if (const auto take = file->second.find(takeKey(clip)); take != file->second.end())
+        clip.notes_beside = !take->second.empty();
+  touch();
 }
 
 Library::MoreNotes Library::withNotes(const NotesByFile& found) const {

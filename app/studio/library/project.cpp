@@ -113,6 +113,7 @@ Json toJson(const ProjectClip& clip, const QDir& folder) {
   if (clip.settings) put(json, *clip.settings);
   if (clip.outcome) json["outcome"] = toJson(*clip.outcome);
   if (clip.review != ClipReview()) put(json, clip.review);
+  if (clip.notes_beside) json["notes_beside"] = true;
   if (!clip.rig.empty()) json["rig"] = clip.rig;
   if (!clip.stamp.hash.empty()) json["files"] = toJson(clip.stamp);
   for (const Pin& pin : clip.pins) json["pins"].push_back(toJson(pin));
@@ -133,6 +134,7 @@ ProjectClip clipFrom(const Json& json, const QDir& folder) {
   if (json.contains("settings")) clip.settings = namedSettingsFrom(json["settings"]);
   if (json.contains("outcome")) clip.outcome = outcomeFrom(json["outcome"]);
   clip.review = review_from(json);
+  clip.notes_beside = valueAt<bool>(json, "notes_beside");
   clip.rig = valueAt<std::string>(json, "rig");
   if (json.contains("files")) clip.stamp = stampFrom(json["files"]);
   for (const Json& pin : valueAt<Json>(json, "pins"))

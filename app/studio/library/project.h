@@ -24,6 +24,7 @@ struct ProjectClip {
   std::optional<NamedSettings> settings;  // unset: no settings of its own
   std::optional<Outcome> outcome;
   ClipReview review;
+  bool notes_beside = false;  // notes of it were read from the file beside it, or written there
   std::vector<Pin> pins;
   std::string rig;   // rig_of() its joints when last read; empty: never read
   InputStamp stamp;  // stamp of its files when last examined; no hash: never examined
