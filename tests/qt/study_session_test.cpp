@@ -149,6 +149,30 @@ TEST_F(StudyInTheStudio, ItsTablesCarryWhatTheLibrarySays) {
   EXPECT_TRUE(table.contains("file changed"));
 }
 
+TEST_F(StudyInTheStudio, ItsTablesCarryTheReviewsOfAllTakesOfAFile) {
+  const QString clip = writeClip("one.bvh", 120);
+  const auto said = [](Verdict verdict, const char* note) {
+    return LibraryReview{ClipReview{verdict, note, "ann", "2026-11-27T01:39:46Z", "1", "2"}, "1"};
+  };
+  const auto shown = [&](const ClipReviews& reviews) {
+    session_.setReviews(reviews);
+    const QString file = path("takes.csv");
+    session_.exportRows(file);
+    return written(file);
+  };
+  run(settings({clip}));
+  const QByteArray differing =
+      shown({{clipKey(clip, "Run"), said(Verdict::Rejected, "slides")},
+             {clipKey(clip, "Walk"), said(Verdict::Approved, "")},
+             {clipKey(clip + QStringLiteral("x"), "Jump"), said(Verdict::Approved, "high")}});
+  EXPECT_TRUE(differing.contains("Run: rejected, slides; Walk: approved")) << differing.data();
+  EXPECT_FALSE(differing.contains(",approved,"));
+  EXPECT_FALSE(differing.contains("high"));
+  EXPECT_TRUE(shown({{clipKey(clip, "Run"), said(Verdict::Approved, "")},
+                     {clipKey(clip, "Walk"), said(Verdict::Approved, "")}})
+                  .contains(",approved,"));
+}
+
 TEST_F(StudyInTheStudio, ANewerRunVoidsTheOlder) {
   StudySettings older = settings({writeClip("one.bvh", 900)});
   older.methods = {QStringLiteral("annealed")};

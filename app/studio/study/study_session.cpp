@@ -124,7 +124,7 @@ void StudySession::run() {
   opening_.abandon();
   plan_ = planOf(settings_);
   for (StudyClip& clip : plan_.clips)
-    clip.review = reviewOf(QString::fromStdU16String(clip.path.u16string()));
+    clip.review = reviewOf(QString::fromStdU16String(clip.path.u16string())).value_or(ClipReview());
   clear();
   for (const StudyJob& job : jobs_of(plan_)) ++expected_[plan_.clips[job.clip].path.string()];
   counts_ = {jobs, 0, 0};
@@ -182,10 +182,11 @@ void StudySession::exportMade(const QString& path, Make make) {
       [this](const QString& message) { emit exportFailed(message); });
 }
 
+namespace {
+
 /// A verdict on other bytes is dropped, and the note says so. Settings are not compared: a study
 /// has many, and the review concerns its clips.
-ClipReview StudySession::reviewOf(const QString& path) const {
-  const LibraryReview& said = reviews_.value(path);
+ClipReview present(const LibraryReview& said) {
   ClipReview review = said.review;
   if (review.verdict == Verdict::None ||
       (!said.missing && review.source_hash == said.source && !said.source.empty()))
@@ -200,12 +201,34 @@ ClipReview StudySession::reviewOf(const QString& path) const {
   return review;
 }
 
+}  // namespace
+
+/// The review of a file with several takes has the verdict that all of them have, and says which
+/// take each note is on.
+std::optional<ClipReview> StudySession::reviewOf(const QString& path) const {
+  if (const auto found = reviews_.find(path); found != reviews_.end()) return present(*found);
+  std::map<QString, ClipReview> takes;
+  const QString begin = path + QLatin1Char('\n');  // as in clipKey()
+  for (auto it = reviews_.begin(); it != reviews_.end(); ++it)
+    if (it.key().startsWith(begin)) takes.emplace(it.key().mid(begin.size()), present(*it));
+  if (takes.empty()) return {};
+  ClipReview all = takes.begin()->second;
+  all.note.clear();
+  for (const auto& [take, review] : takes) {
+    if (review.verdict != all.verdict) all.verdict = Verdict::None;
+    std::string said = review.verdict == Verdict::None ? "" : std::string(name(review.verdict));
+    if (!review.note.empty()) said += (said.empty() ? "" : ", ") + review.note;
+    if (!said.empty())
+      all.note += (all.note.empty() ? "" : "; ") + take.toStdString() + ": " + said;
+  }
+  return all;
+}
+
 /// The rows with the library's current reviews.
 std::vector<StudyRow> StudySession::reviewedRows() const {
   std::vector<StudyRow> rows = rows_;
   for (StudyRow& row : rows) {
-    const QString path = QString::fromStdString(row.clip);
-    if (reviews_.contains(path)) row.review = reviewOf(path);
+    if (const auto review = reviewOf(QString::fromStdString(row.clip))) row.review = *review;
   }
   return rows;
 }

@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QStringList>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -97,7 +98,7 @@ class StudySession : public QObject {
   void advance(const StudyCounts& counts, const std::vector<StudyRow>& rows);
   void showOpened(std::vector<StudyRow> rows);
   void findClips();
-  ClipReview reviewOf(const QString& path) const;
+  std::optional<ClipReview> reviewOf(const QString& path) const;  // unset: the library has none
   std::vector<StudyRow> reviewedRows() const;
   template <typename Make>
   void exportMade(const QString& path, Make make);
