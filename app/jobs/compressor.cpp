@@ -56,10 +56,15 @@ Compressor::Compressor(QObject* parent) : QObject(parent) {
   connect(&refine_, &JobRunner::busyChanged, this, &Compressor::refiningChanged);
 }
 
-void Compressor::setEncoder(std::shared_ptr<const Encoder> encoder) {
+void Compressor::setEncoder(std::shared_ptr<const Encoder> encoder, const std::string& content) {
   abandon();
-  results_.clear();
   encoder_ = std::move(encoder);
+  if (!encoder_) results_.clear();
+  content_ = content.empty() ? std::to_string(++unlike_others_) : content;
+}
+
+std::string Compressor::resultKey() const {
+  return content_ + '\n' + settingsKey(wanted_);
 }
 
 void Compressor::request(const EncodeSettings& options) {
@@ -68,7 +73,7 @@ void Compressor::request(const EncodeSettings& options) {
   refine_.abandon();
   code_.abandon();
   wanted_ = options;
-  if (const DecodedPtr known = results_.find(settingsKey(wanted_))) {
+  if (const DecodedPtr known = results_.find(resultKey())) {
     quick_.abandon();
     newer_wanted_ = false;
     emit answered(known, true);
@@ -152,7 +157,7 @@ void Compressor::startCoding() {
 }
 
 void Compressor::answerFinally(const DecodedPtr& decoded) {
-  if (decoded->complete) results_.add(settingsKey(wanted_), decoded);
+  if (decoded->complete) results_.add(resultKey(), decoded);
   emit answered(decoded, true);
 }
 

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QTimer>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "app/jobs/clips.h"
@@ -23,8 +24,10 @@ class Compressor : public QObject {
  public:
   explicit Compressor(QObject* parent = nullptr);
 
-  /// Sets the clip to compress and abandons all work; null: nothing to compress.
-  void setEncoder(std::shared_ptr<const Encoder> encoder);
+  /// Sets the clip to compress and abandons all work; null: nothing to compress, and all results
+  /// are forgotten. Results are kept by `content`, which must be equal only for encoders that
+  /// answer alike; empty: like no other.
+  void setEncoder(std::shared_ptr<const Encoder> encoder, const std::string& content = {});
 
   void request(const EncodeSettings& options);
 
@@ -50,6 +53,7 @@ class Compressor : public QObject {
   void failed(const QString& message, bool out_of_reach);
 
  private:
+  std::string resultKey() const;
   void answerFinally(const DecodedPtr& decoded);
   bool refines() const {
     return wanted_.method == Method::Annealed || wanted_.method == Method::ClosedLoop;
@@ -71,7 +75,9 @@ class Compressor : public QObject {
   bool out_of_reach_ = false;   // the newest job found the target out of reach
   bool coded_will_do_ = false;  // no refinement is wanted any more
   DecodedPtr quick_answer_;     // null: these settings have none
-  ResultCache results_;         // results for the encoder's clip
+  std::string content_;         // of the encoder, see setEncoder()
+  int unlike_others_ = 0;       // encoders without content so far
+  ResultCache results_;         // of this encoder and earlier ones
 };
 
 }  // namespace mocapress

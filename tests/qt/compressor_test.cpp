@@ -212,6 +212,26 @@ TEST_F(Compressing, AMissedTargetIsAMessageAndTheNextRequestWorks) {
   EXPECT_FALSE(out_of_reach_);
 }
 
+TEST_F(Compressing, ReturningToAClipIsAnsweredAtOnce) {
+  const EncodeSettings options = ratio(20, Method::Standard);
+  const auto compress = [&](int frames, const char* content) {
+    compressor_.setEncoder(makeEncoder(frames), content);
+    answers_.clear();
+    compressor_.request(options);
+    const bool at_once = !answers_.empty();
+    EXPECT_TRUE(waitForFinal());
+    EXPECT_EQ(answers_.back().decoded->clip.frames(), frames);
+    return at_once;
+  };
+  EXPECT_FALSE(compress(200, "walk"));
+  EXPECT_FALSE(compress(120, "run"));
+  EXPECT_TRUE(compress(200, "walk"));
+  EXPECT_FALSE(compress(120, "")) << "nobody knows what it is";
+  EXPECT_FALSE(compress(120, ""));
+  compressor_.setEncoder(nullptr);
+  EXPECT_FALSE(compress(200, "walk"));
+}
+
 TEST_F(Compressing, NothingOfTheOldClipArrivesAfterANewOne) {
   compressor_.setEncoder(makeEncoder(2000));
   compressor_.request(ratio(12));

@@ -11,6 +11,7 @@
 #include "app/studio/document/named_settings.h"
 #include "app/studio/document/settings_field.h"
 #include "core/base/error.h"
+#include "core/batch/row.h"
 #include "core/codec/decode/track_decoding.h"
 #include "core/formats/motion_file.h"
 #include "core/motion/landmarks.h"
@@ -160,6 +161,17 @@ void Session::start(OpenRequest request, std::function<void()> then) {
                  });
 }
 
+namespace {
+
+/// Equal only for clips that are compressed to equal results; empty: unknown, as where a character
+/// from a file of its own is on the clip.
+std::string contentOf(const OriginalClip& clip) {
+  if (clip.stamp.hash.empty() || !clip.character.isEmpty() || clip.reading.character) return {};
+  return clip.stamp.hash + ' ' + settings_hash({}, clip.reading);
+}
+
+}  // namespace
+
 void Session::show(const OpenedClip& opened, const OpenRequest& request) {
   const bool together = opened.original && opened.decoded;
   const QString saved_path = isCompressedFile(request.path) ? request.path
@@ -169,7 +181,10 @@ void Session::show(const OpenedClip& opened, const OpenRequest& request) {
   const bool again = opened.original && opened.original != document_.original() &&
                      keyOf(*opened.original) == openKey();
   leave();
-  compressor_.setEncoder(opened.original ? opened.original->encoder : nullptr);
+  if (opened.original)
+    compressor_.setEncoder(opened.original->encoder, contentOf(*opened.original));
+  else
+    compressor_.setEncoder(nullptr);
   if (request.options) document_.loadOptions(*request.options);
   // Asked before the document changes, since its settings then count as those of the clip.
   const std::optional<NamedSettings> remembered = rememberedOf(opened, request);
