@@ -9,10 +9,12 @@
 #include <cstdio>
 #include <exception>
 
+#include "app/studio/library/clip_links.h"
 #include "app/studio/library/foreign_lock.h"
 #include "app/studio/library/project.h"
 #include "app/studio/window/language.h"
 #include "app/studio/window/launch_options.h"
+#include "app/studio/window/link_receiver.h"
 #include "app/studio/window/main_window.h"
 #include "app/studio/window/screenshot.h"
 #include "app/studio/window/theme.h"
@@ -83,6 +85,16 @@ void say(int argc, char** argv) {
   parseLaunchOptions(application);
 }
 
+/// Opens links that this user follows from now on in this window.
+void receiveLinks(MainWindow& window) {
+  auto* receiver = new LinkReceiver(&window);
+  QObject::connect(receiver, &LinkReceiver::received, &window, [&window](const QString& link) {
+    window.open({link}, {});
+    window.raise();
+    window.activateWindow();
+  });
+}
+
 /// The event loop's exit code, and what the window handed on.
 struct Ended {
   int code = 0;
@@ -106,6 +118,7 @@ Ended showFirst(const LaunchOptions& options) {
       window.library().beginEmpty(data);
     else
       goes_on = window.library().begin(data);
+    receiveLinks(window);
   }
   if (!options.files.isEmpty())
     window.open(options.files, options.skeleton);
@@ -119,6 +132,7 @@ Ended showFirst(const LaunchOptions& options) {
 Ended showAgain(const WindowState& before) {
   MainWindow window;
   window.takeOver(before);
+  receiveLinks(window);
   window.show();
   if (!window.library().begin(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)))
     window.files().openFirst();
@@ -134,7 +148,10 @@ int run(int argc, char** argv) {
   QGuiApplication::setDesktopFileName(QStringLiteral("org.mocapress.Studio"));
   QApplication::setStyle(new StudioStyle);
   setLanguage(application);
-  Ended ended = showFirst(parseLaunchOptions(application));
+  const LaunchOptions options = parseLaunchOptions(application);
+  const bool is_link = options.files.size() == 1 && ClipLinks::isLink(options.files.front());
+  if (is_link && options.screenshot.isEmpty() && handOver(options.files.front())) return 0;
+  Ended ended = showFirst(options);
   while (ended.code == kOtherLanguage) {
     setLanguage(application);
     ended = showAgain(ended.state);

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+class QLocalServer;
+
+namespace mocapress {
+
+/// Receives links (mocapress://) that this program was started with while a studio runs already:
+/// the clip is in that studio's project, with its settings and verdict. Only the first studio of a
+/// user receives them.
+class LinkReceiver : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit LinkReceiver(QObject* parent = nullptr, const QString& address = ownAddress());
+
+  /// Where this user's studio listens.
+  static QString ownAddress();
+
+ signals:
+  void received(const QString& link);
+
+ private:
+  void receive();
+
+  QLocalServer* server_;
+};
+
+/// Passes the link on to the studio that runs. False: there is none.
+bool handOver(const QString& link, const QString& address = LinkReceiver::ownAddress());
+
+}  // namespace mocapress
