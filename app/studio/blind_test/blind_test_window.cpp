@@ -128,6 +128,7 @@ QWidget* BlindTestWindow::makeQuestions() {
     view = new Viewport(page);
     view->setFocusPolicy(Qt::NoFocus);
     view->setOptions({.titles = false});  // "Original" would be on all of them
+    view->setFollow(true);                // a runner would leave the picture
     row->addWidget(view, 1);
   }
   auto* keys = new QLabel(
