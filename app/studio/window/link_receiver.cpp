@@ -26,7 +26,6 @@ LinkReceiver::LinkReceiver(QObject* parent, const QString& address)
     : QObject(parent), server_(new QLocalServer(this)) {
   server_->setSocketOptions(QLocalServer::UserAccessOption);
   connect(server_, &QLocalServer::newConnection, this, &LinkReceiver::receive);
-  if (server_->listen(address)) return;
   QLocalSocket other;
   other.connectToServer(address);
   if (other.waitForConnected(kPatienceMs)) return;  // another studio receives them
