@@ -17,7 +17,7 @@
 #include "core/codec/format/container.h"
 #include "core/feet/feet.h"
 #include "core/metrics/distortion.h"
-#include "core/runtime/mocapress_runtime.h"
+#include "core/runtime/mocapress_runtime.hpp"
 #include "core/runtime/own_memory.h"
 #include "core/select/annealing.h"
 
@@ -59,31 +59,37 @@ class OpenClip {
  public:
   explicit OpenClip(const std::vector<std::byte>& file) {
     mcpr_info info;
-    require(mcpr_inspect(file.data(), file.size(), nullptr, &info));
+    mcpr_result result;
+    mcpr_inspect(file.data(), file.size(), nullptr, &info, &result);
+    require(result);
     motion_bytes_ = info.motion_bytes;
     const AlignedBytes scratch(info.read_bytes);
     std::size_t size = 0;
-    require(mcpr_read(file.data(), file.size(), nullptr, scratch.data(), scratch.size(), &size));
+    mcpr_read(file.data(), file.size(), nullptr, scratch.data(), scratch.size(), &size, &result);
+    require(result);
     resident_.emplace(size);
-    require(mcpr_build(scratch.data(), scratch.size(), resident_->data(), size, &clip_));
+    mcpr_build(scratch.data(), scratch.size(), resident_->data(), size, &clip_, &result);
+    require(result);
     scratch_.emplace(std::size_t{1} << 20);
     out_.resize(frames() * std::max(values({}), values({.output = MCPR_POSITIONS})));
   }
 
-  std::uint32_t frames() const { return mcpr_clip_describe(clip_).frames; }
+  std::uint32_t frames() const { return mcpr::describe(clip_).frames; }
   std::size_t values(const mcpr_request& request) const {
     return mcpr_frame_values(clip_, &request);
   }
   std::size_t motion_bytes() const { return motion_bytes_; }
   std::size_t resident_bytes() const {
-    const mcpr_clip_info info = mcpr_clip_describe(clip_);
+    const mcpr_clip_info info = mcpr::describe(clip_);
     return info.resident_bytes - info.skeleton_bytes;
   }
 
   /// Decodes into the same memory each time.
   void decode(const mcpr_request& request, std::uint32_t first, std::uint32_t count) {
-    require(mcpr_decode_frames(clip_, &request, first, count, out_.data(), scratch_->data(),
-                               scratch_->size()));
+    mcpr_result result;
+    mcpr_decode_frames(clip_, &request, first, count, out_.data(), scratch_->data(),
+                       scratch_->size(), &result);
+    require(result);
   }
 
  private:

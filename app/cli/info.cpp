@@ -102,12 +102,11 @@ Json describe_motion(const std::string& path, const MotionFile& file) {
 Json describe_tiers(std::span<const std::byte> file) {
   const runtime::TierTable table = sections_of(file).tiers;
   Json described = Json::array();
-  for (const runtime::Tier& tier :
-       std::span(table.tier).first(static_cast<std::size_t>(table.count)))
-    described.push_back({{"file_bytes", tier.file_bytes},
-                         {"bands_left_out", tier.bands_left_out},
-                         {"eps_x_cm", tier.eps_cm},
-                         {"max_error_cm", tier.max_error_cm}});
+  for (int t = 0; t < table.count; ++t)
+    described.push_back({{"file_bytes", table.file_bytes(t)},
+                         {"bands_left_out", table.tier[t].bands_left_out},
+                         {"eps_x_cm", table.tier[t].eps_cm},
+                         {"max_error_cm", table.tier[t].max_error_cm}});
   return described;
 }
 

@@ -13,6 +13,7 @@
 #include "core/codec/format/packed_clip_writer.h"
 #include "core/runtime/bank/bank_check.h"
 #include "core/runtime/format/file_sections.h"
+#include "core/runtime/mocapress_runtime.hpp"
 
 namespace mocapress {
 
@@ -39,7 +40,9 @@ std::optional<mcpk_bank> read_bank_head(const std::filesystem::path& path) {
 BankFile::BankFile(const std::filesystem::path& path)
     : path_(utf8(path)), bytes_(read_aligned(path)) {
   if (bytes_.size() == 0) throw InputError(path_, 0, 0, "not a bank of clips");
-  require_of(mcpk_open(bytes_.data(), bytes_.size(), 1, &bank_));
+  mcpr_result result;
+  mcpk_open(bytes_.data(), bytes_.size(), 1, &bank_, &result);
+  require_of(result);
   if (bank_->bytes != bytes_.size())
     throw InputError(path_, 0, 0, "bytes after the end of the bank");
 }
@@ -71,7 +74,7 @@ std::vector<std::string> BankFile::tags(const runtime::BankEntry& entry) const {
 
 BankTexts BankFile::texts() const {
   BankTexts texts;
-  for (std::uint32_t t = 0; t < mcpk_describe(bank_).texts; ++t)
+  for (std::uint32_t t = 0; t < mcpr::describe(bank_).texts; ++t)
     texts.emplace_back(mcpk_key(bank_, t), mcpk_value(bank_, t));
   return texts;
 }
@@ -80,14 +83,14 @@ BankClip BankFile::describe(std::uint32_t clip) const {
   const runtime::BankEntry found = entry(clip);
   BankClip described{found.name, tags(found), found.place.bytes};
   if (is_cooked()) {
-    const mcpr_cooked_info info = mcpr_cooked_describe(cooked(found));
+    const mcpr_cooked_info info = mcpr::describe(cooked(found));
     described.sample_rate_hz = info.sample_rate;
     described.frames = static_cast<int>(info.frames);
     described.joints = static_cast<int>(info.joints);
     return described;
   }
   runtime::FileSections sections;
-  require_of(runtime::read_sections(*bank_, found, mcpr_default_limits(), sections));
+  require_of(runtime::read_sections(*bank_, found, mcpr::default_limits(), sections));
   described.sample_rate_hz = sections.sample_rate;
   described.frames = static_cast<int>(sections.frames);
   described.joints = static_cast<int>(sections.joints);
@@ -115,11 +118,15 @@ std::vector<std::byte> BankFile::extract(const runtime::BankEntry& entry) const 
 bool BankFile::play(std::uint32_t clip) const {
   if (is_cooked()) {
     const mcpr_cooked* cooked = nullptr;
-    require_of(mcpk_cooked(bank_, clip, &cooked));
+    mcpr_result result;
+    mcpk_cooked(bank_, clip, &cooked, &result);
+    require_of(result);
     const mcpr_sample_request request{};
     std::vector<float> pose(mcpr_sample_values(cooked, &request));
-    for (const double at : {0.0, mcpr_cooked_describe(cooked).frames - 1.0})
-      require_of(mcpr_sample(cooked, &request, at, pose.data()));
+    for (const double at : {0.0, mcpr::describe(cooked).frames - 1.0}) {
+      mcpr_sample(cooked, &request, at, pose.data(), &result);
+      require_of(result);
+    }
     return true;
   }
   const std::optional<BuiltClip> built = build(clip);
@@ -128,24 +135,29 @@ bool BankFile::play(std::uint32_t clip) const {
   const mcpr_request request{.output = MCPR_LOCAL};
   const AlignedBytes working(mcpr_scratch_bytes(played, &request));
   std::vector<float> pose(mcpr_frame_values(played, &request));
-  const std::uint32_t frames = mcpr_clip_describe(played).frames;
-  for (const double at : {0.0, frames - 1.0})
-    if (frames > 0)
-      require_of(
-          mcpr_decode_moment(played, &request, at, pose.data(), working.data(), working.size()));
+  const std::uint32_t frames = mcpr::describe(played).frames;
+  if (frames == 0) return true;
+  for (const double at : {0.0, frames - 1.0}) {
+    mcpr_result result;
+    mcpr_decode_moment(played, &request, at, pose.data(), working.data(), working.size(), &result);
+    require_of(result);
+  }
   return true;
 }
 
 std::optional<BankFile::BuiltClip> BankFile::build(std::uint32_t clip) const {
   mcpr_info info{};
-  const mcpr_result result = mcpk_inspect(bank_, clip, nullptr, &info);
+  mcpr_result result;
+  mcpk_inspect(bank_, clip, nullptr, &info, &result);
   if (result.status == MCPR_UNSUPPORTED) return {};
   require_of(result);
   const AlignedBytes scratch(info.read_bytes);
   std::size_t bytes = 0;
-  require_of(mcpk_read(bank_, clip, nullptr, scratch.data(), scratch.size(), &bytes));
+  mcpk_read(bank_, clip, nullptr, scratch.data(), scratch.size(), &bytes, &result);
+  require_of(result);
   BuiltClip built{AlignedBytes(bytes), nullptr};
-  require_of(mcpr_build(scratch.data(), scratch.size(), built.bytes.data(), bytes, &built.clip));
+  mcpr_build(scratch.data(), scratch.size(), built.bytes.data(), bytes, &built.clip, &result);
+  require_of(result);
   return built;
 }
 

@@ -252,7 +252,8 @@ void BankWriter::finish(const BankTexts& texts) {
   file_.write_at(0, std::as_bytes(std::span(&head, 1)));
   const MappedFile written = file_.map_back();
   const mcpk_bank* bank = nullptr;
-  const mcpr_result result = mcpk_open(written.bytes().data(), written.bytes().size(), 1, &bank);
+  mcpr_result result;
+  mcpk_open(written.bytes().data(), written.bytes().size(), 1, &bank, &result);
   if (runtime::failed(result))
     throw WriteError(utf8(file_.path()) + ": does not read back: " + result.message);
   file_.commit();

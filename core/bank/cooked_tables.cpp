@@ -6,6 +6,7 @@
 
 #include "core/codec/format/format_error.h"
 #include "core/runtime/format/bank_skeleton.h"
+#include "core/runtime/mocapress_runtime.hpp"
 #include "core/runtime/pose/cooked_builder.h"
 #include "core/runtime/pose/cooked_check.h"
 
@@ -58,13 +59,15 @@ class TableMover {
 };
 
 std::vector<std::byte> skeleton_of(const mcpr_clip* clip) {
-  const std::uint32_t joints = mcpr_clip_describe(clip).joints;
+  const std::uint32_t joints = mcpr::describe(clip).joints;
   std::vector<runtime::BankJoint> made(joints);
   std::string names;
   const std::size_t first_name = sizeof joints + joints * sizeof(runtime::BankJoint);
   for (std::uint32_t j = 0; j < joints; ++j) {
     mcpr_joint joint{};
-    require(mcpr_clip_joint(clip, j, &joint));
+    mcpr_result result;
+    mcpr_clip_joint(clip, j, &joint, &result);
+    require(result);
     made[j].parent = joint.parent;
     made[j].name = static_cast<std::uint32_t>(first_name + names.size());
     std::memcpy(made[j].offset, joint.offset, sizeof joint.offset);
@@ -91,13 +94,17 @@ std::uint64_t bytes_without_ik(const mcpr_clip& clip) {
 
 ClipForBank cook_for_bank(std::span<const std::byte> file, const CookedIk& ik) {
   mcpr_info info{};
-  require(mcpr_inspect(file.data(), file.size(), nullptr, &info));
+  mcpr_result result;
+  mcpr_inspect(file.data(), file.size(), nullptr, &info, &result);
+  require(result);
   const AlignedBytes scratch(info.read_bytes);
   std::size_t bytes = 0;
-  require(mcpr_read(file.data(), file.size(), nullptr, scratch.data(), scratch.size(), &bytes));
+  mcpr_read(file.data(), file.size(), nullptr, scratch.data(), scratch.size(), &bytes, &result);
+  require(result);
   const AlignedBytes resident(bytes);
   const mcpr_clip* clip = nullptr;
-  require(mcpr_build(scratch.data(), scratch.size(), resident.data(), resident.size(), &clip));
+  mcpr_build(scratch.data(), scratch.size(), resident.data(), resident.size(), &clip, &result);
+  require(result);
   const mcpr_cook_options options{.apply_ik = ik.apply ? 1 : 0,
                                   .ik_error = ik.error.value_or(info.error)};
   OwnMemory<runtime::CookedBuilder> builder(*clip, options);

@@ -29,8 +29,8 @@ struct Player::Parts {
         .output = output, .apply_ik = 1, .unit = MCPR_SECONDS, .wrap = wrap_of(at_ends)};
     const AlignedBytes scratch(mcpr_scratch_bytes(clip.get(), &request));
     if (!std::isfinite(seconds)) throw Error("an instant that is not finite");
-    const mcpr_result result =
-        mcpr_decode_moment(clip.get(), &request, seconds, out, scratch.data(), scratch.size());
+    mcpr_result result;
+    mcpr_decode_moment(clip.get(), &request, seconds, out, scratch.data(), scratch.size(), &result);
     if (result.status != MCPR_OK) throw Error(result.message);
   }
 };
@@ -96,8 +96,8 @@ Eigen::VectorXf Player::track_values(double seconds, AtEnds at_ends) const {
   if (tracks().empty()) return values;
   const mcpr_tracks* const held = mcpr_clip_tracks(parts_->clip.get());
   const AlignedBytes scratch(mcpr_track_scratch_bytes(held, &all));
-  const mcpr_result result =
-      mcpr_track_moment(held, &all, seconds, values.data(), scratch.data(), scratch.size());
+  mcpr_result result;
+  mcpr_track_moment(held, &all, seconds, values.data(), scratch.data(), scratch.size(), &result);
   if (result.status != MCPR_OK) throw Error(result.message);
   return values;
 }

@@ -47,20 +47,24 @@ mcpr_result inspect(const mcpk_bank* bank, std::uint32_t clip, const mcpr_limits
 
 namespace runtime = mocapress::runtime;
 
-mcpr_result mcpk_open(const void* memory, size_t size, int check, const mcpk_bank** bank) {
-  if (bank == nullptr) return runtime::no_such("no place was given for the bank");
+mcpr_status mcpk_open(const void* memory, size_t size, int check, const mcpk_bank** bank,
+                      mcpr_result* report) {
+  if (bank == nullptr)
+    return runtime::tell(report, runtime::no_such("no place was given for the bank"));
   mcpr_result result = runtime::check_memory(memory, size, 0, "");
-  if (runtime::failed(result)) return result;
+  if (runtime::failed(result)) return runtime::tell(report, result);
   const auto* const head = static_cast<const mcpk_bank*>(memory);
   result = runtime::check_bank_head(*head, size);
   if (!runtime::failed(result) && check != 0) result = runtime::check_bank(*head, check != 2);
   if (!runtime::failed(result)) *bank = head;
-  return result;
+  return runtime::tell(report, result);
 }
 
-mcpk_info mcpk_describe(const mcpk_bank* bank) {
-  if (bank == nullptr) return {};
-  return {.bytes = bank->bytes,
+void mcpk_describe(const mcpk_bank* bank, mcpk_info* out) {
+  if (out == nullptr) return;
+  *out = {};
+  if (bank == nullptr) return;
+  *out = {.bytes = bank->bytes,
           .clips = bank->clips,
           .tags = bank->count(runtime::BankItem::Tag),
           .texts = bank->count(runtime::BankItem::Text) / 2,
@@ -101,20 +105,21 @@ const char* mcpk_value(const mcpk_bank* bank, uint32_t number) {
   return bank->text(runtime::BankItem::Text, 2 * number + 1);
 }
 
-mcpr_result mcpk_place(const mcpk_bank* bank, uint32_t clip, uint64_t* offset, uint64_t* bytes) {
+mcpr_status mcpk_place(const mcpk_bank* bank, uint32_t clip, uint64_t* offset, uint64_t* bytes,
+                       mcpr_result* report) {
   if (bank == nullptr || offset == nullptr || bytes == nullptr)
-    return runtime::no_such("no bank, or no place was given for the answer");
+    return runtime::tell(report, runtime::no_such("no bank, or no place was given for the answer"));
   runtime::BankRegion place{bank->items.offset,
                             bank->tables.offset + bank->tables.bytes - bank->items.offset};
   if (clip != bank->clips) {
     runtime::BankEntry entry;
     const mcpr_result result = runtime::find_entry(bank, clip, bank->is_cooked(), entry);
-    if (runtime::failed(result)) return result;
+    if (runtime::failed(result)) return runtime::tell(report, result);
     place = entry.place;
   }
   *offset = place.offset;
   *bytes = place.bytes;
-  return runtime::kOk;
+  return runtime::tell(report, runtime::kOk);
 }
 
 uint32_t mcpk_tiers(const mcpk_bank* bank, uint32_t* present) {
@@ -125,69 +130,77 @@ uint32_t mcpk_tiers(const mcpk_bank* bank, uint32_t* present) {
   return static_cast<std::uint32_t>(tiers.count());
 }
 
-mcpr_result mcpk_tier_place(const mcpk_bank* bank, uint32_t clip, uint32_t tier, uint64_t* offset,
-                            uint64_t* bytes) {
-  if (tier == 0) return mcpk_place(bank, clip, offset, bytes);
+mcpr_status mcpk_tier_place(const mcpk_bank* bank, uint32_t clip, uint32_t tier, uint64_t* offset,
+                            uint64_t* bytes, mcpr_result* report) {
+  if (tier == 0) return mcpk_place(bank, clip, offset, bytes, report);
   if (bank == nullptr || offset == nullptr || bytes == nullptr)
-    return runtime::no_such("no bank, or no place was given for the answer");
+    return runtime::tell(report, runtime::no_such("no bank, or no place was given for the answer"));
   const runtime::BankTiers tiers(*bank);
   if (tier >= static_cast<std::uint32_t>(tiers.count()) || clip > bank->clips)
-    return runtime::no_such("no such tier or clip");
+    return runtime::tell(report, runtime::no_such("no such tier or clip"));
   const auto number = static_cast<int>(tier);
   const runtime::BankRegion place =
       clip == bank->clips ? tiers.region(number) : tiers.piece(number, clip);
   *offset = place.offset;
   *bytes = place.bytes;
-  return runtime::kOk;
+  return runtime::tell(report, runtime::kOk);
 }
 
-mcpr_result mcpk_check(const mcpk_bank* bank, uint32_t clip) {
-  if (bank == nullptr) return runtime::no_such("no bank");
+mcpr_status mcpk_check(const mcpk_bank* bank, uint32_t clip, mcpr_result* report) {
+  if (bank == nullptr) return runtime::tell(report, runtime::no_such("no bank"));
   runtime::BankEntry entry;
   const mcpr_result result = runtime::find_entry(bank, clip, bank->is_cooked(), entry);
-  return runtime::failed(result) ? result : runtime::check_clip(*bank, entry);
+  return runtime::tell(report,
+                       runtime::failed(result) ? result : runtime::check_clip(*bank, entry));
 }
 
-mcpr_result mcpk_inspect(const mcpk_bank* bank, uint32_t clip, const mcpr_limits* limits,
-                         mcpr_info* info) {
-  if (info == nullptr) return runtime::no_such("no place was given for what the clip holds");
+mcpr_status mcpk_inspect(const mcpk_bank* bank, uint32_t clip, const mcpr_limits* limits,
+                         mcpr_info* info, mcpr_result* report) {
+  if (info == nullptr)
+    return runtime::tell(report, runtime::no_such("no place was given for what the clip holds"));
   runtime::FileSections sections;
   std::uint64_t bytes = 0;
-  const mcpr_result result = runtime::inspect(
-      bank, clip, limits != nullptr ? *limits : mcpr_default_limits(), sections, bytes);
+  const mcpr_result result =
+      runtime::inspect(bank, clip, runtime::or_default(limits), sections, bytes);
   if (!runtime::failed(result)) *info = runtime::info_of(sections, bytes);
-  return result;
+  return runtime::tell(report, result);
 }
 
-mcpr_result mcpk_read(const mcpk_bank* bank, uint32_t clip, const mcpr_limits* limits,
-                      void* scratch, size_t scratch_size, size_t* resident_bytes) {
+mcpr_status mcpk_read(const mcpk_bank* bank, uint32_t clip, const mcpr_limits* limits,
+                      void* scratch, size_t scratch_size, size_t* resident_bytes,
+                      mcpr_result* report) {
   if (resident_bytes == nullptr)
-    return runtime::no_such("no place was given for the size of the clip");
-  const mcpr_limits applied = limits != nullptr ? *limits : mcpr_default_limits();
+    return runtime::tell(report, runtime::no_such("no place was given for the size of the clip"));
+  const mcpr_limits applied = runtime::or_default(limits);
   runtime::FileSections sections;
   std::uint64_t bytes = 0;
   const mcpr_result result = runtime::inspect(bank, clip, applied, sections, bytes);
-  if (runtime::failed(result)) return result;
-  return runtime::read_into(sections, bytes, applied, scratch, scratch_size, *resident_bytes);
+  if (runtime::failed(result)) return runtime::tell(report, result);
+  return runtime::tell(
+      report, runtime::read_into(sections, bytes, applied, scratch, scratch_size, *resident_bytes));
 }
 
-mcpr_result mcpk_cooked(const mcpk_bank* bank, uint32_t clip, const mcpr_cooked** cooked) {
-  if (cooked == nullptr) return runtime::no_such("no place was given for the clip");
+mcpr_status mcpk_cooked(const mcpk_bank* bank, uint32_t clip, const mcpr_cooked** cooked,
+                        mcpr_result* report) {
+  if (cooked == nullptr)
+    return runtime::tell(report, runtime::no_such("no place was given for the clip"));
   runtime::BankEntry entry;
   const mcpr_result result = runtime::find_entry(bank, clip, true, entry);
-  return runtime::failed(result) ? result : runtime::cooked_clip_of(*bank, entry, *cooked);
+  return runtime::tell(
+      report, runtime::failed(result) ? result : runtime::cooked_clip_of(*bank, entry, *cooked));
 }
 
-mcpr_result mcpk_joint(const mcpk_bank* bank, uint32_t clip, uint32_t joint, mcpr_joint* out) {
+mcpr_status mcpk_joint(const mcpk_bank* bank, uint32_t clip, uint32_t joint, mcpr_joint* out,
+                       mcpr_result* report) {
   runtime::BankEntry entry;
   const mcpr_result result = runtime::find_entry(bank, clip, true, entry);
-  if (runtime::failed(result)) return result;
+  if (runtime::failed(result)) return runtime::tell(report, result);
   const runtime::BankSkeleton skeleton(bank->item(runtime::BankItem::Part, entry.kind));
   if (joint >= skeleton.joints() || out == nullptr)
-    return runtime::no_such("no such joint, or no place was given for it");
+    return runtime::tell(report, runtime::no_such("no such joint, or no place was given for it"));
   *out = skeleton.described(joint);
   if (out->name == nullptr) out->name = "";  // of a bank that was not checked
-  return runtime::kOk;
+  return runtime::tell(report, runtime::kOk);
 }
 
 int32_t mcpk_find_joint(const mcpk_bank* bank, uint32_t clip, const char* name) {

@@ -39,77 +39,84 @@ constexpr const char* kNoShare = "a weight that is not 0 to 1";
 
 namespace runtime = mocapress::runtime;
 
-mcpr_result mcpr_blend(const mcpr_pose_form* form, const mcpr_weighted_pose* poses, uint32_t count,
-                       mcpr_transform* out) {
+mcpr_status mcpr_blend(const mcpr_pose_form* form, const mcpr_weighted_pose* poses, uint32_t count,
+                       mcpr_transform* out, mcpr_result* report) {
   const mcpr_result result = runtime::check_blend(form, poses, count, out);
-  if (runtime::failed(result)) return result;
-  return runtime::blend(poses, count, form->joints, out)
-             ? runtime::kOk
-             : runtime::no_blend("a weight that is not 0 to 10^6");
+  if (runtime::failed(result)) return runtime::tell(report, result);
+  return runtime::tell(report, runtime::blend(poses, count, form->joints, out)
+                                   ? runtime::kOk
+                                   : runtime::no_blend("a weight that is not 0 to 10^6"));
 }
 
-mcpr_result mcpr_blend_layer(const mcpr_pose_form* form, const mcpr_weighted_pose* layer,
-                             mcpr_transform* pose) {
+mcpr_status mcpr_blend_layer(const mcpr_pose_form* form, const mcpr_weighted_pose* layer,
+                             mcpr_transform* pose, mcpr_result* report) {
   const mcpr_result result = runtime::check_blend(form, layer, 1, pose);
-  if (runtime::failed(result)) return result;
-  return runtime::blend_layer(*layer, form->joints, pose) ? runtime::kOk
-                                                          : runtime::no_blend(runtime::kNoShare);
+  if (runtime::failed(result)) return runtime::tell(report, result);
+  return runtime::tell(report, runtime::blend_layer(*layer, form->joints, pose)
+                                   ? runtime::kOk
+                                   : runtime::no_blend(runtime::kNoShare));
 }
 
-mcpr_result mcpr_pose_difference(const mcpr_pose_form* form, const mcpr_transform* pose,
-                                 const mcpr_transform* base, mcpr_transform* out) {
+mcpr_status mcpr_pose_difference(const mcpr_pose_form* form, const mcpr_transform* pose,
+                                 const mcpr_transform* base, mcpr_transform* out,
+                                 mcpr_result* report) {
   const mcpr_result result = runtime::check_form(form);
-  if (runtime::failed(result)) return result;
+  if (runtime::failed(result)) return runtime::tell(report, result);
   if (pose == nullptr || base == nullptr || out == nullptr)
-    return runtime::no_blend("no pose, no base, or no output");
+    return runtime::tell(report, runtime::no_blend("no pose, no base, or no output"));
   runtime::take_difference(runtime::PoseSpace(form->convention), pose, base, form->joints, out);
-  return runtime::kOk;
+  return runtime::tell(report, runtime::kOk);
 }
 
-mcpr_result mcpr_blend_additive(const mcpr_pose_form* form, const mcpr_weighted_pose* difference,
-                                mcpr_transform* pose) {
+mcpr_status mcpr_blend_additive(const mcpr_pose_form* form, const mcpr_weighted_pose* difference,
+                                mcpr_transform* pose, mcpr_result* report) {
   const mcpr_result result = runtime::check_blend(form, difference, 1, pose);
-  if (runtime::failed(result)) return result;
+  if (runtime::failed(result)) return runtime::tell(report, result);
   const runtime::PoseSpace space(form->convention);
-  return runtime::add_difference(space, *difference, form->joints, pose)
-             ? runtime::kOk
-             : runtime::no_blend(runtime::kNoShare);
+  return runtime::tell(report, runtime::add_difference(space, *difference, form->joints, pose)
+                                   ? runtime::kOk
+                                   : runtime::no_blend(runtime::kNoShare));
 }
 
-mcpr_result mcpr_split_root(const mcpr_convention* convention, mcpr_transform* root,
-                            mcpr_transform* ground) {
-  if (!runtime::is_known(convention)) return runtime::no_blend("an impossible convention");
-  if (root == nullptr || ground == nullptr) return runtime::no_blend("no root, or no output");
+mcpr_status mcpr_split_root(const mcpr_convention* convention, mcpr_transform* root,
+                            mcpr_transform* ground, mcpr_result* report) {
+  if (!runtime::is_known(convention))
+    return runtime::tell(report, runtime::no_blend("an impossible convention"));
+  if (root == nullptr || ground == nullptr)
+    return runtime::tell(report, runtime::no_blend("no root, or no output"));
   runtime::split_root(runtime::PoseSpace(convention), *root, *ground);
-  return runtime::kOk;
+  return runtime::tell(report, runtime::kOk);
 }
 
-mcpr_result mcpr_make_mirror(const mcpr_pose_form* form, const mcpr_transform* bind,
+mcpr_status mcpr_make_mirror(const mcpr_pose_form* form, const mcpr_transform* bind,
                              const int16_t* parents, const uint16_t* partners, int axis,
-                             mcpr_mirror_joint* mirror) {
+                             mcpr_mirror_joint* mirror, mcpr_result* report) {
   const mcpr_result result = runtime::check_form(form);
-  if (runtime::failed(result)) return result;
+  if (runtime::failed(result)) return runtime::tell(report, result);
   if (bind == nullptr || parents == nullptr || partners == nullptr || mirror == nullptr)
-    return runtime::no_blend("no bind pose, parents or partners, or no output");
-  if (axis < 0 || axis > 2) return runtime::no_blend("no such axis");
+    return runtime::tell(report,
+                         runtime::no_blend("no bind pose, parents or partners, or no output"));
+  if (axis < 0 || axis > 2) return runtime::tell(report, runtime::no_blend("no such axis"));
   if (!runtime::are_parents(parents, form->joints))
-    return runtime::no_blend("a parent that does not come before its joint");
+    return runtime::tell(report, runtime::no_blend("a parent that does not come before its joint"));
   if (!runtime::are_partners(partners, parents, form->joints))
-    return runtime::no_blend("partners that are not mutual, or do not hang from partners");
+    return runtime::tell(
+        report, runtime::no_blend("partners that are not mutual, or do not hang from partners"));
   runtime::make_mirror(runtime::PoseSpace(form->convention), bind, parents, partners, axis,
                        form->joints, mirror);
-  return runtime::kOk;
+  return runtime::tell(report, runtime::kOk);
 }
 
-mcpr_result mcpr_mirror_pose(const mcpr_pose_form* form, const mcpr_mirror_joint* mirror, int axis,
-                             const mcpr_transform* pose, mcpr_transform* out) {
+mcpr_status mcpr_mirror_pose(const mcpr_pose_form* form, const mcpr_mirror_joint* mirror, int axis,
+                             const mcpr_transform* pose, mcpr_transform* out, mcpr_result* report) {
   const mcpr_result result = runtime::check_form(form);
-  if (runtime::failed(result)) return result;
+  if (runtime::failed(result)) return runtime::tell(report, result);
   if (mirror == nullptr || pose == nullptr || out == nullptr || axis < 0 || axis > 2)
-    return runtime::no_blend("no mirror, no pose, no output, or no such axis");
+    return runtime::tell(report,
+                         runtime::no_blend("no mirror, no pose, no output, or no such axis"));
   for (std::uint32_t j = 0; j < form->joints; ++j)
     if (mirror[j].partner >= form->joints)
-      return runtime::no_blend("a partner that the pose does not have");
+      return runtime::tell(report, runtime::no_blend("a partner that the pose does not have"));
   runtime::mirror_pose(runtime::PoseSpace(form->convention), mirror, axis, pose, form->joints, out);
-  return runtime::kOk;
+  return runtime::tell(report, runtime::kOk);
 }

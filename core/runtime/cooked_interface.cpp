@@ -269,39 +269,44 @@ size_t mcpr_cook_scratch_bytes(const mcpr_clip* clip, const mcpr_cook_options* o
   return static_cast<size_t>(runtime::cooking_bytes(*clip, runtime::options_or_none(options)));
 }
 
-mcpr_result mcpr_cook_size(const mcpr_clip* clip, const mcpr_cook_options* options, void* scratch,
-                           size_t scratch_size, size_t* bytes) {
-  if (bytes == nullptr) return runtime::refused("no place was given for the size");
+mcpr_status mcpr_cook_size(const mcpr_clip* clip, const mcpr_cook_options* options, void* scratch,
+                           size_t scratch_size, size_t* bytes, mcpr_result* report) {
+  if (bytes == nullptr)
+    return runtime::tell(report, runtime::refused("no place was given for the size"));
   runtime::CookedBuilder* builder = nullptr;
   std::uint64_t needed = 0;
   const mcpr_result result =
       runtime::prepare(clip, options, scratch, scratch_size, builder, needed);
   *bytes = static_cast<size_t>(needed);
-  return result;
+  return runtime::tell(report, result);
 }
 
-mcpr_result mcpr_cook(const mcpr_clip* clip, const mcpr_cook_options* options, void* scratch,
-                      size_t scratch_size, void* memory, size_t size, const mcpr_cooked** cooked) {
-  if (cooked == nullptr) return runtime::refused("no place was given for the clip");
+mcpr_status mcpr_cook(const mcpr_clip* clip, const mcpr_cook_options* options, void* scratch,
+                      size_t scratch_size, void* memory, size_t size, const mcpr_cooked** cooked,
+                      mcpr_result* report) {
+  if (cooked == nullptr)
+    return runtime::tell(report, runtime::refused("no place was given for the clip"));
   runtime::CookedBuilder* builder = nullptr;
   std::uint64_t needed = 0;
   mcpr_result result = runtime::prepare(clip, options, scratch, scratch_size, builder, needed);
   if (!runtime::failed(result))
     result = runtime::check_memory(memory, size, needed, "too little memory for the clip");
-  if (runtime::failed(result)) return result;
+  if (runtime::failed(result)) return runtime::tell(report, result);
   std::memset(memory, 0, static_cast<size_t>(needed));
   builder->lay_out(static_cast<std::byte*>(memory));
   *cooked = std::launder(static_cast<const mcpr_cooked*>(memory));
-  return runtime::kOk;
+  return runtime::tell(report, runtime::kOk);
 }
 
-mcpr_result mcpr_open_cooked(const void* memory, size_t size, int check,
-                             const mcpr_cooked** cooked) {
-  if (cooked == nullptr) return runtime::refused("no place was given for the clip");
+mcpr_status mcpr_open_cooked(const void* memory, size_t size, int check, const mcpr_cooked** cooked,
+                             mcpr_result* report) {
+  if (cooked == nullptr)
+    return runtime::tell(report, runtime::refused("no place was given for the clip"));
   mcpr_result result = runtime::check_memory(memory, size, 0, "");
-  if (runtime::failed(result)) return result;
+  if (runtime::failed(result)) return runtime::tell(report, result);
   if (size < sizeof(mcpr_cooked))
-    return runtime::failure(MCPR_DAMAGED, size, "the cooked clip is cut short");
+    return runtime::tell(report,
+                         runtime::failure(MCPR_DAMAGED, size, "the cooked clip is cut short"));
   const auto* const clip = static_cast<const mcpr_cooked*>(memory);
   result = runtime::check_cooked_head(*clip, size);
   if (!runtime::failed(result) && clip->tables != 0)
@@ -310,12 +315,14 @@ mcpr_result mcpr_open_cooked(const void* memory, size_t size, int check,
   if (!runtime::failed(result) && check != 0)
     result = runtime::check_cooked(*clip, runtime::TableRange::within(*clip));
   if (!runtime::failed(result)) *cooked = clip;
-  return result;
+  return runtime::tell(report, result);
 }
 
-mcpr_cooked_info mcpr_cooked_describe(const mcpr_cooked* cooked) {
-  if (cooked == nullptr) return {};
-  return {.sample_rate = cooked->sample_rate,
+void mcpr_cooked_describe(const mcpr_cooked* cooked, mcpr_cooked_info* out) {
+  if (out == nullptr) return;
+  *out = {};
+  if (cooked == nullptr) return;
+  *out = {.sample_rate = cooked->sample_rate,
           .frames = cooked->frames,
           .joints = cooked->joints,
           .loop_frames = static_cast<std::uint32_t>(cooked->turn_frames()),
@@ -333,27 +340,28 @@ size_t mcpr_sample_scratch_bytes(const mcpr_cooked* cooked, const mcpr_sample_re
   return runtime::scratch_of(*cooked, *request);
 }
 
-mcpr_result mcpr_convention_of(mcpr_engine engine, mcpr_convention* out) {
-  if (out == nullptr) return runtime::refused("no place was given for the convention");
+mcpr_status mcpr_convention_of(mcpr_engine engine, mcpr_convention* out, mcpr_result* report) {
+  if (out == nullptr)
+    return runtime::tell(report, runtime::refused("no place was given for the convention"));
   switch (engine) {
     case MCPR_MOCAPRESS:
       *out = {};
-      return runtime::kOk;
+      return runtime::tell(report, runtime::kOk);
     case MCPR_GLTF:
     case MCPR_GODOT:
       *out = {{1, 2, 3}, 1, 0.01F};
-      return runtime::kOk;
+      return runtime::tell(report, runtime::kOk);
     case MCPR_UNITY:
       *out = {{-1, 2, 3}, 1, 0.01F};
-      return runtime::kOk;
+      return runtime::tell(report, runtime::kOk);
     case MCPR_UNREAL:
       *out = {{1, 3, 2}, 1, 1};
-      return runtime::kOk;
+      return runtime::tell(report, runtime::kOk);
     case MCPR_BLENDER:
       *out = {{1, -3, 2}, 0, 0.01F};
-      return runtime::kOk;
+      return runtime::tell(report, runtime::kOk);
   }
-  return runtime::refused("no such engine");
+  return runtime::tell(report, runtime::refused("no such engine"));
 }
 
 size_t mcpr_selection_bytes(const mcpr_cooked* cooked, uint32_t joint_count) {
@@ -361,16 +369,18 @@ size_t mcpr_selection_bytes(const mcpr_cooked* cooked, uint32_t joint_count) {
   return static_cast<size_t>(runtime::selection_bytes(*cooked, joint_count));
 }
 
-mcpr_result mcpr_make_selection(const mcpr_cooked* cooked, const uint16_t* joints,
+mcpr_status mcpr_make_selection(const mcpr_cooked* cooked, const uint16_t* joints,
                                 uint32_t joint_count, void* memory, size_t size,
-                                const mcpr_selection** selection) {
+                                const mcpr_selection** selection, mcpr_result* report) {
   if (!runtime::is_cooked(cooked) || joints == nullptr || selection == nullptr)
-    return runtime::refused("no cooked clip, no joints, or no place was given for the selection");
+    return runtime::tell(
+        report,
+        runtime::refused("no cooked clip, no joints, or no place was given for the selection"));
   mcpr_result result = runtime::check_joints(*cooked, joints, joint_count);
   if (!runtime::failed(result))
     result = runtime::check_memory(memory, size, runtime::selection_bytes(*cooked, joint_count),
                                    "too little memory for the selection");
-  if (runtime::failed(result)) return result;
+  if (runtime::failed(result)) return runtime::tell(report, result);
   runtime::Memory pieces(memory, size);
   auto* const place = pieces.take<mcpr_selection>(1);
   auto* const own_joints = pieces.take<std::uint16_t>(joint_count);
@@ -382,33 +392,34 @@ mcpr_result mcpr_make_selection(const mcpr_cooked* cooked, const uint16_t* joint
   made->rest = rest;
   made->select(own_joints, joint_count);
   *selection = made;
-  return runtime::kOk;
+  return runtime::tell(report, runtime::kOk);
 }
 
-mcpr_result mcpr_sample(const mcpr_cooked* cooked, const mcpr_sample_request* request, double time,
-                        void* out) {
-  return runtime::sample_checked(cooked, request, time, out, nullptr);
+mcpr_status mcpr_sample(const mcpr_cooked* cooked, const mcpr_sample_request* request, double time,
+                        void* out, mcpr_result* report) {
+  return runtime::tell(report, runtime::sample_checked(cooked, request, time, out, nullptr));
 }
 
 size_t mcpr_cursor_bytes(const mcpr_cooked* cooked) {
   return runtime::is_cooked(cooked) ? mcpr_cursor::bytes_for(*cooked) : 0;
 }
 
-mcpr_result mcpr_make_cursor(const mcpr_cooked* cooked, void* memory, size_t size,
-                             mcpr_cursor** cursor) {
+mcpr_status mcpr_make_cursor(const mcpr_cooked* cooked, void* memory, size_t size,
+                             mcpr_cursor** cursor, mcpr_result* report) {
   if (!runtime::is_cooked(cooked) || cursor == nullptr)
-    return runtime::refused("no cooked clip, or no place was given for the cursor");
+    return runtime::tell(report,
+                         runtime::refused("no cooked clip, or no place was given for the cursor"));
   const mcpr_result result = runtime::check_memory(memory, size, mcpr_cursor::bytes_for(*cooked),
                                                    "too little memory for the cursor");
-  if (runtime::failed(result)) return result;
+  if (runtime::failed(result)) return runtime::tell(report, result);
   *cursor = new (memory) mcpr_cursor(mcpr_cursor::empty(*cooked));
-  return runtime::kOk;
+  return runtime::tell(report, runtime::kOk);
 }
 
-mcpr_result mcpr_sample_next(mcpr_cursor* cursor, const mcpr_sample_request* request, double time,
-                             void* out) {
-  if (cursor == nullptr) return runtime::refused("no cursor");
-  return runtime::sample_checked(cursor->clip, request, time, out, cursor);
+mcpr_status mcpr_sample_next(mcpr_cursor* cursor, const mcpr_sample_request* request, double time,
+                             void* out, mcpr_result* report) {
+  if (cursor == nullptr) return runtime::tell(report, runtime::refused("no cursor"));
+  return runtime::tell(report, runtime::sample_checked(cursor->clip, request, time, out, cursor));
 }
 
 size_t mcpr_sort_crowd_scratch_bytes(uint32_t count) {
@@ -417,17 +428,18 @@ size_t mcpr_sort_crowd_scratch_bytes(uint32_t count) {
   return static_cast<size_t>(memory.used());
 }
 
-mcpr_result mcpr_sort_crowd(const mcpr_crowd_request* request, mcpr_character* characters,
-                            uint32_t count, void* scratch, size_t scratch_size) {
+mcpr_status mcpr_sort_crowd(const mcpr_crowd_request* request, mcpr_character* characters,
+                            uint32_t count, void* scratch, size_t scratch_size,
+                            mcpr_result* report) {
   mcpr_result result = runtime::check_crowd(request, characters, count);
-  if (runtime::failed(result) || count == 0) return result;
+  if (runtime::failed(result) || count == 0) return runtime::tell(report, result);
   result = runtime::check_memory(scratch, scratch_size, mcpr_sort_crowd_scratch_bytes(count),
                                  "too little scratch memory");
-  if (runtime::failed(result)) return result;
+  if (runtime::failed(result)) return runtime::tell(report, result);
   runtime::Memory memory(scratch, scratch_size);
   runtime::CrowdSorter sorter(memory, count);
   sorter.sort(*request, characters);
-  return runtime::kOk;
+  return runtime::tell(report, runtime::kOk);
 }
 
 size_t mcpr_crowd_scratch_bytes(void) {
@@ -436,17 +448,18 @@ size_t mcpr_crowd_scratch_bytes(void) {
   return static_cast<size_t>(memory.used());
 }
 
-mcpr_result mcpr_sample_crowd(const mcpr_crowd_request* request, const mcpr_character* characters,
-                              uint32_t count, void* scratch, size_t scratch_size) {
+mcpr_status mcpr_sample_crowd(const mcpr_crowd_request* request, const mcpr_character* characters,
+                              uint32_t count, void* scratch, size_t scratch_size,
+                              mcpr_result* report) {
   mcpr_result result = runtime::check_crowd(request, characters, count);
-  if (runtime::failed(result) || count == 0) return result;
+  if (runtime::failed(result) || count == 0) return runtime::tell(report, result);
   result = runtime::check_memory(scratch, scratch_size, mcpr_crowd_scratch_bytes(),
                                  "too little scratch memory");
-  if (runtime::failed(result)) return result;
+  if (runtime::failed(result)) return runtime::tell(report, result);
   runtime::Memory memory(scratch, scratch_size);
   runtime::PoseCrowd crowd(memory);
   crowd.pose(*request, characters, count);
-  return runtime::kOk;
+  return runtime::tell(report, runtime::kOk);
 }
 
 namespace mocapress::runtime {
@@ -479,12 +492,15 @@ mcpr_result sample_motion(const mcpr_cooked* cooked, const mcpr_sample_request* 
 }  // namespace
 }  // namespace mocapress::runtime
 
-mcpr_result mcpr_sample_motion(const mcpr_cooked* cooked, const mcpr_sample_request* request,
-                               uint32_t joint, double from, double to, mcpr_transform* out) {
-  return runtime::sample_motion(cooked, request, joint, from, to, false, out);
+mcpr_status mcpr_sample_motion(const mcpr_cooked* cooked, const mcpr_sample_request* request,
+                               uint32_t joint, double from, double to, mcpr_transform* out,
+                               mcpr_result* report) {
+  return runtime::tell(report,
+                       runtime::sample_motion(cooked, request, joint, from, to, false, out));
 }
 
-mcpr_result mcpr_sample_ground_motion(const mcpr_cooked* cooked, const mcpr_sample_request* request,
-                                      uint32_t joint, double from, double to, mcpr_transform* out) {
-  return runtime::sample_motion(cooked, request, joint, from, to, true, out);
+mcpr_status mcpr_sample_ground_motion(const mcpr_cooked* cooked, const mcpr_sample_request* request,
+                                      uint32_t joint, double from, double to, mcpr_transform* out,
+                                      mcpr_result* report) {
+  return runtime::tell(report, runtime::sample_motion(cooked, request, joint, from, to, true, out));
 }

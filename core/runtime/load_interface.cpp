@@ -36,40 +36,45 @@ bool is_allocator(const mcpr_allocator* allocator) {
 }  // namespace
 }  // namespace mocapress::runtime
 
-mcpr_result mcpr_load(const void* file, size_t size, const mcpr_limits* limits,
-                      const mcpr_allocator* allocator, const mcpr_clip** clip) {
+mcpr_status mcpr_load(const void* file, size_t size, const mcpr_limits* limits,
+                      const mcpr_allocator* allocator, const mcpr_clip** clip,
+                      mcpr_result* report) {
   using namespace mocapress::runtime;
   if (!is_allocator(allocator) || clip == nullptr)
-    return failure(MCPR_ARGUMENT, 0, "no allocator, or no place was given for the clip");
+    return tell(report,
+                failure(MCPR_ARGUMENT, 0, "no allocator, or no place was given for the clip"));
   mcpr_info info;
-  mcpr_result result = mcpr_inspect(file, size, limits, &info);
-  if (failed(result)) return result;
+  mcpr_result result;
+  mcpr_inspect(file, size, limits, &info, &result);
+  if (failed(result)) return tell(report, result);
   const Allocated scratch(*allocator, info.read_bytes);
   std::size_t bytes = 0;
-  result = mcpr_read(file, size, limits, scratch.data(), scratch.size(), &bytes);
-  if (failed(result)) return result;
+  mcpr_read(file, size, limits, scratch.data(), scratch.size(), &bytes, &result);
+  if (failed(result)) return tell(report, result);
   Allocated resident(*allocator, bytes);
-  result = mcpr_build(scratch.data(), scratch.size(), resident.data(), bytes, clip);
+  mcpr_build(scratch.data(), scratch.size(), resident.data(), bytes, clip, &result);
   if (!failed(result)) resident.keep();
-  return result;
+  return tell(report, result);
 }
 
-mcpr_result mcpr_load_cooked(const void* file, size_t size, const mcpr_limits* limits,
+mcpr_status mcpr_load_cooked(const void* file, size_t size, const mcpr_limits* limits,
                              const mcpr_cook_options* options, const mcpr_allocator* allocator,
-                             const mcpr_cooked** cooked) {
+                             const mcpr_cooked** cooked, mcpr_result* report) {
   using namespace mocapress::runtime;
-  if (cooked == nullptr) return failure(MCPR_ARGUMENT, 0, "no place was given for the clip");
+  if (cooked == nullptr)
+    return tell(report, failure(MCPR_ARGUMENT, 0, "no place was given for the clip"));
   const mcpr_clip* clip = nullptr;
-  mcpr_result result = mcpr_load(file, size, limits, allocator, &clip);
-  if (failed(result)) return result;
+  mcpr_result result;
+  mcpr_load(file, size, limits, allocator, &clip, &result);
+  if (failed(result)) return tell(report, result);
   const Allocated scratch(*allocator, mcpr_cook_scratch_bytes(clip, options));
   std::size_t bytes = 0;
-  result = mcpr_cook_size(clip, options, scratch.data(), scratch.size(), &bytes);
+  mcpr_cook_size(clip, options, scratch.data(), scratch.size(), &bytes, &result);
   if (!failed(result)) {
     Allocated memory(*allocator, bytes);
-    result = mcpr_cook(clip, options, scratch.data(), scratch.size(), memory.data(), bytes, cooked);
+    mcpr_cook(clip, options, scratch.data(), scratch.size(), memory.data(), bytes, cooked, &result);
     if (!failed(result)) memory.keep();
   }
   allocator->release(allocator->context, const_cast<mcpr_clip*>(clip));
-  return result;
+  return tell(report, result);
 }

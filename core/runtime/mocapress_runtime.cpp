@@ -14,7 +14,7 @@
 using namespace mocapress::runtime;
 
 static_assert(MCPR_ALIGNMENT == kAlignment);
-static_assert(MCPR_TIERS_HEAD_BYTES == kFileHead + kSectionHead + 1 + kTierBytes * kMostTiers);
+static_assert(MCPR_TIERS_HEAD_BYTES == kFileHead + kSectionHead + 1 + kMostTierBytes * kMostTiers);
 
 namespace {
 
@@ -80,8 +80,9 @@ const char* mcpr_status_message(mcpr_status status) {
   return "unknown status";
 }
 
-mcpr_limits mcpr_default_limits(void) {
-  return {.frames = kMostFrames,
+void mcpr_default_limits(mcpr_limits* out) {
+  if (out == nullptr) return;
+  *out = {.frames = kMostFrames,
           .joints = kMostJoints,
           .channels = kMostChannels,
           .values = kMostValues,
@@ -91,71 +92,78 @@ mcpr_limits mcpr_default_limits(void) {
           .tiers = 0};
 }
 
-mcpr_result mcpr_inspect(const void* file, size_t size, const mcpr_limits* limits,
-                         mcpr_info* info) {
-  if (info == nullptr) return argument("no place was given for what the file holds");
-  const mcpr_limits applied = limits != nullptr ? *limits : mcpr_default_limits();
+mcpr_status mcpr_inspect(const void* file, size_t size, const mcpr_limits* limits, mcpr_info* info,
+                         mcpr_result* report) {
+  if (info == nullptr) return tell(report, argument("no place was given for what the file holds"));
+  const mcpr_limits applied = or_default(limits);
   FileSections sections;
   std::uint64_t bytes = 0;
   const mcpr_result result = check_file(file, size, applied, sections, bytes);
   if (!failed(result)) *info = info_of(sections, bytes);
-  return result;
+  return tell(report, result);
 }
 
-mcpr_result mcpr_tier_of(const void* file, size_t size, uint32_t tier, mcpr_tier* out) {
-  if (out == nullptr || (file == nullptr && size > 0)) return argument("no file, or no output");
+mcpr_status mcpr_tier_of(const void* file, size_t size, uint32_t tier, mcpr_tier* out,
+                         mcpr_result* report) {
+  if (out == nullptr || (file == nullptr && size > 0))
+    return tell(report, argument("no file, or no output"));
   Cursor cursor(static_cast<const std::uint8_t*>(file), size);
   std::uint16_t count = 0;
   mcpr_result result = read_head(cursor, count);
-  if (failed(result)) return result;
+  if (failed(result)) return tell(report, result);
   Cursor tag = cursor;
   const std::uint8_t* const first = tag.take(4);
   if (first == nullptr || std::memcmp(first, "TIER", 4) != 0)
-    return argument("the file has no tiers");
+    return tell(report, argument("the file has no tiers"));
   Section section;
   TierTable tiers;
-  if (failed(result = read_section(cursor, section))) return result;
-  if (failed(result = read_tiers(section.payload, tiers))) return result;
-  if (tier >= static_cast<std::uint32_t>(tiers.count)) return argument("no such tier");
+  if (failed(result = read_section(cursor, section))) return tell(report, result);
+  if (failed(result = read_tiers(section.payload, tiers))) return tell(report, result);
+  if (tier >= static_cast<std::uint32_t>(tiers.count))
+    return tell(report, argument("no such tier"));
   const Tier& found = tiers.tier[tier];
-  *out = {.bytes = found.file_bytes,
+  *out = {.bytes = tiers.file_bytes(static_cast<int>(tier)),
           .bands_left_out = static_cast<std::uint32_t>(found.bands_left_out),
           .error = found.eps_cm,
           .max_error = found.max_error_cm};
-  return kOk;
+  return tell(report, kOk);
 }
 
-mcpr_result mcpr_read(const void* file, size_t size, const mcpr_limits* limits, void* scratch,
-                      size_t scratch_size, size_t* resident_bytes) {
-  if (resident_bytes == nullptr) return argument("no place was given for the size of the clip");
-  const mcpr_limits applied = limits != nullptr ? *limits : mcpr_default_limits();
+mcpr_status mcpr_read(const void* file, size_t size, const mcpr_limits* limits, void* scratch,
+                      size_t scratch_size, size_t* resident_bytes, mcpr_result* report) {
+  if (resident_bytes == nullptr)
+    return tell(report, argument("no place was given for the size of the clip"));
+  const mcpr_limits applied = or_default(limits);
   FileSections sections;
   std::uint64_t bytes = 0;
   const mcpr_result result = check_file(file, size, applied, sections, bytes);
-  if (failed(result)) return result;
-  return read_into(sections, bytes, applied, scratch, scratch_size, *resident_bytes);
+  if (failed(result)) return tell(report, result);
+  return tell(report, read_into(sections, bytes, applied, scratch, scratch_size, *resident_bytes));
 }
 
-mcpr_result mcpr_build(void* scratch, size_t scratch_size, void* resident, size_t resident_size,
-                       const mcpr_clip** clip) {
-  if (clip == nullptr) return argument("no place was given for the clip");
+mcpr_status mcpr_build(void* scratch, size_t scratch_size, void* resident, size_t resident_size,
+                       const mcpr_clip** clip, mcpr_result* report) {
+  if (clip == nullptr) return tell(report, argument("no place was given for the clip"));
   if (scratch == nullptr || !is_aligned(scratch) || scratch_size < sizeof(FileLoader))
-    return argument("not the scratch memory of mcpr_read");
+    return tell(report, argument("not the scratch memory of mcpr_read"));
   auto* const opening = std::launder(static_cast<FileLoader*>(scratch));
-  if (opening->mark != FileLoader::kMark) return argument("mcpr_read did not succeed");
+  if (opening->mark != FileLoader::kMark)
+    return tell(report, argument("mcpr_read did not succeed"));
   const std::uint64_t bytes = opening->resident_size();
   const mcpr_result result =
       check_memory(resident, resident_size, bytes, "too little memory for the clip");
-  if (failed(result)) return result;
+  if (failed(result)) return tell(report, result);
   std::memset(resident, 0, static_cast<std::size_t>(bytes));
   *clip = opening->build(static_cast<std::byte*>(resident));
-  return kOk;
+  return tell(report, kOk);
 }
 
-mcpr_clip_info mcpr_clip_describe(const mcpr_clip* clip) {
-  if (!is_clip(clip)) return {};
+void mcpr_clip_describe(const mcpr_clip* clip, mcpr_clip_info* out) {
+  if (out == nullptr) return;
+  *out = {};
+  if (!is_clip(clip)) return;
   const ClipBlock& block = clip->block;
-  return {.sample_rate = block.sample_rate,
+  *out = {.sample_rate = block.sample_rate,
           .frames = static_cast<std::uint32_t>(block.segments.frames),
           .joints = block.joint_count,
           .channels = block.channel_count,
@@ -167,9 +175,10 @@ mcpr_clip_info mcpr_clip_describe(const mcpr_clip* clip) {
           .tracks = mcpr_track_count(block.scalar_tracks())};
 }
 
-mcpr_result mcpr_clip_joint(const mcpr_clip* clip, uint32_t joint, mcpr_joint* out) {
+mcpr_status mcpr_clip_joint(const mcpr_clip* clip, uint32_t joint, mcpr_joint* out,
+                            mcpr_result* report) {
   if (!is_clip(clip) || out == nullptr || joint >= clip->block.joint_count)
-    return argument("no such joint");
+    return tell(report, argument("no such joint"));
   const JointModel& model = clip->block.joint_models()[joint];
   *out = {};
   out->name = clip->block.at<char>(clip->block.names) + model.name;
@@ -182,7 +191,7 @@ mcpr_result mcpr_clip_joint(const mcpr_clip* clip, uint32_t joint, mcpr_joint* o
     out->end_site[i] = model.end_site[i];
   }
   std::memcpy(out->kinds, model.kinds, sizeof out->kinds);
-  return kOk;
+  return tell(report, kOk);
 }
 
 int32_t mcpr_find_joint(const mcpr_clip* clip, const char* name) {
@@ -209,31 +218,36 @@ size_t mcpr_scratch_bytes(const mcpr_clip* clip, const mcpr_request* request) {
   return static_cast<std::size_t>(memory.used());
 }
 
-mcpr_result mcpr_decode_frames(const mcpr_clip* clip, const mcpr_request* request, uint32_t first,
-                               uint32_t count, float* out, void* scratch, size_t scratch_size) {
+mcpr_status mcpr_decode_frames(const mcpr_clip* clip, const mcpr_request* request, uint32_t first,
+                               uint32_t count, float* out, void* scratch, size_t scratch_size,
+                               mcpr_result* report) {
   mcpr_result result = check_request(clip, request);
-  if (failed(result)) return result;
+  if (failed(result)) return tell(report, result);
   const auto frames = static_cast<std::uint32_t>(clip->block.segments.frames);
   if (first > frames || count > frames - first || (out == nullptr && count > 0))
-    return argument("frames outside the clip, or no output");
-  if (failed(result = check_scratch(clip, request, scratch, scratch_size))) return result;
+    return tell(report, argument("frames outside the clip, or no output"));
+  if (failed(result = check_scratch(clip, request, scratch, scratch_size)))
+    return tell(report, result);
   Memory memory(scratch, scratch_size);
   FrameDecoder(memory, clip->block, *request)
       .decode(static_cast<int>(first), static_cast<int>(count), out);
-  return kOk;
+  return tell(report, kOk);
 }
 
-mcpr_result mcpr_decode_moment(const mcpr_clip* clip, const mcpr_request* request, double time,
-                               float* out, void* scratch, size_t scratch_size) {
+mcpr_status mcpr_decode_moment(const mcpr_clip* clip, const mcpr_request* request, double time,
+                               float* out, void* scratch, size_t scratch_size,
+                               mcpr_result* report) {
   mcpr_result result = check_request(clip, request);
-  if (failed(result)) return result;
+  if (failed(result)) return tell(report, result);
   const Wrapping wrapping{clip->block.segments.frames, clip->block.loop, request->wrap};
   if (!wrapping.is_possible() || request->unit < MCPR_FRAMES || request->unit > MCPR_SECONDS)
-    return argument("no such unit or wrap, or the clip is not a loop");
+    return tell(report, argument("no such unit or wrap, or the clip is not a loop"));
   const double frame = request->unit == MCPR_SECONDS ? time * clip->block.sample_rate : time;
-  if (!std::isfinite(frame) || out == nullptr) return argument("no finite instant, or no output");
-  if (failed(result = check_scratch(clip, request, scratch, scratch_size))) return result;
+  if (!std::isfinite(frame) || out == nullptr)
+    return tell(report, argument("no finite instant, or no output"));
+  if (failed(result = check_scratch(clip, request, scratch, scratch_size)))
+    return tell(report, result);
   Memory memory(scratch, scratch_size);
   FrameDecoder(memory, clip->block, *request).sample_at(wrapping.place(frame), out);
-  return kOk;
+  return tell(report, kOk);
 }

@@ -11,11 +11,12 @@
  * call. A built clip is read-only. Any number of threads may decode from it, each with its own
  * scratch memory.
  *
- * Errors: every function that can fail returns an mcpr_result, which says where and why. If a call
- * fails, the contents of its output arguments are unspecified. A null argument, an unknown enum
- * value or an index out of range gives MCPR_ARGUMENT. Memory to work in or to build in gives
- * MCPR_NO_MEMORY if it is null, MCPR_MISALIGNED if it is not aligned, and MCPR_MEMORY if it is too
- * small. Comments on functions list further errors only.
+ * Errors: every function that can fail returns an mcpr_status. It writes where and why to `report`,
+ * its last argument, unless that is null. If a call fails, the contents of its other outputs are
+ * unspecified. A null argument, an unknown enum value or an index out of range gives MCPR_ARGUMENT.
+ * Memory to work in or to build in gives MCPR_NO_MEMORY if it is null, MCPR_MISALIGNED if it is not
+ * aligned, and MCPR_MEMORY if it is too small. Comments on functions list further errors only. No
+ * function takes or returns a struct by value.
  *
  * Units: lengths are in centimetres, angles in radians, rates in frames per second. Time is counted
  * in frames from the first, unless a request says seconds: frame = seconds * sample_rate.
@@ -53,7 +54,6 @@ extern "C" {
 #define MCPR_API
 #endif
 
-/* The outcome of a call. */
 typedef enum mcpr_status {
   MCPR_OK = 0,
   MCPR_NOT_A_CLIP = 1,      /* not a Mocapress file, cooked clip or bank */
@@ -68,47 +68,46 @@ typedef enum mcpr_status {
   MCPR_MISALIGNED = 10      /* the memory given is not aligned to MCPR_ALIGNMENT */
 } mcpr_status;
 
-/* The outcome of a call, with the place and the cause of a failure. */
+/* The report of a call, with the place and the cause of a failure. */
 typedef struct mcpr_result {
   mcpr_status status;
   size_t offset;       /* the first offending byte in the file; 0 if no byte is at fault */
   const char* message; /* a constant string in English; never null */
 } mcpr_result;
 
-/* Returns a short English name for a status, such as "damaged file". Never null. */
+/* A short English name for a status, such as "damaged file". Never null. */
 MCPR_API const char* mcpr_status_message(mcpr_status status);
 
-/* Limits for files. A file beyond any of the first five is refused before anything is decoded. The
- * size of the resident form is known, and checked, once mcpr_read has decoded the file. */
+/* Limits for files. A file beyond any of the first five is refused before anything is decoded, and
+ * one beyond resident_bytes once mcpr_read has decoded it. */
 typedef struct mcpr_limits {
   uint32_t frames;
   uint32_t joints;
-  uint32_t channels;          /* of all joints together */
-  uint64_t values;            /* frames * (channels + 3 * effectors + curve tracks). A frame shared
-                                 by two segments of a long clip counts twice */
-  size_t scratch_bytes;       /* limit for mcpr_info.read_bytes */
-  size_t resident_bytes;      /* limit for the size of the resident form */
+  uint32_t channels;    /* of all joints together */
+  uint64_t values;      /* frames * (channels + 3 * effectors + curve tracks). A frame shared
+                           by two segments of a long clip counts twice */
+  size_t scratch_bytes; /* limit for mcpr_info.read_bytes */
+  size_t resident_bytes;
   uint32_t solver_iterations; /* cap on the IK solver's iterations per limb and frame; the format's
                                  solvers take up to 60 or 12. Fewer are faster and less exact */
   uint32_t tiers;             /* of a file with tiers: how many to read, after which it may end; see
                                  mcpr_tier_of. 0: all */
 } mcpr_limits;
 
-/* Returns the limits of the format. Every valid file is within them: 2^22 frames, 4096 joints,
+/* Sets *out to the limits of the format. Every valid file is within them: 2^22 frames, 4096 joints,
  * 24576 channels, 2^26 values, 608 MiB of scratch memory, 272 MiB for the resident form, 60
- * iterations, all tiers. That is hours of motion: set lower limits where files come from strangers
- * and memory is scarce. Higher limits have no effect. */
-MCPR_API mcpr_limits mcpr_default_limits(void);
+ * iterations, all tiers. Set lower ones where files come from strangers; higher have no effect. */
+MCPR_API void mcpr_default_limits(mcpr_limits* out);
 
 /* ---------------------------------------------------------------- opening */
 
-/* The contents of a file as its headers state them. */
+/* The contents of a file as its headers state them. The first five as in mcpr_clip_info. */
 typedef struct mcpr_info {
-  double sample_rate; /* frames per second */
+  double sample_rate;
   uint32_t frames;
   uint32_t joints;
   uint32_t channels;
-  uint32_t effectors;  /* joints placed by the IK correction; 0: the clip has no correction */
+  uint32_t effectors;
   size_t motion_bytes; /* bytes of the file that code the motion: coefficients, segment table,
                           correction, clip ends, turned axes */
   size_t read_bytes;   /* scratch memory that mcpr_read needs. For a segmented clip: one decoded
@@ -118,51 +117,50 @@ typedef struct mcpr_info {
   uint32_t tiers;      /* of the whole file; 1: it can be read only as a whole */
 } mcpr_info;
 
-/* Reads the headers of a file of `size` bytes into *info. Null `limits` are the default limits.
- * Checks all checksums of what the limits ask for, but decodes nothing. Fails with any status from
- * MCPR_NOT_A_CLIP to MCPR_LIMIT. */
-MCPR_API mcpr_result mcpr_inspect(const void* file, size_t size, const mcpr_limits* limits,
-                                  mcpr_info* info);
+/* Reads the headers of a file into *info, and checks all checksums of what the limits ask for. Null
+ * `limits` are the default ones. Fails with any status from MCPR_NOT_A_CLIP to MCPR_LIMIT. */
+MCPR_API mcpr_status mcpr_inspect(const void* file, size_t size, const mcpr_limits* limits,
+                                  mcpr_info* info, mcpr_result* report);
 
 /* A tier: a part of a file, from its start, that holds a coarser motion. The last tier is the whole
  * motion. */
 typedef struct mcpr_tier {
   size_t bytes;            /* the file's first bytes, which are enough for this tier */
   uint32_t bands_left_out; /* finest bands that the motion then lacks, see mcpr_clip_info.bands */
-  float error;     /* cm, RMS against the original when encoded; 0: not known. Informative */
+  float error;     /* cm, RMS against the original when encoded; 0: not known. That of the last
+                      tier is in mcpr_info, not here. Informative */
   float max_error; /* cm, the largest of any point at any frame. Likewise */
 } mcpr_tier;
 
 /* The first bytes of a file in which mcpr_tier_of finds the tiers. */
-#define MCPR_TIERS_HEAD_BYTES 93
+#define MCPR_TIERS_HEAD_BYTES 133
 
-/* Describes a tier of a file of which `size` bytes, from its start, are there:
- * MCPR_TIERS_HEAD_BYTES are enough. To play a file while the rest is on its way: load as many bytes
- * as the first tier has, and read them with mcpr_limits.tiers = 1; then load the bytes up to the
- * next tier's, and read the file again with tiers = 2. Fails with MCPR_ARGUMENT if the file has no
- * such tier; a file without tiers has none. */
-MCPR_API mcpr_result mcpr_tier_of(const void* file, size_t size, uint32_t tier, mcpr_tier* out);
+/* Describes a tier of a file of which `size` bytes, from its start, are there. To play a file while
+ * the rest is on its way: load as many bytes as the first tier has, and read them with
+ * mcpr_limits.tiers = 1; then load the bytes up to the next tier's, and read the file again with
+ * tiers = 2. Fails with MCPR_ARGUMENT if the file has no such tier, or none at all. */
+MCPR_API mcpr_status mcpr_tier_of(const void* file, size_t size, uint32_t tier, mcpr_tier* out,
+                                  mcpr_result* report);
 
 /* Decodes a file, or its first tiers, into `scratch`, of at least mcpr_info.read_bytes. Sets
  * *resident_bytes to the memory that mcpr_build needs. The file is not needed afterwards. Takes
- * time in proportion to values + joints^2 + 2^15 * size at most, whatever the bytes. Fails as
- * mcpr_inspect does, and with MCPR_INVALID or MCPR_LIMIT for the decoded contents. */
-MCPR_API mcpr_result mcpr_read(const void* file, size_t size, const mcpr_limits* limits,
-                               void* scratch, size_t scratch_size, size_t* resident_bytes);
+ * time in proportion to values + joints^2 + 2^15 * size at most. Fails as mcpr_inspect does. */
+MCPR_API mcpr_status mcpr_read(const void* file, size_t size, const mcpr_limits* limits,
+                               void* scratch, size_t scratch_size, size_t* resident_bytes,
+                               mcpr_result* report);
 
 /* A clip in its resident form: skeleton, motion and tracks in one block of bytes. */
 typedef struct mcpr_clip mcpr_clip;
 
-/* Builds the resident form in `resident`, of the size that mcpr_read returned, and points *clip to
- * it. `scratch` is the memory that mcpr_read filled, at the same address. It is used as work space
- * and not needed afterwards. The resident form contains no pointers: within one program and version
- * it may be moved and copied as bytes. For a segmented clip this takes as long as mcpr_read. Fails
- * with MCPR_ARGUMENT if mcpr_read did not succeed on `scratch`. */
-MCPR_API mcpr_result mcpr_build(void* scratch, size_t scratch_size, void* resident,
-                                size_t resident_size, const mcpr_clip** clip);
+/* Builds the resident form in `resident`, of the size that mcpr_read told, and points *clip to it.
+ * `scratch` is the memory that mcpr_read filled, at the same address, and not needed afterwards.
+ * The resident form contains no pointers: within one program and version it may be moved and copied
+ * as bytes. For a segmented clip this takes as long as mcpr_read. */
+MCPR_API mcpr_status mcpr_build(void* scratch, size_t scratch_size, void* resident,
+                                size_t resident_size, const mcpr_clip** clip, mcpr_result* report);
 
-/* Memory for mcpr_load. `allocate` returns memory with this alignment, a power of two, or null if
- * it has none; `release` takes back what it returned. Both get `context`. */
+/* Memory for mcpr_load. `allocate` gives memory with this alignment, a power of two, or null if it
+ * has none; `release` takes it back. */
 typedef struct mcpr_allocator {
   void* (*allocate)(void* context, size_t size, size_t alignment);
   void (*release)(void* context, void* memory);
@@ -170,14 +168,13 @@ typedef struct mcpr_allocator {
 } mcpr_allocator;
 
 /* mcpr_inspect, mcpr_read and mcpr_build in one call. The clip is one piece of the allocator's
- * memory: release it by `release`. Everything else has been released, also after a failure. Fails
- * as the three do, and with MCPR_NO_MEMORY if the allocator has none. */
-MCPR_API mcpr_result mcpr_load(const void* file, size_t size, const mcpr_limits* limits,
-                               const mcpr_allocator* allocator, const mcpr_clip** clip);
+ * memory, to be released by it. Everything else has been released, also after a failure. */
+MCPR_API mcpr_status mcpr_load(const void* file, size_t size, const mcpr_limits* limits,
+                               const mcpr_allocator* allocator, const mcpr_clip** clip,
+                               mcpr_result* report);
 
 /* ---------------------------------------------------------------- looking at a clip */
 
-/* The dimensions of a clip. */
 typedef struct mcpr_clip_info {
   double sample_rate; /* frames per second */
   uint32_t frames;
@@ -193,8 +190,8 @@ typedef struct mcpr_clip_info {
   uint32_t tracks;       /* scalar tracks: morph weights, properties, scales */
 } mcpr_clip_info;
 
-/* Returns the dimensions of a clip; all zero if `clip` is null or not a clip. */
-MCPR_API mcpr_clip_info mcpr_clip_describe(const mcpr_clip* clip);
+/* Sets *out to the dimensions of a clip; all zero if `clip` is null or not a clip. */
+MCPR_API void mcpr_clip_describe(const mcpr_clip* clip, mcpr_clip_info* out);
 
 /* A joint of the skeleton. Parents come before their children. A point moves from the joint's space
  * to its parent's by
@@ -214,10 +211,10 @@ typedef struct mcpr_joint {
   float end_site[3];    /* the tip of a joint without children. cm, in the joint's space */
 } mcpr_joint;
 
-/* Describes one joint, 0 <= joint < mcpr_clip_info.joints. */
-MCPR_API mcpr_result mcpr_clip_joint(const mcpr_clip* clip, uint32_t joint, mcpr_joint* out);
+MCPR_API mcpr_status mcpr_clip_joint(const mcpr_clip* clip, uint32_t joint, mcpr_joint* out,
+                                     mcpr_result* report);
 
-/* Returns the index of the first joint with this name, compared byte for byte; -1 if there is none.
+/* The index of the first joint with this name, compared byte for byte; -1 if there is none.
  * Searches all joints: call it once, not at every frame. */
 MCPR_API int32_t mcpr_find_joint(const mcpr_clip* clip, const char* name);
 
@@ -227,8 +224,9 @@ MCPR_API int32_t mcpr_find_joint(const mcpr_clip* clip, const char* name);
 typedef enum mcpr_time { MCPR_FRAMES = 0, MCPR_SECONDS = 1 } mcpr_time;
 
 /* The pose before the first frame and after the last. The caller chooses for any clip; only
- * MCPR_LOOP needs a clip that is a loop. In a loop the character starts each cycle at the same
- * place: the caller adds up the distance and the turn of the cycles, see mcpr_sample_motion. */
+ * MCPR_LOOP needs a clip that is a loop, and gives MCPR_ARGUMENT otherwise. In a loop the character
+ * starts each cycle at the same place: the caller adds up the distance and the turn of the cycles,
+ * see mcpr_sample_motion. */
 typedef enum mcpr_wrap {
   MCPR_CLAMP = 0,      /* the first or the last frame */
   MCPR_LOOP = 1,       /* another cycle, of loop_frames frames. If the first frame follows the last,
@@ -262,7 +260,7 @@ typedef enum mcpr_path {
   MCPR_PATH_WASM = 5
 } mcpr_path;
 
-/* Returns 1 if this build and this machine have the path, else 0. */
+/* 1 if this build and this machine have the path, else 0. */
 MCPR_API int mcpr_path_exists(mcpr_path path);
 
 /* A request for decoding. All zero: every channel, in full detail, without IK correction. */
@@ -281,27 +279,26 @@ typedef struct mcpr_request {
   mcpr_wrap wrap;
 } mcpr_request;
 
-/* Returns the number of floats that one decoded frame takes; 0 if the request is not possible. */
+/* The number of floats that one decoded frame takes; 0 if the request is not possible. */
 MCPR_API size_t mcpr_frame_values(const mcpr_clip* clip, const mcpr_request* request);
 
-/* Returns the bytes of scratch memory that decoding this request needs, for any number of frames; 0
- * if the request is not possible. Every thread needs its own. */
+/* The bytes of scratch memory that decoding needs, for any number of frames; 0 if the request is
+ * not possible. Every thread needs its own. */
 MCPR_API size_t mcpr_scratch_bytes(const mcpr_clip* clip, const mcpr_request* request);
 
 /* Decodes frames `first` to `first + count - 1` into `out`, frame after frame: count rows of
  * mcpr_frame_values() floats. For a subset of channels only those are computed, unless the IK
  * correction turns one of them. */
-MCPR_API mcpr_result mcpr_decode_frames(const mcpr_clip* clip, const mcpr_request* request,
+MCPR_API mcpr_status mcpr_decode_frames(const mcpr_clip* clip, const mcpr_request* request,
                                         uint32_t first, uint32_t count, float* out, void* scratch,
-                                        size_t scratch_size);
+                                        size_t scratch_size, mcpr_result* report);
 
 /* Decodes the pose at one finite instant into mcpr_frame_values() floats. Whole numbers of frames
  * give exactly that frame. Between two frames the channels and the offsets of effectors are
- * interpolated linearly, and the IK correction is solved for that instant. Fails with MCPR_ARGUMENT
- * for MCPR_LOOP if the clip is not a loop. */
-MCPR_API mcpr_result mcpr_decode_moment(const mcpr_clip* clip, const mcpr_request* request,
-                                        double time, float* out, void* scratch,
-                                        size_t scratch_size);
+ * interpolated linearly, and the IK correction is solved for that instant. */
+MCPR_API mcpr_status mcpr_decode_moment(const mcpr_clip* clip, const mcpr_request* request,
+                                        double time, float* out, void* scratch, size_t scratch_size,
+                                        mcpr_result* report);
 
 /* ---------------------------------------------------------------- poses at any instant */
 
@@ -321,35 +318,36 @@ typedef struct mcpr_cook_options {
                      mcpr_cooked_joint. Clips of a bank have them there */
 } mcpr_cook_options;
 
-/* Returns the bytes of scratch memory that cooking needs; 0 without a clip. They are in proportion
- * to frames * channels of the longest segment; with apply_ik, of the whole clip. */
+/* The bytes of scratch memory that cooking needs; 0 without a clip. They are in proportion to
+ * frames * channels of the longest segment; with apply_ik, of the whole clip. */
 MCPR_API size_t mcpr_cook_scratch_bytes(const mcpr_clip* clip, const mcpr_cook_options* options);
 
 /* Sets *bytes to the size of the cooked form. Takes as long as mcpr_cook. Fails with MCPR_LIMIT if
  * the clip has too many channels to be cooked or would take more than 4 GiB. */
-MCPR_API mcpr_result mcpr_cook_size(const mcpr_clip* clip, const mcpr_cook_options* options,
-                                    void* scratch, size_t scratch_size, size_t* bytes);
+MCPR_API mcpr_status mcpr_cook_size(const mcpr_clip* clip, const mcpr_cook_options* options,
+                                    void* scratch, size_t scratch_size, size_t* bytes,
+                                    mcpr_result* report);
 
-/* Cooks a clip into `memory`, of the size that mcpr_cook_size returned, and points *cooked to it.
- * The clip is not needed afterwards. Fails as mcpr_cook_size does. */
-MCPR_API mcpr_result mcpr_cook(const mcpr_clip* clip, const mcpr_cook_options* options,
+/* Cooks a clip into `memory`, of the size that mcpr_cook_size told, and points *cooked to it. The
+ * clip is not needed afterwards. Fails as mcpr_cook_size does. */
+MCPR_API mcpr_status mcpr_cook(const mcpr_clip* clip, const mcpr_cook_options* options,
                                void* scratch, size_t scratch_size, void* memory, size_t size,
-                               const mcpr_cooked** cooked);
+                               const mcpr_cooked** cooked, mcpr_result* report);
 
 /* mcpr_load and mcpr_cook in one call, with the cooked clip as one piece of the allocator's memory.
- * The clip that it was cooked from has been released. Fails as they do. */
-MCPR_API mcpr_result mcpr_load_cooked(const void* file, size_t size, const mcpr_limits* limits,
+ */
+MCPR_API mcpr_status mcpr_load_cooked(const void* file, size_t size, const mcpr_limits* limits,
                                       const mcpr_cook_options* options,
-                                      const mcpr_allocator* allocator, const mcpr_cooked** cooked);
+                                      const mcpr_allocator* allocator, const mcpr_cooked** cooked,
+                                      mcpr_result* report);
 
 /* Opens a block that mcpr_cook made earlier; *cooked points into `memory`. check = 0 looks at the
- * head only, and trusts the rest to be what mcpr_cook made. check = 1 verifies every byte, so that
- * blocks from anywhere are safe to sample. Fails with MCPR_NOT_A_CLIP, MCPR_UNKNOWN_VERSION,
- * MCPR_DAMAGED or MCPR_INVALID. */
-MCPR_API mcpr_result mcpr_open_cooked(const void* memory, size_t size, int check,
-                                      const mcpr_cooked** cooked);
+ * head only, and trusts the rest. check = 1 verifies every byte, so that blocks from anywhere are
+ * safe to sample. Fails with MCPR_NOT_A_CLIP, MCPR_UNKNOWN_VERSION, MCPR_DAMAGED or MCPR_INVALID.
+ */
+MCPR_API mcpr_status mcpr_open_cooked(const void* memory, size_t size, int check,
+                                      const mcpr_cooked** cooked, mcpr_result* report);
 
-/* The dimensions of a cooked clip. */
 typedef struct mcpr_cooked_info {
   double sample_rate; /* frames per second */
   uint32_t frames;
@@ -360,8 +358,8 @@ typedef struct mcpr_cooked_info {
                             transforms, and tables of which channel moves which joint */
 } mcpr_cooked_info;
 
-/* Returns the dimensions of a cooked clip; all zero if it is null. */
-MCPR_API mcpr_cooked_info mcpr_cooked_describe(const mcpr_cooked* cooked);
+/* Sets *out to the dimensions of a cooked clip; all zero if it is null. */
+MCPR_API void mcpr_cooked_describe(const mcpr_cooked* cooked, mcpr_cooked_info* out);
 
 /* A joint's local transform. */
 typedef struct mcpr_transform {
@@ -412,8 +410,8 @@ typedef enum mcpr_engine {
   MCPR_BLENDER = 5    /* metres, right-handed, z up, w x y z: x -z y */
 } mcpr_engine;
 
-/* Sets *out to the convention of an engine. */
-MCPR_API mcpr_result mcpr_convention_of(mcpr_engine engine, mcpr_convention* out);
+MCPR_API mcpr_status mcpr_convention_of(mcpr_engine engine, mcpr_convention* out,
+                                        mcpr_result* report);
 
 /* A subset of a cooked clip's joints, prepared in advance. Sampling a selection is as fast as
  * sampling all joints; a list of joints in the request is slower, as it is looked up each time. */
@@ -450,55 +448,52 @@ typedef struct mcpr_sample_request {
   size_t scratch_size;
 } mcpr_sample_request;
 
-/* Returns the bytes that a selection of this many joints takes, about 1.5 KB for 30 joints; 0
- * without a clip, or if it has fewer joints. */
+/* The bytes that a selection of this many joints takes, about 1.5 KB for 30 joints; 0 without a
+ * clip, or if it has fewer joints. */
 MCPR_API size_t mcpr_selection_bytes(const mcpr_cooked* cooked, uint32_t joint_count);
 
 /* Makes a selection in `memory`, of mcpr_selection_bytes(), and points *selection to it. Poses list
  * the joints in the order of `joints`, which has no duplicates and is not needed afterwards.
- * Neither the clip nor the selection may be moved after this. A selection works with its own clip
- * only, from any number of threads. */
-MCPR_API mcpr_result mcpr_make_selection(const mcpr_cooked* cooked, const uint16_t* joints,
+ * Neither clip nor selection may be moved after this. A selection works with its own clip only. */
+MCPR_API mcpr_status mcpr_make_selection(const mcpr_cooked* cooked, const uint16_t* joints,
                                          uint32_t joint_count, void* memory, size_t size,
-                                         const mcpr_selection** selection);
+                                         const mcpr_selection** selection, mcpr_result* report);
 
-/* Returns the number of floats, 4 bytes each, that one sampled pose takes; 0 if the request is not
- * possible. */
+/* The number of floats, 4 bytes each, that one pose takes; 0 if the request is not possible. */
 MCPR_API size_t mcpr_sample_values(const mcpr_cooked* cooked, const mcpr_sample_request* request);
 
-/* Returns the bytes of scratch memory that sampling needs: 0 for a clip of up to 1,100 columns,
+/* The bytes of scratch memory that sampling needs: 0 for a clip of up to 1,100 columns,
  * which are its moving channels and a few more, so for about 350 joints that turn about three axes.
  * A list of joints and stepped joints count, too, and so do the transforms from which the last
  * three layouts are made. A larger clip needs 192 KiB at most. */
 MCPR_API size_t mcpr_sample_scratch_bytes(const mcpr_cooked* cooked,
                                           const mcpr_sample_request* request);
 
-/* Samples the local transforms at one finite instant into mcpr_sample_values() floats. Needs no
- * scratch memory but for very large clips, see above. Between two frames channels are interpolated
- * linearly, as in mcpr_decode_moment, and so are angles that a cooked IK correction changed. An
- * instant within 2^-16 frames of a frame gives that frame. Results are within 5e-4 radians and 2e-3
- * cm of mcpr_decode_moment (with an IK correction: at frames), and all paths give the same bits.
- * Fails with MCPR_ARGUMENT for MCPR_LOOP if the clip is not a loop. */
-MCPR_API mcpr_result mcpr_sample(const mcpr_cooked* cooked, const mcpr_sample_request* request,
-                                 double time, void* out);
+/* Samples the local transforms at one finite instant into mcpr_sample_values() floats. Between two
+ * frames channels are interpolated linearly, as in mcpr_decode_moment, and so are angles that a
+ * cooked IK correction changed. An instant within 2^-16 frames of a frame gives that frame. Results
+ * are within 5e-4 radians and 2e-3 cm of mcpr_decode_moment (with an IK correction: at frames), and
+ * all paths give the same bits. */
+MCPR_API mcpr_status mcpr_sample(const mcpr_cooked* cooked, const mcpr_sample_request* request,
+                                 double time, void* out, mcpr_result* report);
 
 /* A cursor caches some frames of a clip around the last instant, which makes playing forwards or
- * backwards faster. Each player needs its own cursor; a clip may have any number. Instants may be
- * asked for in any order, and the result depends on the instant alone. It differs from mcpr_sample
- * by rounding: either is within 5e-4 radians and 2e-3 cm of mcpr_decode_moment. */
+ * backwards faster. Each player needs its own. Instants may be asked for in any order, and the
+ * result depends on the instant alone. It differs from mcpr_sample by rounding, within the same
+ * bounds. */
 typedef struct mcpr_cursor mcpr_cursor;
 
-/* Returns the bytes that a cursor takes, at most 4096; 0 without a clip. */
+/* The bytes that a cursor takes, at most 4096; 0 without a clip. */
 MCPR_API size_t mcpr_cursor_bytes(const mcpr_cooked* cooked);
 
 /* Makes a cursor in `memory`, of mcpr_cursor_bytes(), and points *cursor to it. The clip may not be
  * moved after this. */
-MCPR_API mcpr_result mcpr_make_cursor(const mcpr_cooked* cooked, void* memory, size_t size,
-                                      mcpr_cursor** cursor);
+MCPR_API mcpr_status mcpr_make_cursor(const mcpr_cooked* cooked, void* memory, size_t size,
+                                      mcpr_cursor** cursor, mcpr_result* report);
 
-/* Samples the cursor's clip as mcpr_sample does, using and updating the cached frames. */
-MCPR_API mcpr_result mcpr_sample_next(mcpr_cursor* cursor, const mcpr_sample_request* request,
-                                      double time, void* out);
+/* As mcpr_sample, using and updating the cached frames. */
+MCPR_API mcpr_status mcpr_sample_next(mcpr_cursor* cursor, const mcpr_sample_request* request,
+                                      double time, void* out, mcpr_result* report);
 
 /* ---------------------------------------------------------------- a crowd */
 
@@ -515,38 +510,38 @@ typedef struct mcpr_character {
   uint32_t stepped_count;
 } mcpr_character;
 
-/* The settings that all characters of a call share. All zero: transforms, time in frames. */
+/* The settings that all characters share. All zero: transforms, time in frames. */
 typedef struct mcpr_crowd_request {
   mcpr_layout layout;
   mcpr_time unit;
   mcpr_path path;
-  const mcpr_convention* convention; /* as in mcpr_sample_request */
+  const mcpr_convention* convention;
   int exact; /* 1: every pose has the bits of mcpr_sample. 0, faster: where many characters play one
                 clip, some frames are made once for several, as a cursor does. Then a pose has the
                 bits of mcpr_sample or of mcpr_sample_next, depending on the other characters. Both
                 are within 5e-4 radians and 2e-3 cm of mcpr_decode_moment on every path */
 } mcpr_crowd_request;
 
-/* Returns the bytes of scratch memory that mcpr_sort_crowd needs: about 96 per character. */
+/* The bytes of scratch memory that mcpr_sort_crowd needs: about 96 per character. */
 MCPR_API size_t mcpr_sort_crowd_scratch_bytes(uint32_t count);
 
 /* Sorts the characters, in place, into the order in which mcpr_sample_crowd is fastest: by clip,
- * bands left out, and frame. The order stays nearly right while time advances, so sorting at every
- * frame is not necessary. Fails as mcpr_sample_crowd does. */
-MCPR_API mcpr_result mcpr_sort_crowd(const mcpr_crowd_request* request, mcpr_character* characters,
-                                     uint32_t count, void* scratch, size_t scratch_size);
+ * bands left out, and frame. It stays nearly right while time advances: not every frame needs it.
+ * Fails as mcpr_sample_crowd does. */
+MCPR_API mcpr_status mcpr_sort_crowd(const mcpr_crowd_request* request, mcpr_character* characters,
+                                     uint32_t count, void* scratch, size_t scratch_size,
+                                     mcpr_result* report);
 
-/* Returns the bytes of scratch memory that mcpr_sample_crowd needs: about 320 KB for any number of
- * characters. */
+/* The bytes of scratch memory that mcpr_sample_crowd needs: about 320 KB for any number. */
 MCPR_API size_t mcpr_crowd_scratch_bytes(void);
 
-/* Samples the pose of each character, as mcpr_sample does. Any order is allowed; that of
- * mcpr_sort_crowd is fastest. Several threads may each take a slice of the array, with their own
- * scratch memory. If a character cannot be posed, nothing is written, and the offset of the result
- * is the index of the first such character. */
-MCPR_API mcpr_result mcpr_sample_crowd(const mcpr_crowd_request* request,
+/* Samples the pose of each character, as mcpr_sample does. Any order is allowed. Several threads
+ * may each take a slice of the array, with their own scratch memory. If a character cannot be
+ * posed, nothing is written, and the offset of the report is the index of the first such character.
+ */
+MCPR_API mcpr_status mcpr_sample_crowd(const mcpr_crowd_request* request,
                                        const mcpr_character* characters, uint32_t count,
-                                       void* scratch, size_t scratch_size);
+                                       void* scratch, size_t scratch_size, mcpr_result* report);
 
 /* ---------------------------------------------------------------- root motion */
 
@@ -555,21 +550,24 @@ MCPR_API mcpr_result mcpr_sample_crowd(const mcpr_crowd_request* request,
  * cycles is accumulated. `to` may be before `from`. Ignores the layout, joints, selection and
  * parents of the request, but not its convention. Needs the scratch memory of a request with a list
  * of joints. */
-MCPR_API mcpr_result mcpr_sample_motion(const mcpr_cooked* cooked,
+MCPR_API mcpr_status mcpr_sample_motion(const mcpr_cooked* cooked,
                                         const mcpr_sample_request* request, uint32_t joint,
-                                        double from, double to, mcpr_transform* out);
+                                        double from, double to, mcpr_transform* out,
+                                        mcpr_result* report);
 
 /* The same for the part of a joint's motion that mcpr_split_root takes out of a pose: on the ground
  * and about the axis that points up. */
-MCPR_API mcpr_result mcpr_sample_ground_motion(const mcpr_cooked* cooked,
+MCPR_API mcpr_status mcpr_sample_ground_motion(const mcpr_cooked* cooked,
                                                const mcpr_sample_request* request, uint32_t joint,
-                                               double from, double to, mcpr_transform* out);
+                                               double from, double to, mcpr_transform* out,
+                                               mcpr_result* report);
 
 /* ---------------------------------------------------------------- skeletons */
 
 /* Describes a joint of a cooked clip, if it was cooked with mcpr_cook_options.skeleton.
  * `first_channel`, `channels` and `kinds` are 0. */
-MCPR_API mcpr_result mcpr_cooked_joint(const mcpr_cooked* cooked, uint32_t joint, mcpr_joint* out);
+MCPR_API mcpr_status mcpr_cooked_joint(const mcpr_cooked* cooked, uint32_t joint, mcpr_joint* out,
+                                       mcpr_result* report);
 
 /* Return the identity of a skeleton: 64 bits made from names, parents, offsets and end sites of all
  * joints. It is the same for a clip, its cooked form and in a bank, on every machine. 0: no clip,
@@ -596,18 +594,19 @@ typedef struct mcpr_map_gaps {
  * map[j] to the clip's number of joint j, the first with its name, or to -1 if it has none. Takes
  * joints * joints comparisons: do it once for each skeleton, not for each clip. The second function
  * needs a clip cooked with mcpr_cook_options.skeleton. */
-MCPR_API mcpr_result mcpr_map_joints(const mcpr_clip* clip, const mcpr_skeleton* skeleton,
-                                     int16_t* map, mcpr_map_gaps* gaps);
-MCPR_API mcpr_result mcpr_map_cooked_joints(const mcpr_cooked* cooked,
+MCPR_API mcpr_status mcpr_map_joints(const mcpr_clip* clip, const mcpr_skeleton* skeleton,
+                                     int16_t* map, mcpr_map_gaps* gaps, mcpr_result* report);
+MCPR_API mcpr_status mcpr_map_cooked_joints(const mcpr_cooked* cooked,
                                             const mcpr_skeleton* skeleton, int16_t* map,
-                                            mcpr_map_gaps* gaps);
+                                            mcpr_map_gaps* gaps, mcpr_result* report);
 
 /* Puts a clip's pose of `clip_joints` joints onto an engine's skeleton of `joints` joints: each
  * takes the transform that `map` names, or that of the bind pose. `bind` has one transform per
  * joint of the skeleton, in the pose's convention. `out` overlaps neither pose. */
-MCPR_API mcpr_result mcpr_remap_pose(const int16_t* map, uint32_t joints,
+MCPR_API mcpr_status mcpr_remap_pose(const int16_t* map, uint32_t joints,
                                      const mcpr_transform* bind, const mcpr_transform* pose,
-                                     uint32_t clip_joints, mcpr_transform* out);
+                                     uint32_t clip_joints, mcpr_transform* out,
+                                     mcpr_result* report);
 
 /* ---------------------------------------------------------------- blending */
 
@@ -633,32 +632,33 @@ typedef struct mcpr_weighted_pose {
  * sum of those before it, and normalised. Weights are 0 to 10^6; below 10^-6 they count as 0. A
  * joint for which only one pose counts takes it bit by bit; one for which none counts takes the
  * first pose. `out` may be one of the poses. */
-MCPR_API mcpr_result mcpr_blend(const mcpr_pose_form* form, const mcpr_weighted_pose* poses,
-                                uint32_t count, mcpr_transform* out);
+MCPR_API mcpr_status mcpr_blend(const mcpr_pose_form* form, const mcpr_weighted_pose* poses,
+                                uint32_t count, mcpr_transform* out, mcpr_result* report);
 
 /* Lays a pose over another: each joint of `pose` goes towards `layer` by its weight, 0 to 1, the
  * shorter way round. Weight 0 leaves a joint as it is, weight 1 copies that of the layer. */
-MCPR_API mcpr_result mcpr_blend_layer(const mcpr_pose_form* form, const mcpr_weighted_pose* layer,
-                                      mcpr_transform* pose);
+MCPR_API mcpr_status mcpr_blend_layer(const mcpr_pose_form* form, const mcpr_weighted_pose* layer,
+                                      mcpr_transform* pose, mcpr_result* report);
 
 /* Sets *out to what a pose adds to a base: rotation * inverse(base rotation), and the difference of
  * the translations. `out` may be `pose` or `base`. */
-MCPR_API mcpr_result mcpr_pose_difference(const mcpr_pose_form* form, const mcpr_transform* pose,
-                                          const mcpr_transform* base, mcpr_transform* out);
+MCPR_API mcpr_status mcpr_pose_difference(const mcpr_pose_form* form, const mcpr_transform* pose,
+                                          const mcpr_transform* base, mcpr_transform* out,
+                                          mcpr_result* report);
 
 /* Adds such a difference to a pose: rotation = difference * rotation, translation + difference. A
  * weight, 0 to 1, adds a part of it: rotations go the shorter way round from no turn to the whole
  * one. */
-MCPR_API mcpr_result mcpr_blend_additive(const mcpr_pose_form* form,
-                                         const mcpr_weighted_pose* difference,
-                                         mcpr_transform* pose);
+MCPR_API mcpr_status mcpr_blend_additive(const mcpr_pose_form* form,
+                                         const mcpr_weighted_pose* difference, mcpr_transform* pose,
+                                         mcpr_result* report);
 
 /* Takes the part of a root's transform that moves and turns it on the ground out of the pose:
  * root before = *ground * root after. *ground has the place on the ground and the turn about the
  * axis that points up; the root keeps its height and its tilt. If a root lies so that it faces
  * nowhere, *ground does not turn. */
-MCPR_API mcpr_result mcpr_split_root(const mcpr_convention* convention, mcpr_transform* root,
-                                     mcpr_transform* ground);
+MCPR_API mcpr_status mcpr_split_root(const mcpr_convention* convention, mcpr_transform* root,
+                                     mcpr_transform* ground, mcpr_result* report);
 
 /* The way in which a joint is mirrored. */
 typedef struct mcpr_mirror_joint {
@@ -673,14 +673,15 @@ typedef struct mcpr_mirror_joint {
  * middle, themselves. `axis` is the axis from side to side, 0 1 2 for x y z, in the poses' own
  * convention. Writes one mcpr_mirror_joint per joint. Fails with MCPR_ARGUMENT if the partner of a
  * joint's partner is not the joint itself, or if partners do not hang from partners. */
-MCPR_API mcpr_result mcpr_make_mirror(const mcpr_pose_form* form, const mcpr_transform* bind,
+MCPR_API mcpr_status mcpr_make_mirror(const mcpr_pose_form* form, const mcpr_transform* bind,
                                       const int16_t* parents, const uint16_t* partners, int axis,
-                                      mcpr_mirror_joint* mirror);
+                                      mcpr_mirror_joint* mirror, mcpr_result* report);
 
 /* Mirrors a pose at the plane through the origin that is perpendicular to `axis`, by what
  * mcpr_make_mirror prepared for it. `out` and `pose` do not overlap. */
-MCPR_API mcpr_result mcpr_mirror_pose(const mcpr_pose_form* form, const mcpr_mirror_joint* mirror,
-                                      int axis, const mcpr_transform* pose, mcpr_transform* out);
+MCPR_API mcpr_status mcpr_mirror_pose(const mcpr_pose_form* form, const mcpr_mirror_joint* mirror,
+                                      int axis, const mcpr_transform* pose, mcpr_transform* out,
+                                      mcpr_result* report);
 
 /* ---------------------------------------------------------------- tracks */
 
@@ -705,22 +706,19 @@ typedef struct mcpr_track {
 /* The scalar tracks of a clip, in the clip's memory. */
 typedef struct mcpr_tracks mcpr_tracks;
 
-/* Return the tracks of a built or cooked clip; null without a clip or if it has no tracks, which
- * the functions below accept. A cooked clip has the same values as the clip that it was cooked
- * from, to the bit. */
+/* The tracks of a built or cooked clip, with the same values to the bit; null if it has none, which
+ * the functions below accept. */
 MCPR_API const mcpr_tracks* mcpr_clip_tracks(const mcpr_clip* clip);
 MCPR_API const mcpr_tracks* mcpr_cooked_tracks(const mcpr_cooked* cooked);
 
-/* Returns the number of tracks; 0 for null. */
+/* The number of tracks; 0 for null. */
 MCPR_API uint32_t mcpr_track_count(const mcpr_tracks* tracks);
 
-/* Describes one track, 0 <= track < mcpr_track_count(). */
-MCPR_API mcpr_result mcpr_track_describe(const mcpr_tracks* tracks, uint32_t track,
-                                         mcpr_track* out);
+MCPR_API mcpr_status mcpr_track_describe(const mcpr_tracks* tracks, uint32_t track, mcpr_track* out,
+                                         mcpr_result* report);
 
-/* Returns the index of the first track with this kind, node and name, compared byte for byte; -1 if
- * there is none. A null node or name matches any. Searches all tracks: call it once, not at every
- * frame. */
+/* The index of the first track with this kind, node and name, compared byte for byte; -1 if there
+ * is none. A null node or name matches any. Searches all tracks. */
 MCPR_API int32_t mcpr_find_track(const mcpr_tracks* tracks, mcpr_track_kind kind, const char* node,
                                  const char* name);
 
@@ -733,26 +731,24 @@ typedef struct mcpr_track_request {
   mcpr_wrap wrap;         /* for instants */
 } mcpr_track_request;
 
-/* Returns the number of floats that one frame takes, one per track; 0 if the request is not
- * possible. */
+/* The number of floats that one frame takes, one per track; 0 if the request is not possible. */
 MCPR_API size_t mcpr_track_values(const mcpr_tracks* tracks, const mcpr_track_request* request);
 
-/* Returns the bytes of scratch memory that the next two functions need. For 0 a null pointer will
- * do. */
+/* The bytes of scratch memory that the next two functions need. For 0 a null pointer will do. */
 MCPR_API size_t mcpr_track_scratch_bytes(const mcpr_tracks* tracks,
                                          const mcpr_track_request* request);
 
 /* Decodes frames `first` to `first + count - 1` into `out`, frame after frame: count rows of
  * mcpr_track_values() floats. */
-MCPR_API mcpr_result mcpr_track_frames(const mcpr_tracks* tracks, const mcpr_track_request* request,
+MCPR_API mcpr_status mcpr_track_frames(const mcpr_tracks* tracks, const mcpr_track_request* request,
                                        uint32_t first, uint32_t count, float* out, void* scratch,
-                                       size_t scratch_size);
+                                       size_t scratch_size, mcpr_result* report);
 
 /* Decodes the tracks at one finite instant into mcpr_track_values() floats. A track that does not
- * step goes linearly from frame to frame, and from the last to the first as the wrap says. Fails
- * with MCPR_ARGUMENT for MCPR_LOOP if the clip is not a loop. */
-MCPR_API mcpr_result mcpr_track_moment(const mcpr_tracks* tracks, const mcpr_track_request* request,
-                                       double time, float* out, void* scratch, size_t scratch_size);
+ * step goes linearly from frame to frame, and from the last to the first as the wrap says. */
+MCPR_API mcpr_status mcpr_track_moment(const mcpr_tracks* tracks, const mcpr_track_request* request,
+                                       double time, float* out, void* scratch, size_t scratch_size,
+                                       mcpr_result* report);
 
 /* A switch that changed: a track that steps. */
 typedef struct mcpr_change {
@@ -768,9 +764,10 @@ typedef struct mcpr_change {
  * proportion to the frames between. Fails with MCPR_ARGUMENT if these are more than 2^22, or
  * further than frame 2^52. On the way back of MCPR_PING_PONG mcpr_track_moment has the value after
  * a change from just behind its frame on, not at it. */
-MCPR_API mcpr_result mcpr_track_changes(const mcpr_tracks* tracks,
+MCPR_API mcpr_status mcpr_track_changes(const mcpr_tracks* tracks,
                                         const mcpr_track_request* request, double from, double to,
-                                        mcpr_change* changes, uint32_t capacity, uint32_t* count);
+                                        mcpr_change* changes, uint32_t capacity, uint32_t* count,
+                                        mcpr_result* report);
 
 /* ---------------------------------------------------------------- banks */
 
@@ -788,13 +785,12 @@ typedef struct mcpk_bank mcpk_bank;
 #define MCPK_NAME_BYTES 256
 
 /* Opens a bank; *bank points to `memory`. check = 0 looks at the head only, in the same time for
- * any number of clips, and trusts the rest to be what `mocapress bank` made. check = 1 verifies
- * every byte, so that banks from anywhere are safe to use. check = 2 verifies all but the clips,
- * which may be loaded later: see mcpk_place. Fails with MCPR_NOT_A_CLIP, MCPR_UNKNOWN_VERSION,
- * MCPR_DAMAGED or MCPR_INVALID. */
-MCPR_API mcpr_result mcpk_open(const void* memory, size_t size, int check, const mcpk_bank** bank);
+ * any number of clips, and trusts the rest. check = 1 verifies every byte, so that banks from
+ * anywhere are safe to use. check = 2 verifies all but the clips, which may be loaded later: see
+ * mcpk_place. Fails as mcpr_open_cooked does. */
+MCPR_API mcpr_status mcpk_open(const void* memory, size_t size, int check, const mcpk_bank** bank,
+                               mcpr_result* report);
 
-/* The dimensions of a bank. */
 typedef struct mcpk_info {
   uint64_t bytes; /* size of the whole bank */
   uint32_t clips;
@@ -806,23 +802,20 @@ typedef struct mcpk_info {
                           as many; in a packed one some of these numbers are no skeleton's */
 } mcpk_info;
 
-/* Returns the dimensions of a bank; all zero if it is null. */
-MCPR_API mcpk_info mcpk_describe(const mcpk_bank* bank);
+/* Sets *out to the dimensions of a bank; all zero if it is null. */
+MCPR_API void mcpk_describe(const mcpk_bank* bank, mcpk_info* out);
 
-/* Returns the number of the clip with this name; -1 if there is none. Compares about log2(clips)
- * names. */
+/* The number of the clip with this name; -1 if there is none. Compares about log2(clips) names. */
 MCPR_API int32_t mcpk_find(const mcpk_bank* bank, const char* name);
 
 /* Copies the name of a clip, zero-terminated, to `name`, which has room for MCPK_NAME_BYTES.
  * Returns the length without the zero; 0 if there is no such clip. */
 MCPR_API size_t mcpk_name(const mcpk_bank* bank, uint32_t clip, char* name);
 
-/* Returns tag `number` of a clip, counted from 0, in the bank's memory; null if the clip has fewer
- * tags. */
+/* Tag `number` of a clip, in the bank's memory; null if the clip has fewer. */
 MCPR_API const char* mcpk_tag(const mcpk_bank* bank, uint32_t clip, uint32_t number);
 
-/* Return the key and the value of pair `number` of the bank, counted from 0, in the bank's memory;
- * null if it has fewer pairs. */
+/* Key and value of pair `number` of the bank, in its memory; null if it has fewer. */
 MCPR_API const char* mcpk_key(const mcpk_bank* bank, uint32_t number);
 MCPR_API const char* mcpk_value(const mcpk_bank* bank, uint32_t number);
 
@@ -835,13 +828,12 @@ MCPR_API const char* mcpk_value(const mcpk_bank* bank, uint32_t number);
  * whole bank; load the shared data to its place, and open the bank with check = 2; then load clips
  * to their places, and call mcpk_check before using one. Memory between these places is not read.
  */
-MCPR_API mcpr_result mcpk_place(const mcpk_bank* bank, uint32_t clip, uint64_t* offset,
-                                uint64_t* bytes);
+MCPR_API mcpr_status mcpk_place(const mcpk_bank* bank, uint32_t clip, uint64_t* offset,
+                                uint64_t* bytes, mcpr_result* report);
 
-/* Returns the number of tiers of the clips that have most; 1 if the bank has none, 0 if it is null.
- * Sets *present, unless that is null, to the number that the bank still has: it may have been cut
- * after any tier. Reads what follows the clips, which has to be there. Cooked banks have no tiers.
- */
+/* The number of tiers of the clips that have most; 1 if the bank has none, as cooked banks do, 0 if
+ * it is null. Sets *present, unless that is null, to the number that the bank still has: it may
+ * have been cut after any tier. Reads what follows the clips, which has to be there. */
 MCPR_API uint32_t mcpk_tiers(const mcpk_bank* bank, uint32_t* present);
 
 /* Tells where the piece is that a tier adds to a clip, 0 < tier < mcpk_tiers(), counted from the
@@ -849,44 +841,43 @@ MCPR_API uint32_t mcpk_tiers(const mcpk_bank* bank, uint32_t* present);
  * With `clip` = mcpk_info.clips: where the pieces of all clips are in this tier. Tier 0 is
  * mcpk_place. Load the pieces to their places in any order, but read a clip with mcpr_limits.tiers
  * = k only when its tiers 0 to k - 1 are there. */
-MCPR_API mcpr_result mcpk_tier_place(const mcpk_bank* bank, uint32_t clip, uint32_t tier,
-                                     uint64_t* offset, uint64_t* bytes);
+MCPR_API mcpr_status mcpk_tier_place(const mcpk_bank* bank, uint32_t clip, uint32_t tier,
+                                     uint64_t* offset, uint64_t* bytes, mcpr_result* report);
 
 /* Verifies a clip that was loaded after its bank was opened, so that it is safe to use. A packed
  * clip has no checksum of its own: damage that leaves its structure whole gives other motion. */
-MCPR_API mcpr_result mcpk_check(const mcpk_bank* bank, uint32_t clip);
+MCPR_API mcpr_status mcpk_check(const mcpk_bank* bank, uint32_t clip, mcpr_result* report);
 
-/* Inspects and reads a clip of a packed bank, as mcpr_inspect and mcpr_read do with a file.
- * mcpr_build then makes the clip. */
-MCPR_API mcpr_result mcpk_inspect(const mcpk_bank* bank, uint32_t clip, const mcpr_limits* limits,
-                                  mcpr_info* info);
-MCPR_API mcpr_result mcpk_read(const mcpk_bank* bank, uint32_t clip, const mcpr_limits* limits,
-                               void* scratch, size_t scratch_size, size_t* resident_bytes);
+/* As mcpr_inspect and mcpr_read, for a clip of a packed bank. mcpr_build then makes the clip. */
+MCPR_API mcpr_status mcpk_inspect(const mcpk_bank* bank, uint32_t clip, const mcpr_limits* limits,
+                                  mcpr_info* info, mcpr_result* report);
+MCPR_API mcpr_status mcpk_read(const mcpk_bank* bank, uint32_t clip, const mcpr_limits* limits,
+                               void* scratch, size_t scratch_size, size_t* resident_bytes,
+                               mcpr_result* report);
 
-/* Points *cooked to a clip of a cooked bank, in the bank's memory, ready for mcpr_sample. */
-MCPR_API mcpr_result mcpk_cooked(const mcpk_bank* bank, uint32_t clip, const mcpr_cooked** cooked);
+/* Points *cooked to a clip of a cooked bank, in the bank's memory. */
+MCPR_API mcpr_status mcpk_cooked(const mcpk_bank* bank, uint32_t clip, const mcpr_cooked** cooked,
+                                 mcpr_result* report);
 
-/* Returns the number of a clip's skeleton, below mcpk_info.skeletons; -1 if there is no such clip,
+/* The number of a clip's skeleton, below mcpk_info.skeletons; -1 if there is no such clip,
  * or, in a packed bank from elsewhere, if it shares its skeleton with no other clip. Clips with one
  * number have the same skeleton: the same names, parents and offsets. In a cooked bank clips with
  * different numbers have different ones. In a packed bank they may be the same, with other
  * channels: mcpr_skeleton_hash tells once a clip is built. */
 MCPR_API int32_t mcpk_skeleton(const mcpk_bank* bank, uint32_t clip);
 
-/* Describes a joint of a clip in a cooked bank, parents before children. The name is in the bank's
- * memory. `first_channel`, `channels` and `kinds` are 0. */
-MCPR_API mcpr_result mcpk_joint(const mcpk_bank* bank, uint32_t clip, uint32_t joint,
-                                mcpr_joint* out);
+/* As mcpr_cooked_joint, for a clip of a cooked bank; the name is in the bank's memory. */
+MCPR_API mcpr_status mcpk_joint(const mcpk_bank* bank, uint32_t clip, uint32_t joint,
+                                mcpr_joint* out, mcpr_result* report);
 
-/* Returns the index of the first joint with this name in a clip of a cooked bank; -1 if there is
- * none. Searches all joints. */
+/* As mcpr_find_joint, for a clip of a cooked bank. */
 MCPR_API int32_t mcpk_find_joint(const mcpk_bank* bank, uint32_t clip, const char* name);
 
 /* mcpr_skeleton_hash and mcpr_map_joints of a clip in a cooked bank. */
 MCPR_API uint64_t mcpk_skeleton_hash(const mcpk_bank* bank, uint32_t clip);
-MCPR_API mcpr_result mcpk_map_joints(const mcpk_bank* bank, uint32_t clip,
+MCPR_API mcpr_status mcpk_map_joints(const mcpk_bank* bank, uint32_t clip,
                                      const mcpr_skeleton* skeleton, int16_t* map,
-                                     mcpr_map_gaps* gaps);
+                                     mcpr_map_gaps* gaps, mcpr_result* report);
 
 #ifdef __cplusplus
 }

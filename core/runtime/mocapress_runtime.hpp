@@ -29,6 +29,30 @@ struct Expected {
   const T* operator->() const { return &value; }
 };
 
+/// The limits of the format.
+inline mcpr_limits default_limits() {
+  mcpr_limits limits;
+  mcpr_default_limits(&limits);
+  return limits;
+}
+
+/// The dimensions of a clip, a cooked clip or a bank; all zero for null.
+inline mcpr_clip_info describe(const mcpr_clip* clip) {
+  mcpr_clip_info info;
+  mcpr_clip_describe(clip, &info);
+  return info;
+}
+inline mcpr_cooked_info describe(const mcpr_cooked* cooked) {
+  mcpr_cooked_info info;
+  mcpr_cooked_describe(cooked, &info);
+  return info;
+}
+inline mcpk_info describe(const mcpk_bank* bank) {
+  mcpk_info info;
+  mcpk_describe(bank, &info);
+  return info;
+}
+
 /// Frees memory from allocate().
 struct Release {
   void operator()(const void* memory) const {
@@ -56,7 +80,8 @@ inline constexpr mcpr_allocator kAllocator = {
 inline Expected<Owned<const mcpr_clip>> load(std::span<const std::byte> file,
                                              const mcpr_limits* limits = nullptr) {
   const mcpr_clip* clip = nullptr;
-  const mcpr_result result = mcpr_load(file.data(), file.size(), limits, &kAllocator, &clip);
+  mcpr_result result;
+  mcpr_load(file.data(), file.size(), limits, &kAllocator, &clip, &result);
   return {Owned<const mcpr_clip>(result.status == MCPR_OK ? clip : nullptr), result};
 }
 
@@ -65,8 +90,8 @@ inline Expected<Owned<const mcpr_cooked>> load_cooked(std::span<const std::byte>
                                                       const mcpr_cook_options& options = {},
                                                       const mcpr_limits* limits = nullptr) {
   const mcpr_cooked* clip = nullptr;
-  const mcpr_result result =
-      mcpr_load_cooked(file.data(), file.size(), limits, &options, &kAllocator, &clip);
+  mcpr_result result;
+  mcpr_load_cooked(file.data(), file.size(), limits, &options, &kAllocator, &clip, &result);
   return {Owned<const mcpr_cooked>(result.status == MCPR_OK ? clip : nullptr), result};
 }
 
@@ -74,7 +99,7 @@ inline Expected<Owned<const mcpr_cooked>> load_cooked(std::span<const std::byte>
 /// 0: none yet, or a file without tiers.
 inline std::uint32_t tiers_within(std::span<const std::byte> file) {
   std::uint32_t count = 0;
-  for (mcpr_tier tier; mcpr_tier_of(file.data(), file.size(), count, &tier).status == MCPR_OK &&
+  for (mcpr_tier tier; mcpr_tier_of(file.data(), file.size(), count, &tier, nullptr) == MCPR_OK &&
                        tier.bytes <= file.size();)
     ++count;
   return count;
@@ -90,7 +115,7 @@ class Player {
     const std::size_t bytes = mcpr_cursor_bytes(clip);
     player->clip_ = clip;
     player->memory_ = allocate(bytes);
-    player.result = mcpr_make_cursor(clip, player->memory_.get(), bytes, &player->cursor_);
+    mcpr_make_cursor(clip, player->memory_.get(), bytes, &player->cursor_, &player.result);
     return player;
   }
 
@@ -127,7 +152,9 @@ class Player {
     }
     request.scratch = scratch_.get();
     request.scratch_size = scratch_bytes_;
-    return mcpr_sample_next(cursor_, &request, time, out);
+    mcpr_result result;
+    mcpr_sample_next(cursor_, &request, time, out, &result);
+    return result;
   }
 
   const mcpr_cooked* clip_ = nullptr;
@@ -141,7 +168,7 @@ class Player {
 /// `check` = 1 verifies every byte. Fails as mcpk_open does.
 inline Expected<const mcpk_bank*> open_bank(std::span<const std::byte> memory, int check = 1) {
   Expected<const mcpk_bank*> bank;
-  bank.result = mcpk_open(memory.data(), memory.size(), check, &bank.value);
+  mcpk_open(memory.data(), memory.size(), check, &bank.value, &bank.result);
   return bank;
 }
 
@@ -158,7 +185,7 @@ inline Expected<const mcpr_cooked*> cooked_of(const mcpk_bank* bank, const char*
   const std::int32_t number = mcpk_find(bank, name);
   if (number < 0) return {nullptr, {MCPR_ARGUMENT, 0, "the bank has no clip of this name"}};
   Expected<const mcpr_cooked*> clip;
-  clip.result = mcpk_cooked(bank, static_cast<std::uint32_t>(number), &clip.value);
+  mcpk_cooked(bank, static_cast<std::uint32_t>(number), &clip.value, &clip.result);
   return clip;
 }
 

@@ -20,8 +20,11 @@ constexpr mcpr_result no_map(const char* message) {
 /// The joints of a clip, wherever they are kept.
 class ClipJoints {
  public:
-  explicit ClipJoints(const mcpr_clip* clip)
-      : clip_(clip), joints_(mcpr_clip_describe(clip).joints) {}
+  explicit ClipJoints(const mcpr_clip* clip) : clip_(clip) {
+    mcpr_clip_info info;
+    mcpr_clip_describe(clip, &info);
+    joints_ = info.joints;
+  }
   explicit ClipJoints(const BankSkeleton& skeleton)
       : skeleton_(skeleton), joints_(skeleton.joints()) {}
 
@@ -30,7 +33,7 @@ class ClipJoints {
   mcpr_joint operator[](std::uint32_t number) const {
     mcpr_joint joint{};
     if (clip_ != nullptr)
-      mcpr_clip_joint(clip_, number, &joint);
+      mcpr_clip_joint(clip_, number, &joint, nullptr);
     else
       joint = skeleton_.described(number);
     if (joint.name == nullptr) joint.name = "";  // of a bank that was not checked
@@ -130,12 +133,14 @@ mcpr_result map_joints(const ClipJoints& joints, const mcpr_skeleton* skeleton, 
 
 namespace runtime = mocapress::runtime;
 
-mcpr_result mcpr_cooked_joint(const mcpr_cooked* cooked, uint32_t joint, mcpr_joint* out) {
+mcpr_status mcpr_cooked_joint(const mcpr_cooked* cooked, uint32_t joint, mcpr_joint* out,
+                              mcpr_result* report) {
   const runtime::ClipJoints joints = runtime::joints_of(cooked);
   if (out == nullptr || joint >= joints.count())
-    return runtime::no_map("no such joint, or the clip was cooked without its skeleton");
+    return runtime::tell(
+        report, runtime::no_map("no such joint, or the clip was cooked without its skeleton"));
   *out = joints[joint];
-  return runtime::kOk;
+  return runtime::tell(report, runtime::kOk);
 }
 
 uint64_t mcpr_skeleton_hash(const mcpr_clip* clip) {
@@ -158,29 +163,32 @@ int32_t mcpk_skeleton(const mcpk_bank* bank, uint32_t clip) {
   return number < bank->count(runtime::BankItem::Part) ? static_cast<std::int32_t>(number) : -1;
 }
 
-mcpr_result mcpr_map_joints(const mcpr_clip* clip, const mcpr_skeleton* skeleton, int16_t* map,
-                            mcpr_map_gaps* gaps) {
-  return runtime::map_joints(runtime::ClipJoints(clip), skeleton, map, gaps);
+mcpr_status mcpr_map_joints(const mcpr_clip* clip, const mcpr_skeleton* skeleton, int16_t* map,
+                            mcpr_map_gaps* gaps, mcpr_result* report) {
+  return runtime::tell(report, runtime::map_joints(runtime::ClipJoints(clip), skeleton, map, gaps));
 }
 
-mcpr_result mcpr_map_cooked_joints(const mcpr_cooked* cooked, const mcpr_skeleton* skeleton,
-                                   int16_t* map, mcpr_map_gaps* gaps) {
-  return runtime::map_joints(runtime::joints_of(cooked), skeleton, map, gaps);
+mcpr_status mcpr_map_cooked_joints(const mcpr_cooked* cooked, const mcpr_skeleton* skeleton,
+                                   int16_t* map, mcpr_map_gaps* gaps, mcpr_result* report) {
+  return runtime::tell(report,
+                       runtime::map_joints(runtime::joints_of(cooked), skeleton, map, gaps));
 }
 
-mcpr_result mcpk_map_joints(const mcpk_bank* bank, uint32_t clip, const mcpr_skeleton* skeleton,
-                            int16_t* map, mcpr_map_gaps* gaps) {
-  return runtime::map_joints(runtime::joints_of(bank, clip), skeleton, map, gaps);
+mcpr_status mcpk_map_joints(const mcpk_bank* bank, uint32_t clip, const mcpr_skeleton* skeleton,
+                            int16_t* map, mcpr_map_gaps* gaps, mcpr_result* report) {
+  return runtime::tell(report,
+                       runtime::map_joints(runtime::joints_of(bank, clip), skeleton, map, gaps));
 }
 
-mcpr_result mcpr_remap_pose(const int16_t* map, uint32_t joints, const mcpr_transform* bind,
-                            const mcpr_transform* pose, uint32_t clip_joints, mcpr_transform* out) {
+mcpr_status mcpr_remap_pose(const int16_t* map, uint32_t joints, const mcpr_transform* bind,
+                            const mcpr_transform* pose, uint32_t clip_joints, mcpr_transform* out,
+                            mcpr_result* report) {
   if (map == nullptr || bind == nullptr || pose == nullptr || out == nullptr)
-    return runtime::no_map("no map, no bind pose, no pose, or no output");
+    return runtime::tell(report, runtime::no_map("no map, no bind pose, no pose, or no output"));
   for (std::uint32_t j = 0; j < joints; ++j) {
     if (map[j] >= static_cast<std::int64_t>(clip_joints))
-      return runtime::no_map("a joint that the pose does not have");
+      return runtime::tell(report, runtime::no_map("a joint that the pose does not have"));
     out[j] = map[j] < 0 ? bind[j] : pose[map[j]];
   }
-  return runtime::kOk;
+  return runtime::tell(report, runtime::kOk);
 }

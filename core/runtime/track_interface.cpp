@@ -70,22 +70,24 @@ uint32_t mcpr_track_count(const mcpr_tracks* tracks) {
   return tracks != nullptr ? tracks->count : 0;
 }
 
-mcpr_result mcpr_track_describe(const mcpr_tracks* tracks, uint32_t track, mcpr_track* out) {
-  if (out == nullptr || track >= mcpr_track_count(tracks)) return wrong_track("no such track");
+mcpr_status mcpr_track_describe(const mcpr_tracks* tracks, uint32_t track, mcpr_track* out,
+                                mcpr_result* report) {
+  if (out == nullptr || track >= mcpr_track_count(tracks))
+    return tell(report, wrong_track("no such track"));
   const ResidentTrack& resident = tracks->track(track);
   const char* const names = tracks->at<char>(tracks->names);
   *out = {.node = names + resident.node,
           .name = names + resident.name,
           .kind = static_cast<mcpr_track_kind>(resident.kind),
           .steps = resident.steps};
-  return kOk;
+  return tell(report, kOk);
 }
 
 int32_t mcpr_find_track(const mcpr_tracks* tracks, mcpr_track_kind kind, const char* node,
                         const char* name) {
   mcpr_track track;
   for (std::uint32_t t = 0; t < mcpr_track_count(tracks); ++t) {
-    mcpr_track_describe(tracks, t, &track);
+    mcpr_track_describe(tracks, t, &track, nullptr);
     if (track.kind == kind && (node == nullptr || std::strcmp(track.node, node) == 0) &&
         (name == nullptr || std::strcmp(track.name, name) == 0))
       return static_cast<std::int32_t>(t);
@@ -105,52 +107,56 @@ size_t mcpr_track_scratch_bytes(const mcpr_tracks* tracks, const mcpr_track_requ
   return static_cast<std::size_t>(memory.used());
 }
 
-mcpr_result mcpr_track_frames(const mcpr_tracks* tracks, const mcpr_track_request* request,
+mcpr_status mcpr_track_frames(const mcpr_tracks* tracks, const mcpr_track_request* request,
                               uint32_t first, uint32_t count, float* out, void* scratch,
-                              size_t scratch_size) {
+                              size_t scratch_size, mcpr_result* report) {
   const mcpr_result result = check_track_call(tracks, request, out, scratch, scratch_size);
-  if (failed(result)) return result;
+  if (failed(result)) return tell(report, result);
   const std::uint32_t frames = tracks->frames;
-  if (first > frames || count > frames - first) return wrong_track("frames outside the clip");
+  if (first > frames || count > frames - first)
+    return tell(report, wrong_track("frames outside the clip"));
   Memory memory(scratch, scratch_size);
   TrackDecoder(memory, *tracks, *request).decode(first, count, out);
-  return kOk;
+  return tell(report, kOk);
 }
 
-mcpr_result mcpr_track_moment(const mcpr_tracks* tracks, const mcpr_track_request* request,
-                              double time, float* out, void* scratch, size_t scratch_size) {
+mcpr_status mcpr_track_moment(const mcpr_tracks* tracks, const mcpr_track_request* request,
+                              double time, float* out, void* scratch, size_t scratch_size,
+                              mcpr_result* report) {
   const mcpr_result result = check_track_call(tracks, request, out, scratch, scratch_size);
-  if (failed(result)) return result;
+  if (failed(result)) return tell(report, result);
   const double frame = frame_at(*request, time);
   const Wrapping wrapping = wrapping_of(*tracks, *request);
-  if (!wrapping.is_possible()) return wrong_track("no such wrap, or the clip is not a loop");
-  if (!std::isfinite(frame)) return wrong_track("no finite instant");
+  if (!wrapping.is_possible())
+    return tell(report, wrong_track("no such wrap, or the clip is not a loop"));
+  if (!std::isfinite(frame)) return tell(report, wrong_track("no finite instant"));
   const PlaceInClip place = wrapping.place(frame);
   const auto before = static_cast<std::uint32_t>(place.frame);
   const std::uint32_t next = before + 1 < tracks->frames ? before + 1 : 0;
   const float share = place.across > 0 ? place.across : static_cast<float>(place.frame - before);
   Memory memory(scratch, scratch_size);
   TrackDecoder(memory, *tracks, *request).sample_between(before, next, share, out);
-  return kOk;
+  return tell(report, kOk);
 }
 
-mcpr_result mcpr_track_changes(const mcpr_tracks* tracks, const mcpr_track_request* request,
+mcpr_status mcpr_track_changes(const mcpr_tracks* tracks, const mcpr_track_request* request,
                                double from, double to, mcpr_change* changes, uint32_t capacity,
-                               uint32_t* count) {
-  if (!may_ask(tracks, request)) return impossible_request();
+                               uint32_t* count, mcpr_result* report) {
+  if (!may_ask(tracks, request)) return tell(report, impossible_request());
   if (count == nullptr || (changes == nullptr && capacity > 0))
-    return wrong_track("no place was given for the changes, or for their number");
+    return tell(report, wrong_track("no place was given for the changes, or for their number"));
   const Wrapping wrapping = wrapping_of(*tracks, *request);
-  if (!wrapping.is_possible()) return wrong_track("no such wrap, or the clip is not a loop");
+  if (!wrapping.is_possible())
+    return tell(report, wrong_track("no such wrap, or the clip is not a loop"));
   const double first = std::floor(frame_at(*request, std::min(from, to)));
   const double last = std::floor(frame_at(*request, std::max(from, to)));
   // Beyond what a double holds, the difference is no number; beyond 2^52 there is nothing between
   // two frames.
   constexpr double kFurthest = 0x1p52;
   if (!std::isfinite(from) || !std::isfinite(to) || !(last - first <= double{kMostFrames}))
-    return wrong_track("no finite instants, or too many frames between them");
+    return tell(report, wrong_track("no finite instants, or too many frames between them"));
   if (std::abs(first) > kFurthest || std::abs(last) > kFurthest)
-    return wrong_track("instants beyond 2^52 frames");
+    return tell(report, wrong_track("instants beyond 2^52 frames"));
   *count = 0;
   const auto frames = static_cast<std::uint32_t>(last - first);
   const std::size_t asked = mcpr_track_values(tracks, request);
@@ -173,5 +179,5 @@ mcpr_result mcpr_track_changes(const mcpr_tracks* tracks, const mcpr_track_reque
       ++*count;
     }
   }
-  return kOk;
+  return tell(report, kOk);
 }

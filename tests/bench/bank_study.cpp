@@ -22,6 +22,7 @@
 #include "core/bank/bank_file.h"
 #include "core/base/error.h"
 #include "core/base/random.h"
+#include "core/runtime/mocapress_runtime.hpp"
 #include "core/runtime/own_memory.h"
 
 namespace mocapress {
@@ -42,8 +43,8 @@ Json spread(std::vector<double> values) {
   return {{"median", at(0.5)}, {"p99", at(0.99)}, {"max", at(1)}};
 }
 
-void require(const mcpr_result& result) {
-  if (result.status != MCPR_OK) throw Error(result.message);
+void require(mcpr_status status) {
+  if (status != MCPR_OK) throw Error(mcpr_status_message(status));
 }
 
 /// Times the first pose in a freshly mapped bank.
@@ -53,13 +54,14 @@ void time_first_pose(const std::string& path, bool beforehand, const std::string
   Clock::time_point start = Clock::now();
   const MappedFile file(path, beforehand);
   const mcpk_bank* bank = nullptr;
-  require(mcpk_open(file.bytes().data(), file.bytes().size(), 0, &bank));
+  require(mcpk_open(file.bytes().data(), file.bytes().size(), 0, &bank, nullptr));
   opens.push_back(microseconds_since(start));
   start = Clock::now();
   const mcpr_cooked* clip = nullptr;
-  require(mcpk_cooked(bank, static_cast<std::uint32_t>(mcpk_find(bank, name.c_str())), &clip));
+  require(
+      mcpk_cooked(bank, static_cast<std::uint32_t>(mcpk_find(bank, name.c_str())), &clip, nullptr));
   const mcpr_sample_request request{.unit = MCPR_SECONDS};
-  require(mcpr_sample(clip, &request, 0.3, pose.data()));
+  require(mcpr_sample(clip, &request, 0.3, pose.data(), nullptr));
   poses.push_back(microseconds_since(start));
 }
 
@@ -112,8 +114,8 @@ class DecodedClip {
  public:
   DecodedClip(const mcpk_bank& bank, std::uint32_t clip)
       : scratch_(read_bytes(bank, clip)), resident_(resident_bytes(bank, clip)) {
-    require(
-        mcpr_build(scratch_.data(), scratch_.size(), resident_.data(), resident_.size(), &clip_));
+    require(mcpr_build(scratch_.data(), scratch_.size(), resident_.data(), resident_.size(), &clip_,
+                       nullptr));
   }
 
   /// The pose, 7 floats for each joint.
@@ -121,20 +123,20 @@ class DecodedClip {
     const mcpr_request request{.output = MCPR_LOCAL};
     const AlignedBytes working(mcpr_scratch_bytes(clip_, &request));
     std::vector<float> pose(mcpr_frame_values(clip_, &request));
-    require(
-        mcpr_decode_moment(clip_, &request, frame, pose.data(), working.data(), working.size()));
+    require(mcpr_decode_moment(clip_, &request, frame, pose.data(), working.data(), working.size(),
+                               nullptr));
     return pose;
   }
 
  private:
   static std::size_t read_bytes(const mcpk_bank& bank, std::uint32_t clip) {
     mcpr_info info{};
-    require(mcpk_inspect(&bank, clip, nullptr, &info));
+    require(mcpk_inspect(&bank, clip, nullptr, &info, nullptr));
     return info.read_bytes;
   }
   std::size_t resident_bytes(const mcpk_bank& bank, std::uint32_t clip) const {
     std::size_t bytes = 0;
-    require(mcpk_read(&bank, clip, nullptr, scratch_.data(), scratch_.size(), &bytes));
+    require(mcpk_read(&bank, clip, nullptr, scratch_.data(), scratch_.size(), &bytes, nullptr));
     return bytes;
   }
 
@@ -176,9 +178,9 @@ Json sample_all(const std::string& path, const std::string& packed_path) {
   Clock::time_point start = Clock::now();
   const MappedFile file(path);
   const mcpk_bank* bank = nullptr;
-  require(mcpk_open(file.bytes().data(), file.bytes().size(), 0, &bank));
+  require(mcpk_open(file.bytes().data(), file.bytes().size(), 0, &bank, nullptr));
   const double open_us = microseconds_since(start);
-  const std::uint32_t clips = mcpk_describe(bank).clips;
+  const std::uint32_t clips = mcpr::describe(bank).clips;
   std::vector<std::uint32_t> order(clips);
   std::iota(order.begin(), order.end(), 0U);
   Random random(11);
@@ -187,11 +189,11 @@ Json sample_all(const std::string& path, const std::string& packed_path) {
   std::vector<mcpr_transform> pose;
   const auto sample = [&](std::uint32_t number, double share) {
     const mcpr_cooked* clip = nullptr;
-    require(mcpk_cooked(bank, number, &clip));
-    const mcpr_cooked_info info = mcpr_cooked_describe(clip);
+    require(mcpk_cooked(bank, number, &clip, nullptr));
+    const mcpr_cooked_info info = mcpr::describe(clip);
     pose.resize(info.joints);
     const double frame = share * (info.frames - 1.0);
-    require(mcpr_sample(clip, &request, frame, pose.front().rotation));
+    require(mcpr_sample(clip, &request, frame, pose.front().rotation, nullptr));
     return frame;
   };
   std::uint64_t poses = 0;

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "core/base/random.h"
-#include "core/runtime/mocapress_runtime.h"
+#include "core/runtime/mocapress_runtime.hpp"
 
 namespace {
 
@@ -42,20 +42,20 @@ int main(int count, char** arguments) {
                                std::istreambuf_iterator<char>()};
   const mcpr_allocator memory = allocator();
   const mcpr_cooked* clip = nullptr;
-  const mcpr_result loaded =
-      mcpr_load_cooked(file.data(), file.size(), nullptr, nullptr, &memory, &clip);
+  mcpr_result loaded;
+  mcpr_load_cooked(file.data(), file.size(), nullptr, nullptr, &memory, &clip, &loaded);
   if (loaded.status != MCPR_OK) {
     std::fprintf(stderr, "%s: %s\n", arguments[1], loaded.message);
     return 3;
   }
-  const mcpr_cooked_info info = mcpr_cooked_describe(clip);
+  const mcpr_cooked_info info = mcpr::describe(clip);
   const mcpr_sample_request request{};
   const mcpr_pose_form form{.joints = info.joints};
   // Sixteen poses, so that nothing is known beforehand.
   std::vector<Pose> poses(16, Pose(info.joints));
   for (std::size_t i = 0; i < poses.size(); ++i)
     mcpr_sample(clip, &request, (info.frames - 1.0) * static_cast<double>(i) / 16,
-                poses[i][0].rotation);
+                poses[i][0].rotation, nullptr);
   const std::vector<float> mask(info.joints, 0.7F);
   std::vector<std::int16_t> parents;
   std::vector<std::uint16_t> partners;
@@ -64,7 +64,8 @@ int main(int count, char** arguments) {
     partners.push_back(static_cast<std::uint16_t>(j));
   }
   std::vector<mcpr_mirror_joint> mirror(info.joints);
-  mcpr_make_mirror(&form, poses[0].data(), parents.data(), partners.data(), 0, mirror.data());
+  mcpr_make_mirror(&form, poses[0].data(), parents.data(), partners.data(), 0, mirror.data(),
+                   nullptr);
   Pose out(info.joints);
   mocapress::Random random(1);
   const auto pose = [&](int i) { return poses[static_cast<std::size_t>(i) % 16].data(); };
@@ -77,14 +78,14 @@ int main(int count, char** arguments) {
   std::vector<Work> works = {
       {"a pose at a random instant",
        [&](int) {
-         mcpr_sample(clip, &request, (info.frames - 1.0) * random.unit(), out[0].rotation);
+         mcpr_sample(clip, &request, (info.frames - 1.0) * random.unit(), out[0].rotation, nullptr);
        }},
       {"a copy of a pose", [&](int i) { std::copy_n(pose(i), info.joints, out.data()); }},
       {"blend of two",
        [&](int i) {
          const mcpr_weighted_pose all[] = {{.pose = pose(i), .weight = 0.3F},
                                            {.pose = pose(i + 1), .weight = 0.7F}};
-         mcpr_blend(&form, all, 2, out.data());
+         mcpr_blend(&form, all, 2, out.data(), nullptr);
        }},
       {"blend of four",
        [&](int i) {
@@ -92,26 +93,26 @@ int main(int count, char** arguments) {
                                            {.pose = pose(i + 1), .weight = 0.2F},
                                            {.pose = pose(i + 2), .weight = 0.4F},
                                            {.pose = pose(i + 3), .weight = 0.1F}};
-         mcpr_blend(&form, all, 4, out.data());
+         mcpr_blend(&form, all, 4, out.data(), nullptr);
        }},
       {"a masked layer",
        [&](int i) {
          const mcpr_weighted_pose layer{
              .pose = pose(i), .weight = 0.9F, .joint_weights = mask.data()};
-         mcpr_blend_layer(&form, &layer, out.data());
+         mcpr_blend_layer(&form, &layer, out.data(), nullptr);
        }},
       {"a difference",
-       [&](int i) { mcpr_pose_difference(&form, pose(i), pose(i + 1), out.data()); }},
+       [&](int i) { mcpr_pose_difference(&form, pose(i), pose(i + 1), out.data(), nullptr); }},
       {"a difference added",
        [&](int i) {
          const mcpr_weighted_pose added{.pose = pose(i), .weight = 0.5F};
-         mcpr_blend_additive(&form, &added, out.data());
+         mcpr_blend_additive(&form, &added, out.data(), nullptr);
        }},
       {"a mirror image",
-       [&](int i) { mcpr_mirror_pose(&form, mirror.data(), 0, pose(i), out.data()); }},
+       [&](int i) { mcpr_mirror_pose(&form, mirror.data(), 0, pose(i), out.data(), nullptr); }},
       {"motion of the root on the ground (whole, not a joint)", [&](int) {
          mcpr_sample_ground_motion(clip, &request, 0, (info.frames - 1.0) * random.unit(),
-                                   (info.frames - 1.0) * random.unit(), out.data());
+                                   (info.frames - 1.0) * random.unit(), out.data(), nullptr);
        }}};
   for (int round = 0; round < kRounds; ++round)
     for (Work& work : works) {

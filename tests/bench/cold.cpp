@@ -110,10 +110,10 @@ void Cold::run() const {
   const AlignedBytes memory(file.bytes().size());
   std::memcpy(memory.data(), file.bytes().data(), file.bytes().size());
   const mcpk_bank* bank = nullptr;
-  if (mcpk_open(memory.data(), memory.size(), 1, &bank).status != MCPR_OK)
+  if (mcpk_open(memory.data(), memory.size(), 1, &bank, nullptr) != MCPR_OK)
     throw Error("the bank cannot be opened");
   std::vector<const mcpr_cooked*> ours(copies);
-  for (std::uint32_t c = 0; c < copies; ++c) mcpk_cooked(bank, c, &ours[c]);
+  for (std::uint32_t c = 0; c < copies; ++c) mcpk_cooked(bank, c, &ours[c], nullptr);
 
   constexpr std::size_t kAclAlignment = 16;
   std::vector<std::size_t> places;
@@ -158,7 +158,7 @@ void Cold::run() const {
     const auto by = [&](mcpr_path path, std::vector<double>& to) {
       time(to, [&](const Instant& at) {
         const mcpr_sample_request request{.unit = MCPR_SECONDS, .path = path};
-        mcpr_sample(ours[at.clip], &request, static_cast<double>(at.seconds), out.data());
+        mcpr_sample(ours[at.clip], &request, static_cast<double>(at.seconds), out.data(), nullptr);
       });
     };
     std::vector<double> took[4];

@@ -39,6 +39,7 @@
 #include "core/formats/motion_file.h"
 #include "core/metrics/distortion.h"
 #include "core/motion/body_tracks.h"
+#include "core/runtime/mocapress_runtime.hpp"
 #include "core/runtime/own_memory.h"
 #include "tests/bench/acl_peer.h"
 #include "tests/bench/study_clips.h"
@@ -73,12 +74,12 @@ struct Detail {
 
 /// Chooses joints by the number of joints below them, themselves included.
 Detail detail_of(const mcpk_bank* bank, std::uint32_t clip, const mcpr_cooked* cooked) {
-  const std::uint32_t joints = mcpr_cooked_describe(cooked).joints;
+  const std::uint32_t joints = mcpr::describe(cooked).joints;
   std::vector<int> below(joints, 1);
   std::vector<int> parents(joints);
   for (std::uint32_t j = 0; j < joints; ++j) {
     mcpr_joint joint{};
-    mcpk_joint(bank, clip, j, &joint);
+    mcpk_joint(bank, clip, j, &joint, nullptr);
     parents[j] = joint.parent;
   }
   for (std::uint32_t j = joints; j-- > 0;)
@@ -93,7 +94,7 @@ Detail detail_of(const mcpk_bank* bank, std::uint32_t clip, const mcpr_cooked* c
     AlignedBytes& memory = *(
         detail.memory[level] = std::make_unique<AlignedBytes>(mcpr_selection_bytes(cooked, count)));
     mcpr_make_selection(cooked, list.data(), count, memory.data(), memory.size(),
-                        &detail.selection[level]);
+                        &detail.selection[level], nullptr);
   }
   detail.parents = std::move(parents);
   return detail;
@@ -124,9 +125,9 @@ struct Missed {
     std::vector<float> pose(8 * parents.size());
     const mcpr_sample_request all{.unit = MCPR_SECONDS};
     const mcpr_sample_request some{.unit = MCPR_SECONDS, .bands_left_out = bands};
-    mcpr_sample(clip, &all, seconds, pose.data());
+    mcpr_sample(clip, &all, seconds, pose.data(), nullptr);
     const std::vector<Eigen::Vector3f> right = places_of(parents, pose);
-    mcpr_sample(clip, &some, seconds, pose.data());
+    mcpr_sample(clip, &some, seconds, pose.data(), nullptr);
     const std::vector<Eigen::Vector3f> coarse = places_of(parents, pose);
     for (std::size_t j = 0; j < right.size(); ++j) {
       const auto apart = static_cast<double>((coarse[j] - right[j]).norm());
@@ -168,8 +169,8 @@ double pose_all(const std::vector<Character>& crowd, unsigned threads, const Pos
                      });
 }
 
-void require(const mcpr_result& result) {
-  if (result.status != MCPR_OK) throw Error(result.message);
+void require(mcpr_status status) {
+  if (status != MCPR_OK) throw Error(mcpr_status_message(status));
 }
 
 /// Characters for mcpr_sample_crowd, put into order.
@@ -190,7 +191,7 @@ class SortedCrowd {
     static const AlignedBytes scratch(mcpr_sort_crowd_scratch_bytes(count));
     const mcpr_crowd_request request{.unit = MCPR_SECONDS};
     const auto start = std::chrono::steady_clock::now();
-    require(mcpr_sort_crowd(&request, all_.data(), count, scratch.data(), scratch.size()));
+    require(mcpr_sort_crowd(&request, all_.data(), count, scratch.data(), scratch.size(), nullptr));
     sort_seconds = seconds_since(start);
     // All poses of a slice go to the same memory, as in the other timings.
     for (std::size_t c = 0; c < all_.size(); ++c) all_[c].out = poses_[c / kSlice].data();
@@ -205,7 +206,7 @@ class SortedCrowd {
     return pose_slices(
         all_.size(), kSlice, threads_, [&](unsigned thread, std::size_t first, std::size_t count) {
           require(mcpr_sample_crowd(&request, &all_[first], static_cast<std::uint32_t>(count),
-                                    scratch[thread]->data(), scratch[thread]->size()));
+                                    scratch[thread]->data(), scratch[thread]->size(), nullptr));
         });
   }
 
@@ -264,14 +265,14 @@ Json Crowd::run() const {
   const BankFile packed(folder / "packed.mcpk");
   const MappedFile file(folder / "cooked.mcpk");
   const mcpk_bank* bank = nullptr;
-  require(mcpk_open(file.bytes().data(), file.bytes().size(), 0, &bank));
+  require(mcpk_open(file.bytes().data(), file.bytes().size(), 0, &bank, nullptr));
 
   std::vector<const mcpr_cooked*> ours(sources.size());
   std::vector<Detail> details;
   std::size_t most_joints = 0;
   for (std::uint32_t c = 0; c < ours.size(); ++c) {
-    mcpk_cooked(bank, c, &ours[c]);
-    const std::uint32_t joints = mcpr_cooked_describe(ours[c]).joints;
+    mcpk_cooked(bank, c, &ours[c], nullptr);
+    const std::uint32_t joints = mcpr::describe(ours[c]).joints;
     details.push_back(detail_of(bank, c, ours[c]));
     most_joints = std::max<std::size_t>(most_joints, joints);
   }
@@ -310,7 +311,7 @@ Json Crowd::run() const {
     }));
     our_seconds.push_back(pose_all(crowd, threads, [&](unsigned t, const Character& c) {
       const mcpr_sample_request request{.unit = MCPR_SECONDS};
-      mcpr_sample(ours[c.clip], &request, static_cast<double>(c.seconds), poses[t].data());
+      mcpr_sample(ours[c.clip], &request, static_cast<double>(c.seconds), poses[t].data(), nullptr);
     }));
     SortedCrowd sorted(crowd, ours, threads, most_joints);
     sort_seconds.push_back(sorted.sort_seconds);
@@ -325,12 +326,13 @@ Json Crowd::run() const {
                                  }));
     detail_seconds.push_back(pose_all(crowd, threads, [&](unsigned t, const Character& c) {
       const mcpr_sample_request request = details[c.clip].request(c.detail);
-      mcpr_sample(ours[c.clip], &request, static_cast<double>(c.seconds), poses[t].data());
+      mcpr_sample(ours[c.clip], &request, static_cast<double>(c.seconds), poses[t].data(), nullptr);
     }));
     for (std::uint32_t bands = 0; bands < kBands; ++bands) {
       band_seconds[bands].push_back(pose_all(crowd, threads, [&](unsigned t, const Character& c) {
         const mcpr_sample_request request{.unit = MCPR_SECONDS, .bands_left_out = bands};
-        mcpr_sample(ours[c.clip], &request, static_cast<double>(c.seconds), poses[t].data());
+        mcpr_sample(ours[c.clip], &request, static_cast<double>(c.seconds), poses[t].data(),
+                    nullptr);
       }));
       for (std::size_t c = 0; c < crowd.size(); c += 20)
         missed[bands].add(ours[crowd[c].clip], details[crowd[c].clip].parents,
@@ -341,7 +343,8 @@ Json Crowd::run() const {
           pose_all(crowd, threads, [&](unsigned t, const Character& c) {
             const mcpr_sample_request request{.unit = MCPR_SECONDS,
                                               .selection = details[c.clip].selection[level]};
-            mcpr_sample(ours[c.clip], &request, static_cast<double>(c.seconds), poses[t].data());
+            mcpr_sample(ours[c.clip], &request, static_cast<double>(c.seconds), poses[t].data(),
+                        nullptr);
           }));
   }
   const auto per_second = [&](const std::vector<double>& seconds) {

@@ -12,7 +12,7 @@
 
 #include "core/base/random.h"
 #include "core/runtime/format/value_prediction.h"
-#include "core/runtime/mocapress_runtime.h"
+#include "core/runtime/mocapress_runtime.hpp"
 
 namespace {
 
@@ -38,16 +38,16 @@ class Block {
 struct Clip {
   explicit Clip(const std::vector<char>& file) {
     mcpr_info head{};
-    mcpr_inspect(file.data(), file.size(), nullptr, &head);
+    mcpr_inspect(file.data(), file.size(), nullptr, &head, nullptr);
     Block scratch(head.read_bytes);
     std::size_t bytes = 0;
-    mcpr_read(file.data(), file.size(), nullptr, scratch.data(), scratch.size(), &bytes);
+    mcpr_read(file.data(), file.size(), nullptr, scratch.data(), scratch.size(), &bytes, nullptr);
     resident = Block(bytes);
-    mcpr_build(scratch.data(), scratch.size(), resident.data(), bytes, &clip);
+    mcpr_build(scratch.data(), scratch.size(), resident.data(), bytes, &clip, nullptr);
     Block space(mcpr_cook_scratch_bytes(clip, nullptr));
-    mcpr_cook_size(clip, nullptr, space.data(), space.size(), &bytes);
+    mcpr_cook_size(clip, nullptr, space.data(), space.size(), &bytes, nullptr);
     block = Block(bytes);
-    mcpr_cook(clip, nullptr, space.data(), space.size(), block.data(), bytes, &cooked);
+    mcpr_cook(clip, nullptr, space.data(), space.size(), block.data(), bytes, &cooked, nullptr);
   }
 
   Block resident{0};
@@ -60,9 +60,9 @@ void sample(const Clip& clip, mcpr_path path, std::vector<float>& out) {
   mcpr_sample_request request{};
   request.path = path;
   Random random(1);
-  const double last = mcpr_cooked_describe(clip.cooked).frames - 1.0;
+  const double last = mcpr::describe(clip.cooked).frames - 1.0;
   for (int i = 0; i < 2000; ++i)
-    mcpr_sample(clip.cooked, &request, last * random.unit(), out.data());
+    mcpr_sample(clip.cooked, &request, last * random.unit(), out.data(), nullptr);
 }
 
 void play(const Clip& clip, mcpr_path path, std::vector<float>& out) {
@@ -70,20 +70,21 @@ void play(const Clip& clip, mcpr_path path, std::vector<float>& out) {
   request.path = path;
   Block memory(mcpr_cursor_bytes(clip.cooked));
   mcpr_cursor* cursor = nullptr;
-  mcpr_make_cursor(clip.cooked, memory.data(), memory.size(), &cursor);
-  const double last = mcpr_cooked_describe(clip.cooked).frames - 1.0;
+  mcpr_make_cursor(clip.cooked, memory.data(), memory.size(), &cursor, nullptr);
+  const double last = mcpr::describe(clip.cooked).frames - 1.0;
   double frame = 0;
   for (int i = 0; i<2000; ++i, frame = frame + 2> last ? 0 : frame + 2)
-    mcpr_sample_next(cursor, &request, frame, out.data());
+    mcpr_sample_next(cursor, &request, frame, out.data(), nullptr);
 }
 
 void decode(const Clip& clip, mcpr_path path, std::vector<float>& out) {
   mcpr_request request{};
   request.path = path;
   Block scratch(mcpr_scratch_bytes(clip.clip, &request));
-  const std::uint32_t frames = mcpr_clip_describe(clip.clip).frames;
+  const std::uint32_t frames = mcpr::describe(clip.clip).frames;
   out.resize(std::max(out.size(), mcpr_frame_values(clip.clip, &request) * frames));
-  mcpr_decode_frames(clip.clip, &request, 0, frames, out.data(), scratch.data(), scratch.size());
+  mcpr_decode_frames(clip.clip, &request, 0, frames, out.data(), scratch.data(), scratch.size(),
+                     nullptr);
 }
 
 /// Predicts and learns as when reading a file, with realistic numbers.
@@ -136,7 +137,7 @@ int main(int count, char** arguments) {
                                                   {MCPR_PATH_AVX2, "AVX2"},
                                                   {MCPR_PATH_NEON, "NEON"},
                                                   {MCPR_PATH_WASM, "WASM"}};
-  std::vector<float> out(std::size_t{8} * mcpr_cooked_describe(clip.cooked).joints);
+  std::vector<float> out(std::size_t{8} * mcpr::describe(clip.cooked).joints);
   for (const Work& work : kWorks) {
     std::map<mcpr_path, double> least;
     for (int round = 0; round < kRounds; ++round)

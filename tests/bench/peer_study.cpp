@@ -143,7 +143,7 @@ Json times_of(const Encoder& encoder, AclClip& acl, double shell_rms) {
   const Encoding encoding = encode(encoder, Weighting::Shell, {Target::Kind::Error, shell_rms});
   const test::OpenedClip opened(write_container(encoding.compressed));
   if (opened.clip == nullptr) throw Error(opened.result.message);
-  const mcpr_clip_info info = mcpr_clip_describe(opened.clip);
+  const mcpr_clip_info info = mcpr::describe(opened.clip);
   const test::CookedClip cooked(opened.clip);
   if (cooked.clip == nullptr) throw Error(cooked.result.message);
   const mcpr_sample_request request{.unit = MCPR_SECONDS};
@@ -157,7 +157,7 @@ Json times_of(const Encoder& encoder, AclClip& acl, double shell_rms) {
     forwards[static_cast<std::size_t>(i)] = std::fmod(i / 60.0, duration);
   const AlignedBytes cursor_memory(mcpr_cursor_bytes(cooked.clip));
   mcpr_cursor* cursor = nullptr;
-  mcpr_make_cursor(cooked.clip, cursor_memory.data(), cursor_memory.size(), &cursor);
+  mcpr_make_cursor(cooked.clip, cursor_memory.data(), cursor_memory.size(), &cursor, nullptr);
   const auto of_both = [&](const std::vector<double>& instants, const auto& ours) {
     const auto at = [&](int i) { return instants[static_cast<std::size_t>(i)]; };
     return median_us(
@@ -165,20 +165,22 @@ Json times_of(const Encoder& encoder, AclClip& acl, double shell_rms) {
         [&](int i) { ours(at(i)); });
   };
   acl.open();
-  const auto [acl_pose, pose] =
-      of_both(at_random, [&](double at) { mcpr_sample(cooked.clip, &request, at, out.data()); });
-  const auto [acl_play, play] =
-      of_both(forwards, [&](double at) { mcpr_sample_next(cursor, &request, at, out.data()); });
+  const auto [acl_pose, pose] = of_both(
+      at_random, [&](double at) { mcpr_sample(cooked.clip, &request, at, out.data(), nullptr); });
+  const auto [acl_play, play] = of_both(
+      forwards, [&](double at) { mcpr_sample_next(cursor, &request, at, out.data(), nullptr); });
   const mcpr_cooked* clip = nullptr;
   const auto [acl_open, open] = median_us(
       kInstants, [&](int) { acl.open(); },
-      [&](int) { mcpr_open_cooked(cooked.bytes->data(), cooked.bytes->size(), 0, &clip); });
+      [&](int) {
+        mcpr_open_cooked(cooked.bytes->data(), cooked.bytes->size(), 0, &clip, nullptr);
+      });
   const double frame_seconds = 1 / info.sample_rate;
   const auto [acl_clip, clip_frames] = median_us<15>(
       1, [&](int) { acl.decode_frames(); },
       [&](int) {
         for (std::uint32_t frame = 0; frame < info.frames; ++frame)
-          mcpr_sample_next(cursor, &request, frame_seconds * frame, out.data());
+          mcpr_sample_next(cursor, &request, frame_seconds * frame, out.data(), nullptr);
       });
   const mcpr_request local{.output = MCPR_LOCAL};
   std::vector<float> frames(info.frames * mcpr_frame_values(opened.clip, &local));
@@ -188,10 +190,10 @@ Json times_of(const Encoder& encoder, AclClip& acl, double shell_rms) {
           1, [&](int) { acl.decode_frames(); },
           [&](int) {
             mcpr_decode_frames(opened.clip, &local, 0, info.frames, frames.data(), scratch.data(),
-                               scratch.size());
+                               scratch.size(), nullptr);
           })
           .second;
-  const mcpr_cooked_info cooked_info = mcpr_cooked_describe(cooked.clip);
+  const mcpr_cooked_info cooked_info = mcpr::describe(cooked.clip);
   Json row = {{"motion_bytes", encoding.compressed.motion_bytes()},
               {"resident_bytes", cooked_info.bytes - cooked_info.skeleton_bytes},
               {"acl_pose_us", acl_pose},
@@ -205,10 +207,10 @@ Json times_of(const Encoder& encoder, AclClip& acl, double shell_rms) {
               {"resident_clip_us_per_frame", resident_frames / info.frames}};
   const mcpr_sample_request sse2{.unit = MCPR_SECONDS, .path = MCPR_PATH_SSE2};
   if (mcpr_path_exists(sse2.path) != 0) {
-    const auto [acl_pose_again, sse2_pose] =
-        of_both(at_random, [&](double at) { mcpr_sample(cooked.clip, &sse2, at, out.data()); });
-    const auto [acl_play_again, sse2_play] =
-        of_both(forwards, [&](double at) { mcpr_sample_next(cursor, &sse2, at, out.data()); });
+    const auto [acl_pose_again, sse2_pose] = of_both(
+        at_random, [&](double at) { mcpr_sample(cooked.clip, &sse2, at, out.data(), nullptr); });
+    const auto [acl_play_again, sse2_play] = of_both(
+        forwards, [&](double at) { mcpr_sample_next(cursor, &sse2, at, out.data(), nullptr); });
     row.update({{"acl_pose_us_beside_sse2", acl_pose_again},
                 {"sse2_pose_us", sse2_pose},
                 {"acl_play_us_beside_sse2", acl_play_again},

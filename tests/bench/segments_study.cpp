@@ -26,7 +26,7 @@
 #include "core/codec/format/container.h"
 #include "core/formats/motion_file.h"
 #include "core/metrics/rate.h"
-#include "core/runtime/mocapress_runtime.h"
+#include "core/runtime/mocapress_runtime.hpp"
 
 namespace mocapress {
 namespace {
@@ -73,12 +73,12 @@ EncodeSettings options_at(double eps_cm, int longest) {
 
 /// The memory with which the runtime decoder opens a file.
 double scratch_memory(const std::vector<std::byte>& file) {
-  mcpr_limits limits = mcpr_default_limits();
+  mcpr_limits limits = mcpr::default_limits();
   limits.values = UINT64_MAX;
   limits.scratch_bytes = SIZE_MAX;
   mcpr_info info{};
-  if (const mcpr_result result = mcpr_inspect(file.data(), file.size(), &limits, &info);
-      result.status != MCPR_OK)
+  mcpr_result result;
+  if (mcpr_inspect(file.data(), file.size(), &limits, &info, &result) != MCPR_OK)
     throw std::runtime_error(result.message);
   return mebibytes(static_cast<double>(info.read_bytes));
 }

@@ -2,7 +2,7 @@
 // Prints a hash of every output of the runtime for files and banks, one a line, to compare
 // processors. Fails if the paths of one processor disagree.
 // Usage: output_hashes FILE.mcpr|BANK.mcpk...
-#include <mocapress_runtime.h>
+#include <mocapress_runtime.hpp>
 
 #include <cmath>
 #include <cstdio>
@@ -18,8 +18,8 @@ namespace {
   std::exit(1);
 }
 
-void check(const std::string& what, const mcpr_result& result) {
-  if (result.status != MCPR_OK) stop(what, result.message);
+void check(const std::string& what, mcpr_status status) {
+  if (status != MCPR_OK) stop(what, mcpr_status_message(status));
 }
 
 /// Memory for the runtime: zeroed and aligned.
@@ -87,7 +87,7 @@ std::vector<double> instants(unsigned frames) {
 }
 
 void print_decoded(const std::string& name, const mcpr_clip* clip) {
-  const mcpr_clip_info info = mcpr_clip_describe(clip);
+  const mcpr_clip_info info = mcpr::describe(clip);
   const char* const names[] = {"channels", "local", "positions"};
   for (int output = MCPR_CHANNELS; output <= MCPR_POSITIONS; ++output)
     for (int ik = 0; ik <= (info.effectors > 0 ? 1 : 0); ++ik)
@@ -107,7 +107,7 @@ void print_decoded(const std::string& name, const mcpr_clip* clip) {
           Block scratch(mcpr_scratch_bytes(clip, &request));
           floats.resize(mcpr_frame_values(clip, &request) * info.frames);
           check(what, mcpr_decode_frames(clip, &request, 0, info.frames, floats.data(),
-                                         scratch.data(), scratch.size()));
+                                         scratch.data(), scratch.size(), nullptr));
         });
         print(what + " instants", [&](mcpr_path path, std::vector<float>& floats) {
           const mcpr_request request = request_on(path);
@@ -115,13 +115,13 @@ void print_decoded(const std::string& name, const mcpr_clip* clip) {
           std::vector<float> pose(mcpr_frame_values(clip, &request));
           for (const double frame : instants(info.frames)) {
             check(what, mcpr_decode_moment(clip, &request, frame, pose.data(), scratch.data(),
-                                           scratch.size()));
+                                           scratch.size(), nullptr));
             floats.insert(floats.end(), pose.begin(), pose.end());
             if (info.loop_frames == 0) continue;
             mcpr_request looping = request;
             looping.wrap = MCPR_LOOP;
             check(what, mcpr_decode_moment(clip, &looping, 3 * frame - 5, pose.data(),
-                                           scratch.data(), scratch.size()));
+                                           scratch.data(), scratch.size(), nullptr));
             floats.insert(floats.end(), pose.begin(), pose.end());
           }
         });
@@ -133,12 +133,12 @@ void print_decoded(const std::string& name, const mcpr_clip* clip) {
     Block scratch(mcpr_track_scratch_bytes(tracks, &request));
     floats.resize(mcpr_track_values(tracks, &request) * info.frames);
     check(name, mcpr_track_frames(tracks, &request, 0, info.frames, floats.data(), scratch.data(),
-                                  scratch.size()));
+                                  scratch.size(), nullptr));
   });
 }
 
 void print_sampled(const std::string& name, const mcpr_cooked* cooked) {
-  const mcpr_cooked_info info = mcpr_cooked_describe(cooked);
+  const mcpr_cooked_info info = mcpr::describe(cooked);
   const char* const names[] = {"transforms", "arrays", "matrices"};
   for (int layout = MCPR_TRANSFORMS; layout <= MCPR_MATRICES; ++layout)
     for (int wrap = MCPR_CLAMP; wrap <= (info.loop_frames > 0 ? MCPR_LOOP : MCPR_CLAMP); ++wrap) {
@@ -157,7 +157,7 @@ void print_sampled(const std::string& name, const mcpr_cooked* cooked) {
           std::vector<float> pose(mcpr_sample_values(cooked, &request));
           for (const double frame : instants(info.frames)) {
             check(what, mcpr_sample(cooked, &request, wrap == MCPR_LOOP ? 3 * frame - 5 : frame,
-                                    pose.data()));
+                                    pose.data(), nullptr));
             floats.insert(floats.end(), pose.begin(), pose.end());
           }
         }
@@ -167,9 +167,9 @@ void print_sampled(const std::string& name, const mcpr_cooked* cooked) {
         std::vector<float> pose(mcpr_sample_values(cooked, &request));
         Block memory(mcpr_cursor_bytes(cooked));
         mcpr_cursor* cursor = nullptr;
-        check(what, mcpr_make_cursor(cooked, memory.data(), memory.size(), &cursor));
+        check(what, mcpr_make_cursor(cooked, memory.data(), memory.size(), &cursor, nullptr));
         for (double frame = 0; frame < info.frames; frame += 0.7) {
-          check(what, mcpr_sample_next(cursor, &request, frame, pose.data()));
+          check(what, mcpr_sample_next(cursor, &request, frame, pose.data(), nullptr));
           floats.insert(floats.end(), pose.begin(), pose.end());
         }
       });
@@ -182,14 +182,15 @@ void print_sampled(const std::string& name, const mcpr_cooked* cooked) {
     for (int engine = MCPR_MOCAPRESS; engine <= MCPR_BLENDER; ++engine)
       for (int layout = MCPR_TRANSFORMS; layout <= MCPR_HALVES; ++layout) {
         mcpr_convention convention;
-        check(name, mcpr_convention_of(static_cast<mcpr_engine>(engine), &convention));
+        check(name, mcpr_convention_of(static_cast<mcpr_engine>(engine), &convention, nullptr));
         mcpr_sample_request request{};
         request.layout = static_cast<mcpr_layout>(layout);
         request.path = path;
         request.convention = &convention;
         request.parents = parents.data();
         std::vector<float> pose(mcpr_sample_values(cooked, &request));
-        check(name, mcpr_sample(cooked, &request, (info.frames - 1.0) * 0.37, pose.data()));
+        check(name,
+              mcpr_sample(cooked, &request, (info.frames - 1.0) * 0.37, pose.data(), nullptr));
         floats.insert(floats.end(), pose.begin(), pose.end());
       }
   });
@@ -203,10 +204,10 @@ void print_sampled(const std::string& name, const mcpr_cooked* cooked) {
       request.stepped_count = 1;
       std::vector<float> pose(mcpr_sample_values(cooked, &request));
       for (const double frame : instants(info.frames)) {
-        check(name, mcpr_sample(cooked, &request, 3 * frame - 5, pose.data()));
+        check(name, mcpr_sample(cooked, &request, 3 * frame - 5, pose.data(), nullptr));
         floats.insert(floats.end(), pose.begin(), pose.end());
       }
-      check(name, mcpr_sample(cooked, &request, info.frames - 0.6, pose.data()));
+      check(name, mcpr_sample(cooked, &request, info.frames - 0.6, pose.data(), nullptr));
       floats.insert(floats.end(), pose.begin(), pose.end());
     }
   });
@@ -216,7 +217,7 @@ void print_sampled(const std::string& name, const mcpr_cooked* cooked) {
     if (info.loop_frames > 0) request.wrap = MCPR_LOOP;
     for (const double frame : instants(info.frames)) {
       mcpr_transform moved;
-      check(name, mcpr_sample_motion(cooked, &request, 0, frame / 2, 2 * frame, &moved));
+      check(name, mcpr_sample_motion(cooked, &request, 0, frame / 2, 2 * frame, &moved, nullptr));
       floats.insert(floats.end(), moved.rotation, moved.rotation + 4);
       floats.insert(floats.end(), moved.translation, moved.translation + 3);
     }
@@ -225,8 +226,9 @@ void print_sampled(const std::string& name, const mcpr_cooked* cooked) {
     mcpr_sample_request request{};
     request.path = path;
     std::vector<mcpr_transform> first(info.joints), second(info.joints), out(info.joints);
-    check(name, mcpr_sample(cooked, &request, 0, first[0].rotation));
-    check(name, mcpr_sample(cooked, &request, (info.frames - 1.0) * 0.6, second[0].rotation));
+    check(name, mcpr_sample(cooked, &request, 0, first[0].rotation, nullptr));
+    check(name,
+          mcpr_sample(cooked, &request, (info.frames - 1.0) * 0.6, second[0].rotation, nullptr));
     const auto keep = [&floats](const std::vector<mcpr_transform>& pose) {
       for (const mcpr_transform& joint : pose)
         floats.insert(floats.end(), joint.rotation, joint.translation + 4);
@@ -243,25 +245,26 @@ void print_sampled(const std::string& name, const mcpr_cooked* cooked) {
     form.joints = info.joints;
     const mcpr_weighted_pose both[] = {{first.data(), 0.7F, nullptr},
                                        {second.data(), 0.9F, mask.data()}};
-    check(name, mcpr_blend(&form, both, 2, out.data()));
+    check(name, mcpr_blend(&form, both, 2, out.data(), nullptr));
     keep(out);
-    check(name, mcpr_blend_layer(&form, &both[1], out.data()));
+    check(name, mcpr_blend_layer(&form, &both[1], out.data(), nullptr));
     keep(out);
-    check(name, mcpr_pose_difference(&form, second.data(), out.data(), out.data()));
+    check(name, mcpr_pose_difference(&form, second.data(), out.data(), out.data(), nullptr));
     keep(out);
     const mcpr_weighted_pose added = {out.data(), 0.8F, mask.data()};
-    check(name, mcpr_blend_additive(&form, &added, first.data()));
+    check(name, mcpr_blend_additive(&form, &added, first.data(), nullptr));
     keep(first);
     std::vector<mcpr_mirror_joint> mirror(info.joints);
     check(name, mcpr_make_mirror(&form, second.data(), parents.data(), partners.data(), 0,
-                                 mirror.data()));
-    check(name, mcpr_mirror_pose(&form, mirror.data(), 0, first.data(), out.data()));
+                                 mirror.data(), nullptr));
+    check(name, mcpr_mirror_pose(&form, mirror.data(), 0, first.data(), out.data(), nullptr));
     keep(out);
-    check(name, mcpr_split_root(nullptr, &first[0], &second[0]));
+    check(name, mcpr_split_root(nullptr, &first[0], &second[0], nullptr));
     keep(first);
     keep(second);
     for (const double frame : instants(info.frames)) {
-      check(name, mcpr_sample_ground_motion(cooked, &request, 0, frame / 2, frame, &out[0]));
+      check(name,
+            mcpr_sample_ground_motion(cooked, &request, 0, frame / 2, frame, &out[0], nullptr));
       floats.insert(floats.end(), out[0].rotation, out[0].translation + 4);
     }
   });
@@ -276,27 +279,28 @@ void print_sampled(const std::string& name, const mcpr_cooked* cooked) {
       all[i].out = floats.data() + size_t{8} * info.joints * i;
     }
     Block scratch(mcpr_crowd_scratch_bytes());
-    check(name, mcpr_sample_crowd(&request, all.data(), 64, scratch.data(), scratch.size()));
+    check(name,
+          mcpr_sample_crowd(&request, all.data(), 64, scratch.data(), scratch.size(), nullptr));
   });
 }
 
 void print_clip(const std::string& name, Block& scratch, size_t bytes) {
   Block resident(bytes);
   const mcpr_clip* clip = nullptr;
-  check(name, mcpr_build(scratch.data(), scratch.size(), resident.data(), bytes, &clip));
+  check(name, mcpr_build(scratch.data(), scratch.size(), resident.data(), bytes, &clip, nullptr));
   print_decoded(name, clip);
   // Without the correction, exactly, and refitted.
-  for (int ik = 0; ik <= (mcpr_clip_describe(clip).effectors > 0 ? 2 : 0); ++ik) {
+  for (int ik = 0; ik <= (mcpr::describe(clip).effectors > 0 ? 2 : 0); ++ik) {
     mcpr_cook_options options{};
     options.apply_ik = ik != 0 ? 1 : 0;
     options.ik_error = ik == 2 ? 0.1F : 0.0F;
     Block space(mcpr_cook_scratch_bytes(clip, &options));
     size_t size = 0;
-    check(name, mcpr_cook_size(clip, &options, space.data(), space.size(), &size));
+    check(name, mcpr_cook_size(clip, &options, space.data(), space.size(), &size, nullptr));
     Block memory(size);
     const mcpr_cooked* cooked = nullptr;
-    check(name,
-          mcpr_cook(clip, &options, space.data(), space.size(), memory.data(), size, &cooked));
+    check(name, mcpr_cook(clip, &options, space.data(), space.size(), memory.data(), size, &cooked,
+                          nullptr));
     const std::string cooked_name = name + (ik == 0   ? " cooked"
                                             : ik == 1 ? " cooked-ik"
                                                       : " cooked-ik-refit");
@@ -305,32 +309,45 @@ void print_clip(const std::string& name, Block& scratch, size_t bytes) {
   }
 }
 
-void print_file(const std::string& name, Block& file) {
+void print_file(const std::string& name, Block& file, size_t size, std::uint32_t tiers) {
+  mcpr_limits limits = mcpr::default_limits();
+  limits.tiers = tiers;
   mcpr_info info{};
-  check(name, mcpr_inspect(file.data(), file.size(), nullptr, &info));
+  check(name, mcpr_inspect(file.data(), size, &limits, &info, nullptr));
   Block scratch(info.read_bytes);
   size_t bytes = 0;
-  check(name, mcpr_read(file.data(), file.size(), nullptr, scratch.data(), scratch.size(), &bytes));
+  check(name,
+        mcpr_read(file.data(), size, &limits, scratch.data(), scratch.size(), &bytes, nullptr));
   print_clip(name, scratch, bytes);
+}
+
+/// A file as a whole, and by each of its first tiers alone.
+void print_file(const std::string& name, Block& file) {
+  print_file(name, file, file.size(), 0);
+  mcpr_tier tier{};
+  for (std::uint32_t t = 0; mcpr_tier_of(file.data(), file.size(), t, &tier, nullptr) == MCPR_OK &&
+                            tier.bands_left_out > 0;
+       ++t)
+    print_file(name + " tier " + std::to_string(t), file, tier.bytes, t + 1);
 }
 
 void print_bank(const std::string& name, Block& file) {
   const mcpk_bank* bank = nullptr;
-  check(name, mcpk_open(file.data(), file.size(), 1, &bank));
-  const mcpk_info head = mcpk_describe(bank);
+  check(name, mcpk_open(file.data(), file.size(), 1, &bank, nullptr));
+  const mcpk_info head = mcpr::describe(bank);
   for (std::uint32_t c = 0; c < head.clips; ++c) {
     const std::string clip = name + ":" + std::to_string(c);
     if (head.is_cooked != 0) {
       const mcpr_cooked* cooked = nullptr;
-      check(clip, mcpk_cooked(bank, c, &cooked));
+      check(clip, mcpk_cooked(bank, c, &cooked, nullptr));
       print_sampled(clip, cooked);
       continue;
     }
     mcpr_info info{};
-    check(clip, mcpk_inspect(bank, c, nullptr, &info));
+    check(clip, mcpk_inspect(bank, c, nullptr, &info, nullptr));
     Block scratch(info.read_bytes);
     size_t bytes = 0;
-    check(clip, mcpk_read(bank, c, nullptr, scratch.data(), scratch.size(), &bytes));
+    check(clip, mcpk_read(bank, c, nullptr, scratch.data(), scratch.size(), &bytes, nullptr));
     print_clip(clip, scratch, bytes);
   }
 }

@@ -14,7 +14,7 @@ namespace {
 using mocapress::AlignedBytes;
 
 mcpr_limits fuzzed_limits() {
-  mcpr_limits limits = mcpr_default_limits();
+  mcpr_limits limits = mcpr::default_limits();
   limits.values = 1U << 16;
   limits.scratch_bytes = std::size_t{16} << 20;
   limits.resident_bytes = std::size_t{8} << 20;
@@ -47,10 +47,11 @@ std::vector<mcpr_sample_request> requests() {
 
 /// Samples instants before, in and after the clip, and jumps between them.
 void play(const mcpr_cooked* clip) {
-  const mcpr_cooked_info info = mcpr_cooked_describe(clip);
+  const mcpr_cooked_info info = mcpr::describe(clip);
   const AlignedBytes memory(mcpr_cursor_bytes(clip));
   mcpr_cursor* cursor = nullptr;
-  if (mcpr_make_cursor(clip, memory.data(), memory.size(), &cursor).status != MCPR_OK) std::abort();
+  if (mcpr_make_cursor(clip, memory.data(), memory.size(), &cursor, nullptr) != MCPR_OK)
+    std::abort();
   const double end = info.frames;
   for (mcpr_sample_request request : requests()) {
     std::vector<float> pose(mcpr_sample_values(clip, &request));
@@ -60,39 +61,39 @@ void play(const mcpr_cooked* clip) {
     request.scratch = scratch.data();
     request.scratch_size = scratch.size();
     for (const double time : {0.0, 0.25, 1.75, end - 1, end + 0.5, -3.5, 0.5 * end, 1e9}) {
-      const mcpr_result sampled = mcpr_sample(clip, &request, time, pose.data());
-      const mcpr_result next = mcpr_sample_next(cursor, &request, time, pose.data());
-      if (sampled.status != MCPR_OK || next.status != MCPR_OK) std::abort();
+      const mcpr_status sampled = mcpr_sample(clip, &request, time, pose.data(), nullptr);
+      const mcpr_status next = mcpr_sample_next(cursor, &request, time, pose.data(), nullptr);
+      if (sampled != MCPR_OK || next != MCPR_OK) std::abort();
     }
     const AlignedBytes of_motion(std::size_t{64} << 10);  // it needs that of a list of joints
     request.scratch = of_motion.data();
     request.scratch_size = of_motion.size();
     mcpr_transform moved;
     for (const auto& [from, to] : {std::pair(0.0, end - 1), {end, -2.5 * end}, {0.5, 1e6}}) {
-      if (mcpr_sample_motion(clip, &request, 0, from, to, &moved).status != MCPR_OK) std::abort();
-      mcpr_sample_ground_motion(clip, &request, 0, from, to, &moved);
+      if (mcpr_sample_motion(clip, &request, 0, from, to, &moved, nullptr) != MCPR_OK) std::abort();
+      mcpr_sample_ground_motion(clip, &request, 0, from, to, &moved, nullptr);
     }
   }
   for (const double refused : {std::nan(""), HUGE_VAL}) {
     const mcpr_sample_request request{};
     std::vector<float> pose(mcpr_sample_values(clip, &request));
-    if (!pose.empty() && mcpr_sample(clip, &request, refused, pose.data()).status == MCPR_OK)
+    if (!pose.empty() && mcpr_sample(clip, &request, refused, pose.data(), nullptr) == MCPR_OK)
       std::abort();
   }
 }
 
 /// Blends two poses of the clip in every way. Every rotation that comes out is a unit quaternion.
 void blend(const mcpr_cooked* clip) {
-  const std::uint32_t joints = mcpr_cooked_describe(clip).joints;
+  const std::uint32_t joints = mcpr::describe(clip).joints;
   const mcpr_sample_request whole{};
   const AlignedBytes scratch(mcpr_sample_scratch_bytes(clip, &whole));
   const mcpr_sample_request request{.scratch = scratch.data(), .scratch_size = scratch.size()};
   std::vector<mcpr_transform> first(joints), second(joints), out(joints);
-  mcpr_sample(clip, &request, 0, first.data()->rotation);
-  mcpr_sample(clip, &request, 1e9, second.data()->rotation);
+  mcpr_sample(clip, &request, 0, first.data()->rotation, nullptr);
+  mcpr_sample(clip, &request, 1e9, second.data()->rotation, nullptr);
   const mcpr_pose_form form{.joints = joints};
-  const auto check = [&](const mcpr_result& result) {
-    if (result.status != MCPR_OK) std::abort();
+  const auto check = [&](mcpr_status status) {
+    if (status != MCPR_OK) std::abort();
     for (const mcpr_transform& joint : out) {
       float square = 0;
       for (const float number : joint.rotation) square += number * number;
@@ -100,16 +101,16 @@ void blend(const mcpr_cooked* clip) {
     }
   };
   const mcpr_weighted_pose both[] = {{first.data(), 1, nullptr}, {second.data(), 3, nullptr}};
-  check(mcpr_blend(&form, both, 2, out.data()));
+  check(mcpr_blend(&form, both, 2, out.data(), nullptr));
   const mcpr_weighted_pose layer{second.data(), 0.5F, nullptr};
-  check(mcpr_blend_layer(&form, &layer, out.data()));
-  check(mcpr_pose_difference(&form, second.data(), first.data(), out.data()));
+  check(mcpr_blend_layer(&form, &layer, out.data(), nullptr));
+  check(mcpr_pose_difference(&form, second.data(), first.data(), out.data(), nullptr));
   const std::vector<mcpr_transform> difference = out;
   out = first;
   const mcpr_weighted_pose added{difference.data(), 0.5F, nullptr};
-  check(mcpr_blend_additive(&form, &added, out.data()));
+  check(mcpr_blend_additive(&form, &added, out.data(), nullptr));
   mcpr_transform ground;
-  check(mcpr_split_root(nullptr, out.data(), &ground));
+  check(mcpr_split_root(nullptr, out.data(), &ground, nullptr));
   std::vector<mcpr_mirror_joint> mirror(joints);
   std::vector<std::uint16_t> partners(joints);
   std::vector<std::int16_t> parents(joints);
@@ -117,27 +118,27 @@ void blend(const mcpr_cooked* clip) {
     partners[j] = static_cast<std::uint16_t>(j);
     parents[j] = static_cast<std::int16_t>(static_cast<int>(j) - 1);
   }
-  if (mcpr_make_mirror(&form, first.data(), parents.data(), partners.data(), 0, mirror.data())
-          .status == MCPR_OK)
-    check(mcpr_mirror_pose(&form, mirror.data(), 0, second.data(), out.data()));
+  if (mcpr_make_mirror(&form, first.data(), parents.data(), partners.data(), 0, mirror.data(),
+                       nullptr) == MCPR_OK)
+    check(mcpr_mirror_pose(&form, mirror.data(), 0, second.data(), out.data(), nullptr));
 }
 
 void cook(const mcpr_clip* clip, const mcpr_cook_options& options) {
   const AlignedBytes scratch(mcpr_cook_scratch_bytes(clip, &options));
   std::size_t size = 0;
-  if (mcpr_cook_size(clip, &options, scratch.data(), scratch.size(), &size).status != MCPR_OK)
+  if (mcpr_cook_size(clip, &options, scratch.data(), scratch.size(), &size, nullptr) != MCPR_OK)
     return;
   if (size > std::size_t{32} << 20) return;
   const AlignedBytes memory(size);
   const mcpr_cooked* cooked = nullptr;
-  if (mcpr_cook(clip, &options, scratch.data(), scratch.size(), memory.data(), size, &cooked)
-          .status != MCPR_OK)
+  if (mcpr_cook(clip, &options, scratch.data(), scratch.size(), memory.data(), size, &cooked,
+                nullptr) != MCPR_OK)
     std::abort();
-  if (mcpr_open_cooked(memory.data(), size, 1, &cooked).status != MCPR_OK) std::abort();
+  if (mcpr_open_cooked(memory.data(), size, 1, &cooked, nullptr) != MCPR_OK) std::abort();
   if (mcpr_cooked_skeleton_hash(cooked) != (options.skeleton != 0 ? mcpr_skeleton_hash(clip) : 0))
     std::abort();
   play(cooked);
-  mocapress::test::play_tracks(mcpr_cooked_tracks(cooked), mcpr_cooked_describe(cooked).frames);
+  mocapress::test::play_tracks(mcpr_cooked_tracks(cooked), mcpr::describe(cooked).frames);
   blend(cooked);
 }
 

@@ -27,8 +27,7 @@ inline void play_tracks(const mcpr_tracks* tracks, std::uint32_t frames) {
     std::vector<float> values(mcpr_track_values(tracks, &request));
     const auto is_played = [&](double time) {
       return mcpr_track_moment(tracks, &request, time, values.data(), scratch.data(),
-                               scratch.size())
-                 .status == MCPR_OK;
+                               scratch.size(), nullptr) == MCPR_OK;
     };
     if (values.empty() || !is_played(0)) continue;  // no tracks, or no loop
     for (const double time : {0.25, frames - 1.0, frames + 0.5, -3.5, 1e9})
@@ -36,7 +35,7 @@ inline void play_tracks(const mcpr_tracks* tracks, std::uint32_t frames) {
     const auto changes = [&](double from, double to) {
       mcpr_change some[4];
       std::uint32_t count = 0;
-      if (mcpr_track_changes(tracks, &request, from, to, some, 4, &count).status != MCPR_OK)
+      if (mcpr_track_changes(tracks, &request, from, to, some, 4, &count, nullptr) != MCPR_OK)
         std::abort();
       return count;
     };

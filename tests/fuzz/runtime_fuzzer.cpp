@@ -9,7 +9,7 @@
 namespace {
 
 mcpr_limits fuzzed_limits() {
-  mcpr_limits limits = mcpr_default_limits();
+  mcpr_limits limits = mcpr::default_limits();
   limits.values = 1U << 18;
   limits.scratch_bytes = std::size_t{16} << 20;
   limits.resident_bytes = std::size_t{8} << 20;
@@ -18,7 +18,7 @@ mcpr_limits fuzzed_limits() {
 }
 
 void play(const mocapress::test::OpenedClip& clip) {
-  const mcpr_clip_info info = mcpr_clip_describe(clip.clip);
+  const mcpr_clip_info info = mcpr::describe(clip.clip);
   if (info.frames == 0) return;
   const std::uint32_t count = std::min<std::uint32_t>(info.frames, 20);
   const std::uint16_t channels[] = {0, static_cast<std::uint16_t>(info.channels - 1)};
@@ -37,7 +37,7 @@ void play(const mocapress::test::OpenedClip& clip) {
   const mocapress::AlignedBytes scratch(
       mcpr_track_scratch_bytes(mcpr_clip_tracks(clip.clip), &first_track));
   mcpr_track_moment(mcpr_clip_tracks(clip.clip), &first_track, 0.5 * (info.frames - 1), &value,
-                    scratch.data(), scratch.size());
+                    scratch.data(), scratch.size(), nullptr);
   if (info.channels > 1)
     clip.frames({.apply_ik = 1, .bands_left_out = 1, .channels = channels, .channel_count = 2}, 0,
                 count);
@@ -53,7 +53,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const mocapress::test::OpenedClip clip(file, &limits);
   if (clip.clip != nullptr) play(clip);
   mcpr_tier tier;
-  if (mcpr_tier_of(file.data(), file.size(), 0, &tier).status != MCPR_OK) return 0;
+  if (mcpr_tier_of(file.data(), file.size(), 0, &tier, nullptr) != MCPR_OK) return 0;
   limits.tiers = 1;
   const mocapress::test::OpenedClip coarse(file, &limits);
   if (coarse.clip != nullptr) play(coarse);

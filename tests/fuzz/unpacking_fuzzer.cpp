@@ -41,7 +41,7 @@ void copy(const mcpk_bank& bank, const runtime::BankEntry& entry) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const test::MendedBank mended(data, size);
   const mcpk_bank* bank = nullptr;
-  if (mcpk_open(mended.data(), size, 1, &bank).status != MCPR_OK) return 0;
+  if (mcpk_open(mended.data(), size, 1, &bank, nullptr) != MCPR_OK) return 0;
   for (std::uint32_t clip = 0; clip < std::min(bank->clips, 20U); ++clip) {
     runtime::BankEntry entry;
     if (!runtime::read_entry(*bank, clip, entry)) std::abort();

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/runtime/mocapress_runtime.h"
+#include "core/runtime/mocapress_runtime.hpp"
 #include "core/runtime/own_memory.h"
 
 namespace mocapress::test {
@@ -18,16 +18,16 @@ struct CookedClip {
   explicit CookedClip(const mcpr_clip* from, const mcpr_cook_options& options = {}) {
     const AlignedBytes scratch(mcpr_cook_scratch_bytes(from, &options));
     std::size_t size = 0;
-    result = mcpr_cook_size(from, &options, scratch.data(), scratch.size(), &size);
+    mcpr_cook_size(from, &options, scratch.data(), scratch.size(), &size, &result);
     if (result.status != MCPR_OK) return;
     bytes.emplace(size);
-    result = mcpr_cook(from, &options, scratch.data(), scratch.size(), bytes->data(), size, &clip);
+    mcpr_cook(from, &options, scratch.data(), scratch.size(), bytes->data(), size, &clip, &result);
   }
 
   /// Empty if it was refused.
   std::vector<float> sample(const mcpr_sample_request& request, double time) const {
     std::vector<float> out(mcpr_sample_values(clip, &request));
-    if (out.empty() || mcpr_sample(clip, &request, time, out.data()).status != MCPR_OK) return {};
+    if (out.empty() || mcpr_sample(clip, &request, time, out.data(), nullptr) != MCPR_OK) return {};
     return out;
   }
 };

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/runtime/mocapress_runtime.h"
+#include "core/runtime/mocapress_runtime.hpp"
 #include "core/runtime/own_memory.h"
 
 namespace mocapress::test {
@@ -18,14 +18,14 @@ struct OpenedClip {
   const mcpr_clip* clip = nullptr;  // null if it was refused
 
   explicit OpenedClip(std::span<const std::byte> file, const mcpr_limits* limits = nullptr) {
-    result = mcpr_inspect(file.data(), file.size(), limits, &info);
+    mcpr_inspect(file.data(), file.size(), limits, &info, &result);
     if (result.status != MCPR_OK) return;
     const AlignedBytes scratch(info.read_bytes);
     std::size_t size = 0;
-    result = mcpr_read(file.data(), file.size(), limits, scratch.data(), scratch.size(), &size);
+    mcpr_read(file.data(), file.size(), limits, scratch.data(), scratch.size(), &size, &result);
     if (result.status != MCPR_OK) return;
     resident.emplace(size);
-    result = mcpr_build(scratch.data(), scratch.size(), resident->data(), size, &clip);
+    mcpr_build(scratch.data(), scratch.size(), resident->data(), size, &clip, &result);
   }
 
   /// Requested frames, row after row; empty if they were refused.
@@ -33,8 +33,8 @@ struct OpenedClip {
                             std::uint32_t count) const {
     const AlignedBytes scratch(mcpr_scratch_bytes(clip, &request));
     std::vector<float> out(count * mcpr_frame_values(clip, &request));
-    if (mcpr_decode_frames(clip, &request, first, count, out.data(), scratch.data(), scratch.size())
-            .status != MCPR_OK)
+    if (mcpr_decode_frames(clip, &request, first, count, out.data(), scratch.data(), scratch.size(),
+                           nullptr) != MCPR_OK)
       out.clear();
     return out;
   }
@@ -49,8 +49,8 @@ struct OpenedClip {
     const mcpr_track_request all{};
     const AlignedBytes scratch(mcpr_track_scratch_bytes(tracks, &all));
     std::vector<float> out(count * mcpr_track_values(tracks, &all));
-    if (mcpr_track_frames(tracks, &all, first, count, out.data(), scratch.data(), scratch.size())
-            .status != MCPR_OK)
+    if (mcpr_track_frames(tracks, &all, first, count, out.data(), scratch.data(), scratch.size(),
+                          nullptr) != MCPR_OK)
       out.clear();
     return out;
   }
@@ -58,8 +58,8 @@ struct OpenedClip {
   std::vector<float> moment(const mcpr_request& request, double frame) const {
     const AlignedBytes scratch(mcpr_scratch_bytes(clip, &request));
     std::vector<float> out(mcpr_frame_values(clip, &request));
-    if (mcpr_decode_moment(clip, &request, frame, out.data(), scratch.data(), scratch.size())
-            .status != MCPR_OK)
+    if (mcpr_decode_moment(clip, &request, frame, out.data(), scratch.data(), scratch.size(),
+                           nullptr) != MCPR_OK)
       out.clear();
     return out;
   }

@@ -12,7 +12,7 @@ import struct
 import sys
 import zlib
 
-from format_reader import Clip, Cursor, Tables, expected_rows, grouped_number as number, refuse
+from format_reader import Clip, Cursor, Tables, expected_rows, read_tiers, grouped_number as number, refuse
 
 ORDERS = [(3, 4, 5), (3, 5, 4), (4, 3, 5), (4, 5, 3), (5, 3, 4), (5, 4, 3)]
 NONE = 2**32 - 1
@@ -124,9 +124,11 @@ class Bank:
         sections["CLIP"] = (
             description[:8] + struct.pack("<I", frames) + description[12:-8] + errors
         )
-        tiers = sections["TIER"][0] if "TIER" in sections else 1
-        if tiers > 1:
-            sections["FINE"] = pieces[: tiers - 1]
+        tiers = 1
+        if "TIER" in sections:
+            sections["bands left out"], _ = read_tiers(sections.pop("TIER"), of_file=False)
+            tiers = len(sections["bands left out"])
+            sections["pieces"] = pieces[: tiers - 1]
         if any(pieces[tiers - 1 :]):
             refuse("a piece of a tier that the clip does not have")
         return sections, orders

@@ -1319,12 +1319,36 @@ def sections_of(data):
         if zlib.crc32(payload, zlib.crc32(head)) != crc:
             refuse("a checksum differs")
         tag = head[:4].decode()
-        sections[tag] = sections.get(tag, []) + [payload] if tag == "FINE" else payload
+        if tag == "TIER":
+            end = file.at
+            bands, pieces = read_tiers(payload)
+            sections["bands left out"] = bands
+            continue
+        sections[tag] = payload
+    if "bands left out" in sections:
+        if file.at - end != pieces[0][0]:
+            refuse("the first tier does not end where TIER says")
+        sections["pieces"] = [file.take(size) for size, _ in pieces[1:]]
+        if [zlib.crc32(piece) for piece in sections["pieces"]] != [crc for _, crc in pieces[1:]]:
+            refuse("a checksum of a tier differs")
     if file.rest():
         refuse("bytes after the last section")
-    if "TIER" in sections and len(sections.get("FINE", [])) + 1 != sections["TIER"][0]:
-        refuse("a tier is missing")
     return sections
+
+
+def read_tiers(payload, of_file=True):
+    """The bands that each tier lacks, and in a file the size of its bytes and their checksum."""
+    cursor = Cursor(payload)
+    count = cursor.read("B")
+    bands, pieces = [], []
+    for t in range(count):
+        if of_file:
+            size = grouped_number(cursor)
+            pieces.append((size, cursor.read("I") if t > 0 else None))
+        bands.append(cursor.read("BHH")[0] if t < count - 1 else 0)
+    if cursor.rest() or count < 2 or bands != sorted(set(bands), reverse=True):
+        refuse("TIER makes no sense")
+    return bands, pieces
 
 
 class Clip:
@@ -1349,12 +1373,11 @@ class Clip:
 
     def bands_left_out(self):
         """The finest bands that the tiers lack which are there."""
-        count, *tiers = self.sections.get("TIER", [1])
-        there = len(self.sections.get("FINE", []))
-        if there >= count:
+        bands = self.sections.get("bands left out", [0])
+        there = len(self.sections.get("pieces", []))
+        if there >= len(bands):
             refuse("a tier too many")
-        size = len(tiers) // count  # of a tier, without its place in a file if it is in a bank
-        return tiers[size * there + size - 5] if size else 0
+        return bands[there]
 
     def decode(self):
         limits = limits_of(self.joints, len(self.effectors), self.coding)
@@ -1388,7 +1411,7 @@ class Clip:
 
     def decode_streams(self, limits):
         pairs = neighbours(self.joints, len(self.effectors))
-        pieces = [self.sections["MOTN"]] + self.sections.get("FINE", [])
+        pieces = [self.sections["MOTN"]] + self.sections.get("pieces", [])
         length, overlap, sizes = self.frames, 0, [[len(piece)] for piece in pieces]
         if "SEGS" in self.sections:
             cursor = Cursor(self.sections["SEGS"])

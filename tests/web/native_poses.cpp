@@ -2,7 +2,7 @@
 // Prints what the native runtime makes of a .mcpr file, as JSON: native_poses CLIP.mcpr INSTANTS.
 // The tests of the browser compare WebAssembly with it. World positions are those that
 // mcpr_decode_moment gives; poses are sampled by a cursor.
-#include "mocapress_runtime.h"
+#include "mocapress_runtime.hpp"
 
 #include <chrono>
 #include <cstdio>
@@ -13,9 +13,9 @@
 
 namespace {
 
-void check(const mcpr_result& result) {
-  if (result.status == MCPR_OK) return;
-  std::fprintf(stderr, "native_poses: %s\n", result.message);
+void check(mcpr_status status) {
+  if (status == MCPR_OK) return;
+  std::fprintf(stderr, "native_poses: %s\n", mcpr_status_message(status));
   std::exit(1);
 }
 
@@ -38,10 +38,10 @@ std::vector<char> bytes_of(const char* path) {
 const mcpr_clip* clip_of(const std::vector<char>& file, mcpr_info& info) {
   std::size_t bytes = 0;
   const mcpr_clip* clip = nullptr;
-  check(mcpr_inspect(file.data(), file.size(), nullptr, &info));
+  check(mcpr_inspect(file.data(), file.size(), nullptr, &info, nullptr));
   void* const scratch = memory_of(info.read_bytes);
-  check(mcpr_read(file.data(), file.size(), nullptr, scratch, info.read_bytes, &bytes));
-  check(mcpr_build(scratch, info.read_bytes, memory_of(bytes), bytes, &clip));
+  check(mcpr_read(file.data(), file.size(), nullptr, scratch, info.read_bytes, &bytes, nullptr));
+  check(mcpr_build(scratch, info.read_bytes, memory_of(bytes), bytes, &clip, nullptr));
   return clip;
 }
 
@@ -54,8 +54,9 @@ const mcpr_cooked* cooked_of(const mcpr_clip* clip, float ik_error) {
   void* const scratch = memory_of(scratch_bytes);
   std::size_t bytes = 0;
   const mcpr_cooked* cooked = nullptr;
-  check(mcpr_cook_size(clip, &options, scratch, scratch_bytes, &bytes));
-  check(mcpr_cook(clip, &options, scratch, scratch_bytes, memory_of(bytes), bytes, &cooked));
+  check(mcpr_cook_size(clip, &options, scratch, scratch_bytes, &bytes, nullptr));
+  check(
+      mcpr_cook(clip, &options, scratch, scratch_bytes, memory_of(bytes), bytes, &cooked, nullptr));
   return cooked;
 }
 
@@ -73,7 +74,7 @@ double microseconds_a_pose(mcpr_cursor* cursor, const Instant& instant, std::vec
   constexpr int kPoses = 100000;
   const auto start = std::chrono::steady_clock::now();
   for (int i = 0; i < kPoses; ++i)
-    check(mcpr_sample_next(cursor, &request, instant(i), pose.data()));
+    check(mcpr_sample_next(cursor, &request, instant(i), pose.data(), nullptr));
   const std::chrono::duration<double, std::micro> taken = std::chrono::steady_clock::now() - start;
   return taken.count() / kPoses;
 }
@@ -85,11 +86,11 @@ int main(int count, char** arguments) {
   mcpr_info file;
   const mcpr_clip* const clip = clip_of(bytes_of(arguments[1]), file);
   const mcpr_cooked* const cooked = cooked_of(clip, file.error);
-  const mcpr_clip_info info = mcpr_clip_describe(clip);
+  const mcpr_clip_info info = mcpr::describe(clip);
   const int instants = std::atoi(arguments[2]);
   mcpr_cursor* cursor = nullptr;
   check(mcpr_make_cursor(cooked, memory_of(mcpr_cursor_bytes(cooked)), mcpr_cursor_bytes(cooked),
-                         &cursor));
+                         &cursor, nullptr));
   mcpr_request decoding = {};
   decoding.output = MCPR_POSITIONS;
   decoding.apply_ik = 1;
@@ -103,15 +104,16 @@ int main(int count, char** arguments) {
     const double frame = static_cast<int>(4.0 * i * (info.frames - 1) / (instants - 1)) / 4.0;
     const double second = static_cast<float>(frame / info.sample_rate);
     seconds.push_back(static_cast<float>(second));
-    check(mcpr_sample_next(cursor, &sampling, second, pose.data()));
+    check(mcpr_sample_next(cursor, &sampling, second, pose.data(), nullptr));
     poses.insert(poses.end(), pose.begin(), pose.end());
-    check(mcpr_decode_moment(clip, &decoding, frame, place.data(), scratch, scratch_bytes));
+    check(
+        mcpr_decode_moment(clip, &decoding, frame, place.data(), scratch, scratch_bytes, nullptr));
     places.insert(places.end(), place.begin(), place.end());
   }
   std::printf("{\"joints\": [");
   for (std::uint32_t j = 0; j < info.joints; ++j) {
     mcpr_joint joint;
-    check(mcpr_clip_joint(clip, j, &joint));
+    check(mcpr_clip_joint(clip, j, &joint, nullptr));
     std::printf("%s{\"name\": \"%s\", \"parent\": %d}", j > 0 ? ", " : "", joint.name,
                 joint.parent);
   }

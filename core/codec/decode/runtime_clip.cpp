@@ -34,15 +34,19 @@ bool is_joint(const mcpr_joint& found, const Joint& joint) {
 }  // namespace
 
 RuntimeClip::RuntimeClip(std::span<const std::byte> file, int tiers) {
-  mcpr_limits limits = mcpr_default_limits();
+  mcpr_limits limits = mcpr::default_limits();
   limits.tiers = static_cast<std::uint32_t>(tiers);
   mcpr_info info;
-  require(mcpr_inspect(file.data(), file.size(), &limits, &info));
+  mcpr_result result;
+  mcpr_inspect(file.data(), file.size(), &limits, &info, &result);
+  require(result);
   const AlignedBytes opening(info.read_bytes);
   std::size_t size = 0;
-  require(mcpr_read(file.data(), file.size(), &limits, opening.data(), opening.size(), &size));
+  mcpr_read(file.data(), file.size(), &limits, opening.data(), opening.size(), &size, &result);
+  require(result);
   resident_.emplace(size);
-  require(mcpr_build(opening.data(), opening.size(), resident_->data(), size, &clip_));
+  mcpr_build(opening.data(), opening.size(), resident_->data(), size, &clip_, &result);
+  require(result);
   scratch_.emplace(mcpr_scratch_bytes(clip_, &kCorrected));
 }
 
@@ -50,7 +54,9 @@ bool RuntimeClip::has_joints_of(const Skeleton& skeleton) const {
   if (info().joints != static_cast<std::uint32_t>(skeleton.joint_count())) return false;
   for (int j = 0; j < skeleton.joint_count(); ++j) {
     mcpr_joint found;
-    require(mcpr_clip_joint(clip_, static_cast<std::uint32_t>(j), &found));
+    mcpr_result result;
+    mcpr_clip_joint(clip_, static_cast<std::uint32_t>(j), &found, &result);
+    require(result);
     if (!is_joint(found, skeleton.joint(j))) return false;
   }
   return true;
@@ -59,9 +65,11 @@ bool RuntimeClip::has_joints_of(const Skeleton& skeleton) const {
 Eigen::MatrixXd RuntimeClip::frames(int first, int count) const {
   const std::size_t columns = mcpr_frame_values(clip_, &kCorrected);
   std::vector<float> rows(columns * static_cast<std::size_t>(count));
-  require(mcpr_decode_frames(clip_, &kCorrected, static_cast<std::uint32_t>(first),
-                             static_cast<std::uint32_t>(count), rows.data(), scratch_->data(),
-                             scratch_->size()));
+  mcpr_result result;
+  mcpr_decode_frames(clip_, &kCorrected, static_cast<std::uint32_t>(first),
+                     static_cast<std::uint32_t>(count), rows.data(), scratch_->data(),
+                     scratch_->size(), &result);
+  require(result);
   using Rows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   return Eigen::Map<const Rows>(rows.data(), count, static_cast<Eigen::Index>(columns))
       .cast<double>();

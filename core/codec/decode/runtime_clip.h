@@ -7,7 +7,7 @@
 #include <span>
 
 #include "core/motion/skeleton.h"
-#include "core/runtime/mocapress_runtime.h"
+#include "core/runtime/mocapress_runtime.hpp"
 #include "core/runtime/own_memory.h"
 
 namespace mocapress {
@@ -20,7 +20,7 @@ class RuntimeClip {
   /// message about the file.
   explicit RuntimeClip(std::span<const std::byte> file, int tiers = 0);
 
-  mcpr_clip_info info() const { return mcpr_clip_describe(clip_); }
+  mcpr_clip_info info() const { return mcpr::describe(clip_); }
 
   /// The handle for the C interface; lives as long as this.
   const mcpr_clip* get() const { return clip_; }

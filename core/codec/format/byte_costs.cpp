@@ -142,7 +142,7 @@ std::string_view part_name(std::string_view tag) {
   }};
   for (const auto& [known, name] : kNames)
     if (known == tag) return name;
-  return tag == "MOTN" || tag == "FINE" || tag == "COMP" ? "" : tag;
+  return tag == "MOTN" || tag == "COMP" ? "" : tag;
 }
 
 }  // namespace
@@ -172,6 +172,7 @@ ByteCosts byte_costs(std::span<const std::byte> mcpr, int slice_frames) {
     else
       costs.rest.push_back({std::string(name), bytes});
   }
+  motion += static_cast<double>(file.left());  // the finer tiers
   const bool divides = !container.of_comparison && clip.coding == Coding::Adaptive;
   if (divides && clip.frames > 0)
     costs.rest.push_back({"scale and rounding", motion - divide(clip, costs)});

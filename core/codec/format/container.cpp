@@ -15,6 +15,7 @@
 #include "core/codec/format/skeleton_section.h"
 #include "core/runtime/format/coded_error.h"
 #include "core/runtime/format/format_limits.h"
+#include "core/runtime/mocapress_runtime.hpp"
 
 namespace mocapress {
 namespace {
@@ -193,7 +194,7 @@ void read_description(const runtime::FileSections& sections, Container& containe
 
 runtime::FileSections sections_of(std::span<const std::byte> bytes, int tiers) {
   runtime::FileSections sections;
-  mcpr_limits limits = mcpr_default_limits();
+  mcpr_limits limits = mcpr::default_limits();
   limits.tiers = static_cast<std::uint32_t>(tiers);
   require(runtime::read_sections(bytes.data(), bytes.size(), limits, sections));
   return sections;

@@ -15,6 +15,7 @@
 #include "core/runtime/format/coded_error.h"
 #include "core/runtime/format/joint_orders.h"
 #include "core/runtime/format/joint_records.h"
+#include "core/runtime/mocapress_runtime.hpp"
 #include "core/runtime/own_memory.h"
 
 namespace mocapress {
@@ -166,14 +167,10 @@ PackedClip pack_clip(std::span<const std::byte> file, std::span<const std::byte>
     require(runtime::read_section(cursor, section));
     const std::span<const std::byte> payload = span_of(section.payload);
     std::vector<std::byte> part;
-    if (section.is(kFine.data())) {
-      packed.pieces.emplace_back(payload.begin(), payload.end());
-      continue;
-    }
     if (section.is(kTiers.data())) {
-      const std::vector<std::byte> without_places = packed_tiers(payload);
-      write_varint(sizes, without_places.size());
-      append(payloads, without_places);
+      const std::vector<std::byte> tiers = write_tiers(sections.tiers);
+      write_varint(sizes, tiers.size());
+      append(payloads, tiers);
     } else if (section.is("JNTS")) {
       JointText joints(sections);
       const auto taken = take_orders(payload, joints);
@@ -194,6 +191,10 @@ PackedClip pack_clip(std::span<const std::byte> file, std::span<const std::byte>
       append(payloads, motion && section.is("MOTN") ? *motion : payload);
     }
     packed.sections.push_back({std::to_array(section.tag), std::move(part)});
+  }
+  for (int t = 1; t < sections.tiers_read; ++t) {
+    const std::span<const std::byte> piece = span_of(sections.piece(t));
+    packed.pieces.emplace_back(piece.begin(), piece.end());
   }
   const bool are_whole =
       append_errors(description.subspan(runtime::kErrorsAt, 2 * sizeof(float)), packed.bytes);
@@ -220,23 +221,17 @@ std::uint32_t intern_outline(const PackedClip& clip, const InternItem& intern) {
 
 std::vector<std::byte> unpack_clip(const mcpk_bank& bank, const runtime::BankEntry& entry) {
   runtime::FileSections sections;
-  require(runtime::read_sections(bank, entry, mcpr_default_limits(), sections));
+  require(runtime::read_sections(bank, entry, mcpr::default_limits(), sections));
   runtime::PackedSections packed(bank, entry);
   std::uint16_t count = 0;
   require(packed.begin(count));
   const std::span<const std::byte> learned = span_of(sections.learned);
-  std::vector<std::byte> tiers;
-  ByteWriter rest;  // sections but TIER and FINE
+  ByteWriter rest;  // sections but TIER
   for (int s = 0; s < count; ++s) {
     runtime::Section section;
     require(packed.next(section));
     const std::string_view tag(section.tag, sizeof section.tag);
-    if (tag == runtime::kLearned) continue;
-    if (tag == kTiers) {
-      const std::span<const std::byte> payload = span_of(section.payload);
-      tiers.assign(payload.begin(), payload.end());
-      continue;
-    }
+    if (tag == runtime::kLearned || tag == kTiers) continue;
     if (tag == "MOTN" && !learned.empty()) {
       const std::vector<SignalNeighbours> neighbours = neighbours_of(sections);
       const QuantisedSignals coded =
@@ -258,18 +253,17 @@ std::vector<std::byte> unpack_clip(const mcpk_bank& bank, const runtime::BankEnt
     write_section(rest, tag, joints.payload());
   }
   ByteWriter file;
-  const int fine = std::max(sections.tiers.count - 1, 0);
-  write_head(file, static_cast<std::uint16_t>(count - (learned.empty() ? 0 : 1) + fine));
-  if (!tiers.empty()) {
-    std::vector<std::size_t> sizes;
-    const runtime::BankTiers places(bank);
-    for (int t = 1; t <= fine; ++t)
-      sizes.push_back(static_cast<std::size_t>(places.piece(t, entry.number).bytes));
-    write_section(file, kTiers, placed_tiers(tiers, rest.bytes().size(), sizes));
+  write_head(file, static_cast<std::uint16_t>(count - (learned.empty() ? 0 : 1)));
+  const runtime::TierTable& tiers = sections.tiers;
+  if (tiers.count > 0) {
+    std::vector<TierBytes> bytes = {{rest.bytes().size()}};
+    for (int t = 1; t < tiers.count; ++t)  // those that the bank lacks are left out in the end
+      bytes.push_back(t < sections.tiers_read ? tier_bytes(span_of(sections.piece(t)))
+                                              : TierBytes{1, 0});
+    write_section(file, kTiers, write_tiers(tiers, bytes));
   }
   file.append(rest.bytes());
-  for (int t = 1; t < sections.tiers_read; ++t)
-    write_section(file, kFine, span_of(packed.piece(t)));
+  for (int t = 1; t < sections.tiers_read; ++t) file.append(span_of(sections.piece(t)));
   const bool is_cut = sections.tiers_read < sections.tiers.count;
   return is_cut ? file_of_tiers(file.bytes(), sections.tiers_read) : file.release();
 }

@@ -11,6 +11,7 @@
 
 #include "core/codec/format/container.h"
 #include "core/codec/format/format_error.h"
+#include "core/codec/format/packed_clip_writer.h"
 #include "core/codec/format/section_writer.h"
 #include "core/runtime/format/coded_error.h"
 #include "core/runtime/format/format_limits.h"
@@ -79,18 +80,6 @@ std::uint16_t error_code(float error_cm) {
   return runtime::find_error_code(runtime::rounded_error(error_cm), code) ? code : std::uint16_t{};
 }
 
-/// TIER without places.
-std::vector<std::byte> write_tiers(const std::vector<CutTier>& tiers) {
-  ByteWriter writer;
-  writer.write(static_cast<std::uint8_t>(tiers.size()));
-  for (const CutTier& tier : tiers) {
-    writer.write(static_cast<std::uint8_t>(tier.bands_left_out));
-    writer.write(error_code(tier.error.eps_cm));
-    writer.write(error_code(tier.error.max_error_cm));
-  }
-  return writer.release();
-}
-
 /// The bytes that each tier adds: of all segments one after the other, and their number by segment.
 struct Piece {
   std::vector<std::byte> bytes;
@@ -122,19 +111,18 @@ std::vector<std::byte> description_with(std::span<const std::byte> payload,
   return changed;
 }
 
-/// Copies the sections of a file but for TIER and FINE, with another SEGS and MOTN. `coarse` is the
-/// error of a motion that lacks its finest bands: CLIP then tells this one, and ENDS is left out.
-/// The file may end before FINE.
+/// Copies the sections of a file but for TIER, with another SEGS and MOTN. `coarse` is the error of
+/// a motion that lacks its finest bands: CLIP then tells this one, and ENDS is left out. The file
+/// may end after its sections.
 void copy_sections(std::span<const std::byte> mcpr, const std::vector<Piece>& pieces,
                    const std::optional<TierError>& coarse, std::uint16_t& count,
                    ByteWriter& sections) {
   runtime::Cursor file(reinterpret_cast<const std::uint8_t*>(mcpr.data()), mcpr.size());
   std::uint16_t left = 0;
   require(runtime::read_head(file, left));
-  for (; left > 0 && !file.at_end(); --left) {
+  for (; left > 0; --left) {
     runtime::Section section;
     require(runtime::read_section(file, section));
-    if (section.is("FINE")) return;
     if (section.is("TIER") || (coarse && section.is("ENDS"))) continue;
     ++count;
     const auto payload = mcpr.subspan(section.payload.offset, section.payload.size);
@@ -160,13 +148,20 @@ std::vector<std::byte> write_file(std::span<const std::byte> mcpr, const std::ve
   std::uint16_t count = 0;
   ByteWriter sections;
   copy_sections(mcpr, pieces, {}, count, sections);
+  runtime::TierTable table;
+  table.count = static_cast<int>(tiers.size());
+  std::vector<TierBytes> bytes = {{sections.bytes().size()}};
+  for (std::size_t t = 0; t < tiers.size(); ++t) {
+    table.tier[t].bands_left_out = tiers[t].bands_left_out;
+    table.tier[t].eps_cm = tiers[t].error.eps_cm;
+    table.tier[t].max_error_cm = tiers[t].error.max_error_cm;
+    if (t > 0) bytes.push_back(tier_bytes(pieces[t].bytes));
+  }
   ByteWriter file;
-  std::vector<std::size_t> fine;
-  for (std::size_t t = 1; t < tiers.size(); ++t) fine.push_back(pieces[t].bytes.size());
-  write_head(file, static_cast<std::uint16_t>(count + tiers.size()));
-  write_section(file, kTiers, placed_tiers(write_tiers(tiers), sections.bytes().size(), fine));
+  write_head(file, static_cast<std::uint16_t>(count + 1));
+  write_section(file, kTiers, write_tiers(table, bytes));
   file.append(sections.bytes());
-  for (std::size_t t = 1; t < tiers.size(); ++t) write_section(file, kFine, pieces[t].bytes);
+  for (std::size_t t = 1; t < tiers.size(); ++t) file.append(pieces[t].bytes);
   return file.release();
 }
 
@@ -184,30 +179,28 @@ std::vector<std::byte> write_whole(std::span<const std::byte> mcpr, Piece motion
 
 }  // namespace
 
-std::vector<std::byte> packed_tiers(std::span<const std::byte> payload) {
-  ByteReader reader(payload);
-  ByteWriter packed;
-  packed.append(reader.take(1));
-  while (reader.remaining() > 0) {
-    reader.take(runtime::kTierBytes - runtime::kPackedTierBytes);
-    packed.append(reader.take(runtime::kPackedTierBytes));
-  }
-  return packed.release();
+TierBytes tier_bytes(std::span<const std::byte> piece) {
+  return {piece.size(),
+          runtime::crc32(reinterpret_cast<const std::uint8_t*>(piece.data()), piece.size())};
 }
 
-std::vector<std::byte> placed_tiers(std::span<const std::byte> packed, std::size_t base,
-                                    const std::vector<std::size_t>& fine) {
-  ByteReader reader(packed);
-  ByteWriter payload;
-  payload.append(reader.take(1));
-  std::size_t end = runtime::kFileHead + runtime::kSectionHead + 1 +
-                    runtime::kTierBytes * (1 + fine.size()) + base;
-  for (std::size_t t = 0; t <= fine.size(); ++t) {
-    if (t > 0) end += runtime::kSectionHead + fine[t - 1];
-    payload.write(static_cast<std::uint32_t>(end));
-    payload.append(reader.take(runtime::kPackedTierBytes));
+std::vector<std::byte> write_tiers(const runtime::TierTable& tiers,
+                                   const std::vector<TierBytes>& bytes) {
+  std::vector<std::byte> payload = {static_cast<std::byte>(tiers.count)};
+  const auto append = [&](const auto& number) {
+    const auto all = std::as_bytes(std::span(&number, 1));
+    payload.insert(payload.end(), all.begin(), all.end());
+  };
+  for (std::size_t t = 0; t < static_cast<std::size_t>(tiers.count); ++t) {
+    if (!bytes.empty()) write_varint(payload, bytes[t].size);
+    if (!bytes.empty() && t > 0) append(bytes[t].checksum);
+    if (t + 1 == static_cast<std::size_t>(tiers.count)) break;
+    const runtime::Tier& tier = tiers.tier[t];
+    append(static_cast<std::uint8_t>(tier.bands_left_out));
+    append(error_code(tier.eps_cm));
+    append(error_code(tier.max_error_cm));
   }
-  return payload.release();
+  return payload;
 }
 
 std::vector<std::byte> with_tiers(std::span<const std::byte> mcpr, int tiers,
@@ -241,7 +234,7 @@ std::vector<std::byte> file_of_tiers(std::span<const std::byte> mcpr, int tiers)
   }
   const runtime::Tier& tier = sections.tiers.tier[tiers - 1];
   std::vector<std::byte> file =
-      write_whole(mcpr.first(std::min<std::size_t>(sections.tiers.tier[0].file_bytes, mcpr.size())),
+      write_whole(mcpr.first(std::min(sections.tiers.file_bytes(0), mcpr.size())),
                   std::move(motion), TierError{tier.eps_cm, tier.max_error_cm});
   sections_of(file);  // throws if a file of so few bytes may not have so many values
   return file;

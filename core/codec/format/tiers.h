@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Based on: "Adapting Wavelet Compression to Human Motion Capture Clips", section 7, which wishes
-// for level-of-detail streaming. Tiers of a .mcpr file: FORMAT.md, "TIER and FINE".
+// for level-of-detail streaming. Tiers of a .mcpr file: FORMAT.md, "TIER".
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,6 @@
 namespace mocapress {
 
 inline constexpr std::string_view kTiers = "TIER";
-inline constexpr std::string_view kFine = "FINE";
 
 struct TierError {
   float eps_cm = 0;  // in the clip's weighting, against the original
@@ -39,12 +38,16 @@ std::vector<std::byte> without_tiers(std::span<const std::byte> mcpr);
 /// The file that is read may end after them. Throws FormatError, also if it has fewer tiers.
 std::vector<std::byte> file_of_tiers(std::span<const std::byte> mcpr, int tiers);
 
-/// TIER as a packed bank has it: without the places where tiers end in a file.
-std::vector<std::byte> packed_tiers(std::span<const std::byte> payload);
+/// The bytes that a tier adds to a file, as TIER tells them.
+struct TierBytes {
+  std::size_t size = 0;
+  std::uint32_t checksum = 0;
+};
 
-/// TIER of a file from that of a packed bank. `base` are the bytes of the sections between TIER and
-/// the first FINE, `fine` those of each FINE's payload.
-std::vector<std::byte> placed_tiers(std::span<const std::byte> packed, std::size_t base,
-                                    const std::vector<std::size_t>& fine);
+TierBytes tier_bytes(std::span<const std::byte> piece);
+
+/// TIER of a file or, with `bytes` empty, as a packed bank has it.
+std::vector<std::byte> write_tiers(const runtime::TierTable& tiers,
+                                   const std::vector<TierBytes>& bytes = {});
 
 }  // namespace mocapress

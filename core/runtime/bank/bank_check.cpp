@@ -160,7 +160,7 @@ mcpr_result check_clip(const mcpk_bank& bank, const BankEntry& entry) {
   const auto offset = static_cast<std::size_t>(entry.place.offset);
   if (!bank.is_cooked()) {
     FileSections sections;
-    return read_sections(bank, entry, mcpr_default_limits(), sections);
+    return read_sections(bank, entry, or_default(nullptr), sections);
   }
   const mcpr_cooked* cooked = nullptr;
   mcpr_result result = cooked_clip_of(bank, entry, cooked);

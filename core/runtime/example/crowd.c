@@ -19,10 +19,12 @@ typedef struct character {
   mcpr_transform* pose;    /* one per joint */
 } character;
 
-static void check(mcpr_result result) {
-  if (result.status == MCPR_OK) return;
-  fprintf(stderr, "crowd: %s: %s (byte %zu)\n", mcpr_status_message(result.status), result.message,
-          result.offset);
+static mcpr_result report; /* of the last call */
+
+static void check(mcpr_status status) {
+  if (status == MCPR_OK) return;
+  fprintf(stderr, "crowd: %s: %s (byte %zu)\n", mcpr_status_message(status), report.message,
+          report.offset);
   exit(1);
 }
 
@@ -41,7 +43,7 @@ static const mcpk_bank* map_bank(const char* path) {
   const size_t size = (size_t)file.st_size;
   const mcpk_bank* bank = NULL;
   check(mcpk_open(or_exit(mmap(NULL, size, PROT_READ, MAP_PRIVATE, descriptor, 0), path), size, 1,
-                  &bank));
+                  &bank, &report));
   close(descriptor); /* the mapping stays */
   return bank;
 }
@@ -56,7 +58,8 @@ static void* aligned(size_t size) { /* for MCPR_ALIGNMENT */
 static void pose_all(const character* crowd, uint32_t count, double seconds) {
   mcpr_character* all = or_exit(calloc(count, sizeof *all), "crowd");
   for (uint32_t c = 0; c < count; ++c) {
-    const mcpr_cooked_info info = mcpr_cooked_describe(crowd[c].clip);
+    mcpr_cooked_info info;
+    mcpr_cooked_describe(crowd[c].clip, &info);
     const double length = (info.frames - 1) / info.sample_rate;
     double at = crowd[c].start + seconds;
     while (length > 0 && at > length) at -= length; /* starts over */
@@ -64,15 +67,17 @@ static void pose_all(const character* crowd, uint32_t count, double seconds) {
     all[c] = (mcpr_character){.clip = crowd[c].clip,
                               .time = at,
                               .out = crowd[c].pose->rotation,
-                              .bands_left_out = distance < 15 ? 0 : distance < 40 ? 1 : 2};
+                              .bands_left_out = distance < 15   ? 0
+                                                : distance < 40 ? 1
+                                                                : 2};
   }
   const mcpr_crowd_request request = {.unit = MCPR_SECONDS};
   const size_t sort_size = mcpr_sort_crowd_scratch_bytes(count);
   const size_t pose_size = mcpr_crowd_scratch_bytes();
   void* sort_scratch = aligned(sort_size);
   void* pose_scratch = aligned(pose_size);
-  check(mcpr_sort_crowd(&request, all, count, sort_scratch, sort_size));
-  check(mcpr_sample_crowd(&request, all, count, pose_scratch, pose_size));
+  check(mcpr_sort_crowd(&request, all, count, sort_scratch, sort_size, &report));
+  check(mcpr_sample_crowd(&request, all, count, pose_scratch, pose_size, &report));
   free(pose_scratch);
   free(sort_scratch);
   free(all);
@@ -80,18 +85,21 @@ static void pose_all(const character* crowd, uint32_t count, double seconds) {
 
 int main(int argc, char** argv) {
   const long count = argc == 3 ? strtol(argv[2], NULL, 10) : 0;
-  if (count < 1 || count > 10000000) return fprintf(stderr, "Usage: crowd BANK.mcpk CHARACTERS\n"), 2;
+  if (count < 1 || count > 10000000)
+    return fprintf(stderr, "Usage: crowd BANK.mcpk CHARACTERS\n"), 2;
   const mcpk_bank* bank = map_bank(argv[1]);
-  const mcpk_info info = mcpk_describe(bank);
+  mcpk_info info;
+  mcpk_describe(bank, &info);
   if (info.clips == 0) return fprintf(stderr, "crowd: no clips\n"), 1;
   character* crowd = or_exit(calloc((size_t)count, sizeof *crowd), "crowd");
   for (long c = 0; c < count; ++c) {
     crowd[c].number = (uint32_t)c % info.clips;
     crowd[c].start = 0.37 * (double)c;
     crowd[c].distance = (float)(c % 60);
-    check(mcpk_cooked(bank, crowd[c].number, &crowd[c].clip));
-    const size_t joints = mcpr_cooked_describe(crowd[c].clip).joints;
-    crowd[c].pose = or_exit(calloc(joints, sizeof *crowd[c].pose), "crowd");
+    check(mcpk_cooked(bank, crowd[c].number, &crowd[c].clip, &report));
+    mcpr_cooked_info clip;
+    mcpr_cooked_describe(crowd[c].clip, &clip);
+    crowd[c].pose = or_exit(calloc(clip.joints, sizeof *crowd[c].pose), "crowd");
   }
   for (int second = 0; second < 3; ++second) {
     pose_all(crowd, (uint32_t)count, second);

@@ -13,10 +13,12 @@
 enum { COLUMNS = 64, ROWS = 30 };
 static const float kCmPerRow = 7;
 
-static void check(mcpr_result result) {
-  if (result.status == MCPR_OK) return;
-  fprintf(stderr, "play: %s: %s (byte %zu)\n", mcpr_status_message(result.status), result.message,
-          result.offset);
+static mcpr_result report; /* of the last call */
+
+static void check(mcpr_status status) {
+  if (status == MCPR_OK) return;
+  fprintf(stderr, "play: %s: %s (byte %zu)\n", mcpr_status_message(status), report.message,
+          report.offset);
   exit(1);
 }
 
@@ -41,11 +43,11 @@ static const mcpr_clip* open_clip(const char* path) {
   mcpr_info info;
   size_t resident_bytes = 0;
   const mcpr_clip* clip = NULL;
-  check(mcpr_inspect(file, size, NULL, &info));
+  check(mcpr_inspect(file, size, NULL, &info, &report));
   void* scratch = memory_of(info.read_bytes);
-  check(mcpr_read(file, size, NULL, scratch, info.read_bytes, &resident_bytes));
+  check(mcpr_read(file, size, NULL, scratch, info.read_bytes, &resident_bytes, &report));
   void* resident = memory_of(resident_bytes);
-  check(mcpr_build(scratch, info.read_bytes, resident, resident_bytes, &clip));
+  check(mcpr_build(scratch, info.read_bytes, resident, resident_bytes, &clip, &report));
   free(scratch);
   free(file);
   return clip;
@@ -56,7 +58,7 @@ static void draw_bone(char screen[ROWS][COLUMNS + 1], const float* from, const f
   for (int i = 0; i <= 16; ++i) {
     const float x = from[0] + (to[0] - from[0]) * (float)i / 16 - middle;
     const float y = from[1] + (to[1] - from[1]) * (float)i / 16;
-    const int column = COLUMNS / 2 + (int)lrintf(2 * x / kCmPerRow);  /* as wide as high */
+    const int column = COLUMNS / 2 + (int)lrintf(2 * x / kCmPerRow); /* as wide as high */
     const int row = ROWS - 2 - (int)lrintf(y / kCmPerRow);
     if (column >= 0 && column < COLUMNS && row >= 0 && row < ROWS) screen[row][column] = '#';
   }
@@ -65,7 +67,8 @@ static void draw_bone(char screen[ROWS][COLUMNS + 1], const float* from, const f
 int main(int argc, char** argv) {
   if (argc != 2) return fprintf(stderr, "Usage: play CLIP.mcpr\n"), 2;
   const mcpr_clip* clip = open_clip(argv[1]);
-  const mcpr_clip_info info = mcpr_clip_describe(clip);
+  mcpr_clip_info info;
+  mcpr_clip_describe(clip, &info);
   const mcpr_request request = {.output = MCPR_POSITIONS, .apply_ik = 1};
   const size_t scratch_bytes = mcpr_scratch_bytes(clip, &request);
   void* scratch = memory_of(scratch_bytes);
@@ -74,12 +77,12 @@ int main(int argc, char** argv) {
   const double frames_a_second = terminal ? 25 : 1;
   const double step = info.sample_rate / frames_a_second; /* may fall between frames */
   for (double frame = 0; frame <= (double)info.frames - 1; frame += step) {
-    check(mcpr_decode_moment(clip, &request, frame, positions, scratch, scratch_bytes));
+    check(mcpr_decode_moment(clip, &request, frame, positions, scratch, scratch_bytes, &report));
     char screen[ROWS][COLUMNS + 1];
     memset(screen, ' ', sizeof screen);
     for (uint32_t j = 1; j < info.joints; ++j) {
       mcpr_joint joint;
-      check(mcpr_clip_joint(clip, j, &joint));
+      check(mcpr_clip_joint(clip, j, &joint, &report));
       if (joint.parent >= 0)
         draw_bone(screen, positions + 3 * joint.parent, positions + 3 * j, positions[0]);
     }

@@ -25,11 +25,11 @@ class SectionsReader {
       Section section;
       mcpr_result result = read_section(file, section);
       if (!failed(result)) result = take_counted(section);
-      if (!failed(result)) result = check_tier_ends(section, file.offset());
       if (failed(result)) return result;
-      if (has_wanted_tiers(file.offset())) return check_end(file.offset(), 0);
     }
-    return check_end(file.offset(), file.left());
+    if (const mcpr_result result = take_pieces(file); failed(result)) return result;
+    const bool may_end_here = wanted_tiers() < sections_.tiers.count;
+    return check_end(file.offset(), may_end_here ? 0 : file.left());
   }
 
   mcpr_result read(PackedSections packed) {
@@ -69,27 +69,38 @@ class SectionsReader {
     is_skipped_ = false;
     const mcpr_result result = take(section);
     if (!is_skipped_) known_bytes_ += kSectionHead + section.payload.size;
-    if (is_packed_ && section.is("TIER"))  // a file has more bytes there, and the same limits
-      known_bytes_ +=
-          (kTierBytes - kPackedTierBytes) * static_cast<std::size_t>(sections_.tiers.count);
     return result;
   }
 
   /// Takes what the next tier adds to the motion.
   mcpr_result take_piece(const Bytes& piece) {
-    if (sections_.tiers_read == 0 || sections_.tiers_read >= sections_.tiers.count)
-      return failure(MCPR_INVALID, piece.offset, "a tier that is not expected here");
+    if (sections_.tiers_read == 0)
+      return failure(MCPR_INVALID, piece.offset, "a finer tier without MOTN");
+    known_bytes_ += piece.size;
     sections_.fine[sections_.tiers_read++ - 1] = piece;
     return check_segment_sizes();
   }
 
-  /// Takes the pieces of a packed clip that are wanted.
-  mcpr_result take_pieces(const PackedSections& packed) {
+  /// Takes the pieces of the tiers that are wanted, which follow the sections.
+  mcpr_result take_pieces(Cursor& file) {
+    const TierTable& tiers = sections_.tiers;
+    if (tiers.count > 0 && file.offset() != tiers.file_bytes(0))
+      return failure(MCPR_INVALID, file.offset(), "the first tier does not end where TIER says");
     for (int t = 1; t < wanted_tiers(); ++t) {
-      const Bytes piece = packed.piece(t);
-      known_bytes_ += kSectionHead + piece.size;
+      Bytes piece{nullptr, tiers.tier[t].bytes, file.offset()};
+      piece.data = file.take(piece.size);
+      if (file.failed()) return failure(MCPR_DAMAGED, piece.offset, "the file ends within a tier");
+      if (crc32(piece.data, piece.size) != tiers.tier[t].checksum)
+        return failure(MCPR_DAMAGED, piece.offset, "a tier is damaged: its checksum differs");
       if (const mcpr_result result = take_piece(piece); failed(result)) return result;
     }
+    return kOk;
+  }
+
+  /// The same for a packed clip, whose bank has them.
+  mcpr_result take_pieces(const PackedSections& packed) {
+    for (int t = 1; t < wanted_tiers(); ++t)
+      if (const mcpr_result result = take_piece(packed.piece(t)); failed(result)) return result;
     return kOk;
   }
 
@@ -97,23 +108,6 @@ class SectionsReader {
   int wanted_tiers() const {
     const auto count = static_cast<std::uint32_t>(std::min(sections_.tiers.count, tiers_present_));
     return static_cast<int>(limits_.tiers == 0 ? count : std::min(limits_.tiers, count));
-  }
-
-  /// True if the file was read as far as it is wanted: it may end here.
-  bool has_wanted_tiers(std::size_t offset) const {
-    const int wanted = wanted_tiers();
-    return wanted > 0 && wanted < sections_.tiers.count && sections_.tiers_read == wanted &&
-           offset == sections_.tiers.tier[wanted - 1].file_bytes;
-  }
-
-  /// Checks that sections FINE begin and end where TIER says.
-  mcpr_result check_tier_ends(const Section& section, std::size_t end) const {
-    if (!section.is("FINE")) return kOk;
-    const Tier* const tier = sections_.tiers.tier + sections_.tiers_read - 1;
-    if ((sections_.tiers_read == 2 && section.start != tier[-1].file_bytes) ||
-        end != tier->file_bytes)
-      return failure(MCPR_INVALID, section.start, "a tier does not end where TIER says");
-    return kOk;
   }
 
   /// Checks that all requested tiers are there. A motion without its finest bands has no
@@ -132,11 +126,11 @@ class SectionsReader {
 
   /// Required sections come in a fixed order; optional ones may stand anywhere.
   mcpr_result take(const Section& section) {
-    if (sections_.tiers_read > 1 && !section.is("FINE"))
-      return failure(MCPR_INVALID, section.start, "a section after the first FINE");
     if (next_ == Expected::Joints && section.is("TIER") && sections_.tiers.count == 0 &&
-        sections_.learned.data == nullptr)
+        sections_.learned.data == nullptr) {
+      is_skipped_ = true;  // limits are those of the file without tiers
       return read_tiers(section.payload, sections_.tiers, is_packed_);
+    }
     if (next_ == Expected::Joints && section.is("JNTS")) {
       next_ = Expected::Clip;
       return read_joints(section.payload);
@@ -161,7 +155,6 @@ class SectionsReader {
       }
       return check_segment_sizes();
     }
-    if (section.is("FINE") && !is_packed_) return take_piece(section.payload);
     if (next_ == Expected::Correction && wavelets && section.is("IKCO")) {
       next_ = Expected::Ends;
       return read_correction(section.payload);
@@ -243,6 +236,11 @@ class SectionsReader {
     sections_.seed = cursor.read<std::uint64_t>();
     sections_.eps_cm = cursor.read<float>();
     sections_.max_error_cm = cursor.read<float>();
+    if (sections_.tiers.count > 0) {
+      Tier& last = sections_.tiers.tier[sections_.tiers.count - 1];
+      last.eps_cm = sections_.eps_cm;
+      last.max_error_cm = sections_.max_error_cm;
+    }
     sections_.segments = SegmentLayout::whole(static_cast<int>(sections_.frames));
     return check_values(at - 4);
   }
@@ -277,7 +275,7 @@ class SectionsReader {
     for (int k = 0; k < sections_.segments.count(); ++k) sum += sections_.segment_size(piece, k);
     if (sum != sections_.piece(piece).size)
       return failure(MCPR_INVALID, sections_.segment_sizes.offset,
-                     "the sizes of the segments do not add up to MOTN or FINE");
+                     "the sizes of the segments do not add up to MOTN or to a finer tier");
     return kOk;
   }
 

@@ -47,10 +47,10 @@ struct FileSections {
   Bytes learned;                  // PRIO, packed clips only: learned_priors.h
   Bytes motion;                   // payload of MOTN or COMP; the first tier, if there are several
   TierTable tiers;                // from TIER
-  int tiers_read = 0;             // of a file with tiers: MOTN and the FINE sections that were read
-  Bytes fine[kMostTiers - 1];     // payloads of FINE
-  SegmentLayout segments;         // from SEGS; one segment without it
-  Bytes segment_sizes;            // u32 sizes of the segments in MOTN, then in each FINE
+  int tiers_read = 0;          // of a file with tiers: MOTN and the pieces behind it that were read
+  Bytes fine[kMostTiers - 1];  // what each tier but the first adds to MOTN
+  SegmentLayout segments;      // from SEGS; one segment without it
+  Bytes segment_sizes;         // u32 sizes of the segments in MOTN, then in each finer tier
   std::size_t segments_bytes = 0;  // size of SEGS
   std::size_t correction_bytes = 0;
   std::size_t ends_bytes = 0;  // size of ENDS; 0: there is none
@@ -95,7 +95,7 @@ struct FileSections {
     return coded_size() + segments_bytes + correction_bytes + ends_bytes + axes.size;
   }
 
-  /// The coefficients are in several pieces if the file has tiers: in MOTN and in each FINE.
+  /// The coefficients are in several pieces if the file has tiers: in MOTN and behind all sections.
   int pieces() const { return std::max(tiers_read, 1); }
   const Bytes& piece(int p) const { return p == 0 ? motion : fine[p - 1]; }
 
@@ -124,6 +124,14 @@ struct FileSections {
 
 /// Parses and checks the payload of ENDS, except for its coded part. `sections.frames` must be set.
 mcpr_result read_ends(const Bytes& payload, FileSections& sections);
+
+/// The limits that a caller gave, or else the default ones.
+inline mcpr_limits or_default(const mcpr_limits* limits) {
+  if (limits != nullptr) return *limits;
+  mcpr_limits all;
+  mcpr_default_limits(&all);
+  return all;
+}
 
 /// Reads and checks all sections of a file.
 mcpr_result read_sections(const void* file, std::size_t size, const mcpr_limits& limits,

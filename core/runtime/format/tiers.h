@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tiers of a file, whose first bytes alone give a coarser motion: FORMAT.md, "TIER" and "FINE".
+// The tiers of a file, whose first bytes alone give a coarser motion: FORMAT.md, "TIER".
 #pragma once
 
 #include <cstdint>
@@ -9,24 +9,33 @@
 namespace mocapress::runtime {
 
 inline constexpr int kMostTiers = 8;
-inline constexpr std::size_t kTierBytes = 9;  // of each in TIER, after their number in one byte
-inline constexpr std::size_t kPackedTierBytes = 5;  // the same in a packed bank
+/// The most bytes of a tier in TIER: its size as a varint, bands and errors, checksum.
+inline constexpr std::size_t kMostTierBytes = 5 + 5 + 4;
 
 struct Tier {
-  std::uint32_t file_bytes =
-      0;                   // size of the part of the file that this tier needs, from its start
-  int bands_left_out = 0;  // finest bands that this tier lacks
-  float eps_cm = 0;        // as in CLIP, of this tier
+  std::uint32_t bytes = 0;     // that this tier adds to the one before; in the first, from the end
+                               // of TIER on. 0 in a packed bank, which has them elsewhere
+  std::uint32_t checksum = 0;  // CRC-32 of these bytes; 0 in the first, and in a packed bank
+  int bands_left_out = 0;      // finest bands that this tier lacks
+  float eps_cm = 0;            // as in CLIP, of this tier; in the last, CLIP has them
   float max_error_cm = 0;
 };
 
 /// The section TIER.
 struct TierTable {
-  int count = 0;  // 0: the file has no tiers
+  int count = 0;        // 0: the file has no tiers
+  std::size_t end = 0;  // of the section in the file
   Tier tier[kMostTiers] = {};
+
+  /// The file's first bytes, which are enough for a tier.
+  std::size_t file_bytes(int number) const {
+    std::size_t bytes = end;
+    for (int t = 0; t <= number; ++t) bytes += tier[t].bytes;
+    return bytes;
+  }
 };
 
-/// Reads and checks the payload of TIER. In a packed bank it has no file_bytes.
+/// Reads and checks the payload of TIER. In a packed bank it has neither sizes nor checksums.
 mcpr_result read_tiers(const Bytes& payload, TierTable& tiers, bool is_packed = false);
 
 }  // namespace mocapress::runtime

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <new>
 
-#include "core/runtime/mocapress_runtime.h"
+#include "core/runtime/mocapress_runtime.hpp"
 
 namespace {
 
@@ -39,9 +39,11 @@ void set_error(const char* message) {
   std::strncpy(last_error, message, sizeof last_error - 1);
 }
 
-bool succeeded(const mcpr_result& result) {
-  if (result.status == MCPR_OK) return true;
-  set_error(result.message);
+mcpr_result report;  // of the last call
+
+bool succeeded(mcpr_status status) {
+  if (status == MCPR_OK) return true;
+  set_error(report.message);
   return false;
 }
 
@@ -84,10 +86,11 @@ class Clip {
     std::size_t bytes = 0;
     if (!succeeded(inspect(&info)) || !scratch.reserve(info.read_bytes) ||
         !succeeded(read(scratch.data(), info.read_bytes, &bytes)) || !resident_.reserve(bytes) ||
-        !succeeded(mcpr_build(scratch.data(), info.read_bytes, resident_.data(), bytes, &clip_)))
+        !succeeded(
+            mcpr_build(scratch.data(), info.read_bytes, resident_.data(), bytes, &clip_, &report)))
       return false;
     error_ = info.error;
-    const mcpr_clip_info described = mcpr_clip_describe(clip_);
+    const mcpr_clip_info described = mcpr::describe(clip_);
     dimensions_.sample_rate = described.sample_rate;
     dimensions_.frames = described.frames;
     dimensions_.joints = described.joints;
@@ -99,8 +102,8 @@ class Clip {
   bool open_cooked(const mcpk_bank* bank, std::uint32_t number) {
     bank_ = bank;
     number_ = number;
-    if (!succeeded(mcpk_cooked(bank, number, &cooked_))) return false;
-    const mcpr_cooked_info described = mcpr_cooked_describe(cooked_);
+    if (!succeeded(mcpk_cooked(bank, number, &cooked_, &report))) return false;
+    const mcpr_cooked_info described = mcpr::describe(cooked_);
     dimensions_.sample_rate = described.sample_rate;
     dimensions_.frames = described.frames;
     dimensions_.joints = described.joints;
@@ -113,8 +116,8 @@ class Clip {
 
   const JointRecord* joint(std::uint32_t number) {
     mcpr_joint joint;
-    if (!succeeded(clip_ != nullptr ? mcpr_clip_joint(clip_, number, &joint)
-                                    : mcpk_joint(bank_, number_, number, &joint)))
+    if (!succeeded(clip_ != nullptr ? mcpr_clip_joint(clip_, number, &joint, &report)
+                                    : mcpk_joint(bank_, number_, number, &joint, &report)))
       return nullptr;
     joint_.name = joint.name;
     joint_.parent = joint.parent;
@@ -126,7 +129,7 @@ class Clip {
 
   const TrackRecord* track(std::uint32_t number) {
     mcpr_track track;
-    if (!succeeded(mcpr_track_describe(tracks_, number, &track))) return nullptr;
+    if (!succeeded(mcpr_track_describe(tracks_, number, &track, &report))) return nullptr;
     track_ = {track.kind, track.node, track.name, track.steps};
     return &track_;
   }
@@ -135,7 +138,7 @@ class Clip {
     mcpr_track_request request = kAllTracks;
     request.wrap = wrap;
     return succeeded(mcpr_track_moment(tracks_, &request, frame, track_values_.floats(),
-                                       track_scratch_.data(), track_scratch_.size()))
+                                       track_scratch_.data(), track_scratch_.size(), &report))
                ? track_values_.floats()
                : nullptr;
   }
@@ -153,7 +156,7 @@ class Clip {
     Memory scratch;
     return scratch.reserve(mcpr_scratch_bytes(clip_, &request)) &&
            succeeded(mcpr_decode_frames(clip_, &request, first, count, out, scratch.data(),
-                                        scratch.size()));
+                                        scratch.size(), &report));
   }
 #endif
 
@@ -166,10 +169,11 @@ class Clip {
     Memory scratch;
     std::size_t bytes = 0;
     return scratch.reserve(scratch_bytes) &&
-           succeeded(mcpr_cook_size(clip_, &options, scratch.data(), scratch_bytes, &bytes)) &&
+           succeeded(
+               mcpr_cook_size(clip_, &options, scratch.data(), scratch_bytes, &bytes, &report)) &&
            block_.reserve(bytes) &&
            succeeded(mcpr_cook(clip_, &options, scratch.data(), scratch_bytes, block_.data(), bytes,
-                               &cooked_));
+                               &cooked_, &report));
   }
 
   bool prepare_tracks() {
@@ -200,7 +204,7 @@ class Player {
   bool play(const mcpr_cooked* cooked, std::size_t joints) {
     const std::size_t bytes = mcpr_cursor_bytes(cooked);
     return pose_.reserve(sizeof(mcpr_transform) * joints) && memory_.reserve(bytes) &&
-           succeeded(mcpr_make_cursor(cooked, memory_.data(), bytes, &cursor_));
+           succeeded(mcpr_make_cursor(cooked, memory_.data(), bytes, &cursor_, &report));
   }
 
   /// Returns one mcpr_transform for each joint.
@@ -209,8 +213,9 @@ class Player {
     request.unit = MCPR_SECONDS;
     request.wrap = wrap;
     request.bands_left_out = bands_left_out;
-    return succeeded(mcpr_sample_next(cursor_, &request, seconds, pose_.floats())) ? pose_.floats()
-                                                                                   : nullptr;
+    return succeeded(mcpr_sample_next(cursor_, &request, seconds, pose_.floats(), &report))
+               ? pose_.floats()
+               : nullptr;
   }
 
  private:
@@ -261,19 +266,19 @@ MOCAPRESS_EXPORT void web_free(void* memory) {
 /// Opens a bank, whose bytes must stay in place while the bank or a clip of it is in use.
 MOCAPRESS_EXPORT const mcpk_bank* web_open_bank(const void* memory, std::size_t size) {
   const mcpk_bank* bank = nullptr;
-  return succeeded(mcpk_open(memory, size, 1, &bank)) ? bank : nullptr;
+  return succeeded(mcpk_open(memory, size, 1, &bank, &report)) ? bank : nullptr;
 }
 
 /// Opens the head of a bank whose other bytes are not there yet.
 MOCAPRESS_EXPORT const mcpk_bank* web_open_head(const void* memory) {
   const mcpk_bank* bank = nullptr;
-  return succeeded(mcpk_open(memory, SIZE_MAX, 0, &bank)) ? bank : nullptr;
+  return succeeded(mcpk_open(memory, SIZE_MAX, 0, &bank, &report)) ? bank : nullptr;
 }
 
 /// Opens a bank whose clips are not there yet, in memory for the whole bank.
 MOCAPRESS_EXPORT const mcpk_bank* web_open_shared(const void* memory, std::size_t size) {
   const mcpk_bank* bank = nullptr;
-  return succeeded(mcpk_open(memory, size, 2, &bank)) ? bank : nullptr;
+  return succeeded(mcpk_open(memory, size, 2, &bank, &report)) ? bank : nullptr;
 }
 
 /// Returns two numbers: the place of a clip's part of a tier and its bytes; in tier 0 for the
@@ -283,7 +288,7 @@ MOCAPRESS_EXPORT const double* web_place(const mcpk_bank* bank, std::uint32_t nu
   static double place[2];
   std::uint64_t offset = 0;
   std::uint64_t bytes = 0;
-  if (!succeeded(mcpk_tier_place(bank, number, tier, &offset, &bytes))) return nullptr;
+  if (!succeeded(mcpk_tier_place(bank, number, tier, &offset, &bytes, &report))) return nullptr;
   place[0] = static_cast<double>(offset);
   place[1] = static_cast<double>(bytes);
   return place;
@@ -291,11 +296,11 @@ MOCAPRESS_EXPORT const double* web_place(const mcpk_bank* bank, std::uint32_t nu
 
 /// Verifies a clip that was loaded later. Returns 0 on failure.
 MOCAPRESS_EXPORT int web_check(const mcpk_bank* bank, std::uint32_t number) {
-  return succeeded(mcpk_check(bank, number)) ? 1 : 0;
+  return succeeded(mcpk_check(bank, number, &report)) ? 1 : 0;
 }
 
 MOCAPRESS_EXPORT double web_bank_bytes(const mcpk_bank* bank) {
-  return static_cast<double>(mcpk_describe(bank).bytes);
+  return static_cast<double>(mcpr::describe(bank).bytes);
 }
 
 /// Those that the bank still has.
@@ -306,11 +311,11 @@ MOCAPRESS_EXPORT std::uint32_t web_bank_tiers(const mcpk_bank* bank) {
 }
 
 MOCAPRESS_EXPORT std::uint32_t web_bank_clips(const mcpk_bank* bank) {
-  return mcpk_describe(bank).clips;
+  return mcpr::describe(bank).clips;
 }
 
 MOCAPRESS_EXPORT int web_bank_is_cooked(const mcpk_bank* bank) {
-  return mcpk_describe(bank).is_cooked;
+  return mcpr::describe(bank).is_cooked;
 }
 
 MOCAPRESS_EXPORT const char* web_bank_name(const mcpk_bank* bank, std::uint32_t number) {
@@ -330,26 +335,52 @@ MOCAPRESS_EXPORT Clip* web_open_cooked(const mcpk_bank* bank, std::uint32_t numb
 
 #ifndef MOCAPRESS_COOKED_ALONE
 
-/// Opens a file, which is not needed afterwards.
-MOCAPRESS_EXPORT Clip* web_open(const void* file, std::size_t size) {
+/// Returns the number of tiers of a file of which only the first bytes need be there; 0 if it has
+/// none, -1 on failure.
+MOCAPRESS_EXPORT int web_tiers(const void* file, std::size_t size) {
+  mcpr_tier tier;
+  int count = 0;
+  while (mcpr_tier_of(file, size, static_cast<std::uint32_t>(count), &tier, &report) == MCPR_OK)
+    ++count;
+  return report.status == MCPR_ARGUMENT || succeeded(report.status) ? count : -1;
+}
+
+/// Returns three numbers about a tier: bytes of the file's start, RMS and largest error in cm.
+MOCAPRESS_EXPORT const double* web_tier(const void* file, std::size_t size, std::uint32_t number) {
+  static double numbers[3];
+  mcpr_tier tier;
+  if (!succeeded(mcpr_tier_of(file, size, number, &tier, &report))) return nullptr;
+  numbers[0] = static_cast<double>(tier.bytes);
+  numbers[1] = static_cast<double>(tier.error);
+  numbers[2] = static_cast<double>(tier.max_error);
+  return numbers;
+}
+
+/// Opens a file, which is not needed afterwards, or its first tiers, after which it may end.
+/// tiers = 0: the whole file.
+MOCAPRESS_EXPORT Clip* web_open(const void* file, std::size_t size, std::uint32_t tiers) {
+  mcpr_limits limits = mcpr::default_limits();
+  limits.tiers = tiers;
   return made<Clip>([&](Clip& clip) {
-    return clip.open([&](mcpr_info* info) { return mcpr_inspect(file, size, nullptr, info); },
-                     [&](void* scratch, std::size_t bytes, std::size_t* resident_bytes) {
-                       return mcpr_read(file, size, nullptr, scratch, bytes, resident_bytes);
-                     });
+    return clip.open(
+        [&](mcpr_info* info) { return mcpr_inspect(file, size, &limits, info, &report); },
+        [&](void* scratch, std::size_t bytes, std::size_t* resident_bytes) {
+          return mcpr_read(file, size, &limits, scratch, bytes, resident_bytes, &report);
+        });
   });
 }
 
 /// Opens the first tiers of a clip.
 MOCAPRESS_EXPORT Clip* web_open_packed(const mcpk_bank* bank, std::uint32_t number,
                                        std::uint32_t tiers) {
-  mcpr_limits limits = mcpr_default_limits();
+  mcpr_limits limits = mcpr::default_limits();
   limits.tiers = tiers;
   return made<Clip>([&](Clip& clip) {
-    return clip.open([&](mcpr_info* info) { return mcpk_inspect(bank, number, &limits, info); },
-                     [&](void* scratch, std::size_t bytes, std::size_t* resident_bytes) {
-                       return mcpk_read(bank, number, &limits, scratch, bytes, resident_bytes);
-                     });
+    return clip.open(
+        [&](mcpr_info* info) { return mcpk_inspect(bank, number, &limits, info, &report); },
+        [&](void* scratch, std::size_t bytes, std::size_t* resident_bytes) {
+          return mcpk_read(bank, number, &limits, scratch, bytes, resident_bytes, &report);
+        });
   });
 }
 

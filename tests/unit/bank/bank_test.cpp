@@ -177,20 +177,21 @@ TEST_F(BankTest, PlaysAsItsFilesDo) {
     const std::string name = made.entry(clip).name;
     const OpenedClip alone(file(name));
     mcpr_info info{};
-    const mcpr_result result = mcpk_inspect(&made.bank(), clip, nullptr, &info);
+    mcpr_result result;
+    mcpk_inspect(&made.bank(), clip, nullptr, &info, &result);
     EXPECT_EQ(result.status, alone.result.status) << name;
     if (result.status != MCPR_OK) continue;
     EXPECT_EQ(info.motion_bytes, alone.info.motion_bytes);
     OpenedClip banked(std::vector<std::byte>{});
     const AlignedBytes scratch(info.read_bytes);
     std::size_t size = 0;
-    ASSERT_EQ(mcpk_read(&made.bank(), clip, nullptr, scratch.data(), scratch.size(), &size).status,
-              MCPR_OK);
-    banked.resident.emplace(size);
     ASSERT_EQ(
-        mcpr_build(scratch.data(), scratch.size(), banked.resident->data(), size, &banked.clip)
-            .status,
+        mcpk_read(&made.bank(), clip, nullptr, scratch.data(), scratch.size(), &size, nullptr),
         MCPR_OK);
+    banked.resident.emplace(size);
+    ASSERT_EQ(mcpr_build(scratch.data(), scratch.size(), banked.resident->data(), size,
+                         &banked.clip, nullptr),
+              MCPR_OK);
     for (const mcpr_output output : {MCPR_CHANNELS, MCPR_LOCAL, MCPR_POSITIONS}) {
       const mcpr_request request{.output = output, .apply_ik = 1};
       EXPECT_EQ(banked.frames(request, 0, info.frames), alone.frames(request, 0, info.frames))
@@ -209,14 +210,14 @@ TEST_F(BankTest, CookedClipsGiveThePosesOfClipsCookedAlone) {
     const OpenedClip opened(file(name));
     const CookedClip alone(opened.clip, {.apply_ik = 1, .ik_error = opened.info.error});
     const mcpr_cooked* cooked = nullptr;
-    ASSERT_EQ(mcpk_cooked(&made.bank(), clip, &cooked).status, MCPR_OK) << name;
-    const mcpr_cooked_info info = mcpr_cooked_describe(cooked);
+    ASSERT_EQ(mcpk_cooked(&made.bank(), clip, &cooked, nullptr), MCPR_OK) << name;
+    const mcpr_cooked_info info = mcpr::describe(cooked);
     EXPECT_LT(info.bytes, alone.bytes->size());
     for (const mcpr_layout layout : {MCPR_TRANSFORMS, MCPR_ARRAYS})
       for (double frame = 0; frame < info.frames; frame += 0.7) {
         const mcpr_sample_request request{.layout = layout};
         std::vector<float> pose(mcpr_sample_values(cooked, &request));
-        ASSERT_EQ(mcpr_sample(cooked, &request, frame, pose.data()).status, MCPR_OK);
+        ASSERT_EQ(mcpr_sample(cooked, &request, frame, pose.data(), nullptr), MCPR_OK);
         ASSERT_EQ(pose, alone.sample(request, frame)) << name << " at " << frame;
       }
     EXPECT_EQ(OpenedClip::frames_of(mcpr_cooked_tracks(cooked), 0, info.frames),
@@ -225,8 +226,8 @@ TEST_F(BankTest, CookedClipsGiveThePosesOfClipsCookedAlone) {
     for (std::uint32_t j = 0; j < info.joints; ++j) {
       mcpr_joint expected{};
       mcpr_joint joint{};
-      ASSERT_EQ(mcpr_clip_joint(opened.clip, j, &expected).status, MCPR_OK);
-      ASSERT_EQ(mcpk_joint(&made.bank(), clip, j, &joint).status, MCPR_OK);
+      ASSERT_EQ(mcpr_clip_joint(opened.clip, j, &expected, nullptr), MCPR_OK);
+      ASSERT_EQ(mcpk_joint(&made.bank(), clip, j, &joint, nullptr), MCPR_OK);
       EXPECT_STREQ(joint.name, expected.name);
       EXPECT_EQ(joint.parent, expected.parent);
       EXPECT_TRUE(std::equal(joint.offset, joint.offset + 3, expected.offset));
@@ -257,7 +258,7 @@ TEST_F(BankTest, TellsSkeletonsByNumberAndHash) {
       if (form == runtime::BankForm::Cooked) {
         EXPECT_EQ(mcpk_skeleton_hash(&made.bank(), clip), hash) << name;
         EXPECT_LT(static_cast<std::uint32_t>(mcpk_skeleton(&made.bank(), clip)),
-                  mcpk_describe(&made.bank()).skeletons);
+                  mcpr::describe(&made.bank()).skeletons);
       }
       for (std::uint32_t other = 0; other < clip; ++other) {
         if (mcpk_skeleton(&made.bank(), clip) == mcpk_skeleton(&made.bank(), other)) {
@@ -349,23 +350,23 @@ TEST_P(BothForms, ClipsCanBeLoadedOneByOne) {
   };
   load(0, MCPK_HEAD_BYTES);
   const mcpk_bank* bank = nullptr;
-  ASSERT_EQ(mcpk_open(memory.data(), whole.size(), 0, &bank).status, MCPR_OK);
-  EXPECT_NE(mcpk_open(memory.data(), whole.size(), 2, &bank).status, MCPR_OK);
+  ASSERT_EQ(mcpk_open(memory.data(), whole.size(), 0, &bank, nullptr), MCPR_OK);
+  EXPECT_NE(mcpk_open(memory.data(), whole.size(), 2, &bank, nullptr), MCPR_OK);
   std::uint64_t offset = 0;
   std::uint64_t bytes = 0;
-  ASSERT_EQ(mcpk_place(bank, bank->clips, &offset, &bytes).status, MCPR_OK);
+  ASSERT_EQ(mcpk_place(bank, bank->clips, &offset, &bytes, nullptr), MCPR_OK);
   load(offset, bytes);
-  ASSERT_EQ(mcpk_open(memory.data(), whole.size(), 2, &bank).status, MCPR_OK);
-  EXPECT_NE(mcpk_open(memory.data(), whole.size(), 1, &bank).status, MCPR_OK);
-  EXPECT_EQ(mcpk_place(bank, bank->clips + 1, &offset, &bytes).status, MCPR_ARGUMENT);
+  ASSERT_EQ(mcpk_open(memory.data(), whole.size(), 2, &bank, nullptr), MCPR_OK);
+  EXPECT_NE(mcpk_open(memory.data(), whole.size(), 1, &bank, nullptr), MCPR_OK);
+  EXPECT_EQ(mcpk_place(bank, bank->clips + 1, &offset, &bytes, nullptr), MCPR_ARGUMENT);
   for (std::uint32_t clip = 0; clip < bank->clips; ++clip) {
-    ASSERT_EQ(mcpk_place(bank, clip, &offset, &bytes).status, MCPR_OK);
+    ASSERT_EQ(mcpk_place(bank, clip, &offset, &bytes, nullptr), MCPR_OK);
     EXPECT_EQ(offset, expected.entry(clip).place.offset);
     if (bank->is_cooked()) {
-      EXPECT_NE(mcpk_check(bank, clip).status, MCPR_OK) << "not there yet";
+      EXPECT_NE(mcpk_check(bank, clip, nullptr), MCPR_OK) << "not there yet";
     }
     load(offset, bytes);
-    EXPECT_EQ(mcpk_check(bank, clip).status, mcpk_check(&expected.bank(), clip).status);
+    EXPECT_EQ(mcpk_check(bank, clip, nullptr), mcpk_check(&expected.bank(), clip, nullptr));
   }
 }
 
@@ -531,7 +532,7 @@ class HostileBank : public BothForms {
     const AlignedBytes memory(std::max<std::size_t>(bytes.size(), 1));
     std::ranges::copy(bytes, memory.data());
     const mcpk_bank* bank = nullptr;
-    return mcpk_open(memory.data(), bytes.size(), check, &bank).status;
+    return mcpk_open(memory.data(), bytes.size(), check, &bank, nullptr);
   }
 
   std::vector<std::byte> bytes_;

@@ -70,7 +70,7 @@ AlignedBytes aligned(const fs::path& path) {
 }
 
 mcpr_limits limits_of(int tiers) {
-  mcpr_limits limits = mcpr_default_limits();
+  mcpr_limits limits = mcpr::default_limits();
   limits.tiers = static_cast<std::uint32_t>(tiers);
   return limits;
 }
@@ -79,19 +79,19 @@ mcpr_limits limits_of(int tiers) {
 std::vector<float> frames_in(const mcpk_bank* bank, std::uint32_t clip, int tiers = 0) {
   const mcpr_limits limits = limits_of(tiers);
   mcpr_info info;
-  if (mcpk_inspect(bank, clip, &limits, &info).status != MCPR_OK) return {};
+  if (mcpk_inspect(bank, clip, &limits, &info, nullptr) != MCPR_OK) return {};
   const AlignedBytes scratch(info.read_bytes);
   std::size_t size = 0;
-  if (mcpk_read(bank, clip, &limits, scratch.data(), scratch.size(), &size).status != MCPR_OK)
+  if (mcpk_read(bank, clip, &limits, scratch.data(), scratch.size(), &size, nullptr) != MCPR_OK)
     return {};
   const AlignedBytes resident(size);
   const mcpr_clip* built = nullptr;
-  mcpr_build(scratch.data(), scratch.size(), resident.data(), size, &built);
+  mcpr_build(scratch.data(), scratch.size(), resident.data(), size, &built, nullptr);
   const mcpr_request request{};
   const AlignedBytes working(mcpr_scratch_bytes(built, &request));
   std::vector<float> frames(info.frames * mcpr_frame_values(built, &request));
-  mcpr_decode_frames(built, &request, 0, info.frames, frames.data(), working.data(),
-                     working.size());
+  mcpr_decode_frames(built, &request, 0, info.frames, frames.data(), working.data(), working.size(),
+                     nullptr);
   return frames;
 }
 
@@ -160,7 +160,7 @@ TEST_F(BankTiersTest, AStrippedBankIsCookedAsFarAsItGoes) {
       std::vector<mcpr_transform> pose(opened.info.joints);
       for (std::uint32_t t = 0; t < opened.info.frames; t += 37) {
         const mcpr_sample_request request{};
-        ASSERT_EQ(mcpr_sample(cooked.cooked(entry), &request, t, pose.data()->rotation).status,
+        ASSERT_EQ(mcpr_sample(cooked.cooked(entry), &request, t, pose.data()->rotation, nullptr),
                   MCPR_OK);
         for (std::size_t j = 0; j < pose.size(); ++j)
           for (std::size_t i = 0; i < 7; ++i)
@@ -213,38 +213,39 @@ TEST_F(BankTiersTest, AreLoadedToTheirPlacesOneByOne) {
   std::memset(memory.data(), 0xAA, memory.size());
   load(0, MCPK_HEAD_BYTES);
   const mcpk_bank* made = nullptr;
-  ASSERT_EQ(mcpk_open(memory.data(), memory.size(), 0, &made).status, MCPR_OK);
+  ASSERT_EQ(mcpk_open(memory.data(), memory.size(), 0, &made, nullptr), MCPR_OK);
   std::uint64_t offset = 0;
   std::uint64_t bytes = 0;
-  const std::uint32_t clips = mcpk_describe(made).clips;
-  ASSERT_EQ(mcpk_place(made, clips, &offset, &bytes).status, MCPR_OK);
+  const std::uint32_t clips = mcpr::describe(made).clips;
+  ASSERT_EQ(mcpk_place(made, clips, &offset, &bytes, nullptr), MCPR_OK);
   load(offset, bytes);
-  ASSERT_EQ(mcpk_open(memory.data(), memory.size(), 2, &made).status, MCPR_OK);
+  ASSERT_EQ(mcpk_open(memory.data(), memory.size(), 2, &made, nullptr), MCPR_OK);
   const auto clip = static_cast<std::uint32_t>(mcpk_find(made, "z"));
   for (int tier = 0; tier < kTiers; ++tier) {
-    ASSERT_EQ(mcpk_tier_place(made, clip, static_cast<std::uint32_t>(tier), &offset, &bytes).status,
-              MCPR_OK);
+    ASSERT_EQ(
+        mcpk_tier_place(made, clip, static_cast<std::uint32_t>(tier), &offset, &bytes, nullptr),
+        MCPR_OK);
     EXPECT_GT(bytes, 0U);
     load(offset, bytes);
-    EXPECT_EQ(mcpk_check(made, clip).status, MCPR_OK);
+    EXPECT_EQ(mcpk_check(made, clip, nullptr), MCPR_OK);
     EXPECT_EQ(frames_in(made, clip, tier + 1), frames_of(file("z"), tier + 1));
   }
-  EXPECT_EQ(mcpk_tier_place(made, clip, kTiers, &offset, &bytes).status, MCPR_ARGUMENT);
-  ASSERT_EQ(mcpk_tier_place(made, clips, kTiers - 1, &offset, &bytes).status, MCPR_OK);
+  EXPECT_EQ(mcpk_tier_place(made, clip, kTiers, &offset, &bytes, nullptr), MCPR_ARGUMENT);
+  ASSERT_EQ(mcpk_tier_place(made, clips, kTiers - 1, &offset, &bytes, nullptr), MCPR_OK);
   EXPECT_EQ(offset + bytes, whole.size());
 }
 
 TEST_F(BankTiersTest, DamageToThemIsFound) {
   const AlignedBytes whole = aligned(bank());
   const mcpk_bank* made = nullptr;
-  ASSERT_EQ(mcpk_open(whole.data(), whole.size(), 1, &made).status, MCPR_OK);
+  ASSERT_EQ(mcpk_open(whole.data(), whole.size(), 1, &made, nullptr), MCPR_OK);
   for (std::size_t at = made->tables.offset; at < whole.size(); ++at) {
     whole.data()[at] ^= std::byte{1};
-    EXPECT_NE(mcpk_open(whole.data(), whole.size(), 1, &made).status, MCPR_OK) << at;
+    EXPECT_NE(mcpk_open(whole.data(), whole.size(), 1, &made, nullptr), MCPR_OK) << at;
     whole.data()[at] ^= std::byte{1};
   }
   for (std::size_t size = made->tables.offset; size < whole.size(); ++size)
-    EXPECT_NE(mcpk_open(whole.data(), size, 1, &made).status, MCPR_OK) << size;
+    EXPECT_NE(mcpk_open(whole.data(), size, 1, &made, nullptr), MCPR_OK) << size;
 }
 
 void play(const mcpk_bank* bank) {
@@ -263,7 +264,7 @@ TEST_F(BankTiersTest, TablesThatMakeNoSenseAreRefused) {
         runtime::bank_checksum(tables, static_cast<std::size_t>(head->tables.bytes));
     head->checksum = runtime::bank_checksum(head, offsetof(mcpk_bank, checksum));
     const mcpk_bank* made = nullptr;
-    return mcpk_open(whole.data(), whole.size(), 1, &made).status != MCPR_OK;
+    return mcpk_open(whole.data(), whole.size(), 1, &made, nullptr) != MCPR_OK;
   };
   EXPECT_FALSE(is_refused(bytes));
   const std::size_t begins =

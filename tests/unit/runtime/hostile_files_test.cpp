@@ -44,7 +44,7 @@ bool survives(const std::vector<std::byte>& file) {
     EXPECT_LE(clip.result.offset, file.size());
     return false;
   }
-  const std::uint32_t frames = mcpr_clip_describe(clip.clip).frames;
+  const std::uint32_t frames = mcpr::describe(clip.clip).frames;
   EXPECT_FALSE(frames > 0 && clip.frames({.output = MCPR_POSITIONS, .apply_ik = 1}, 0, 1).empty());
   return true;
 }
@@ -130,45 +130,45 @@ TEST(HostileFiles, ABombOfValuesIsRefusedByItsHeadersAlone) {
   // 2^26 values in about a hundred bytes.
   const auto file = bomb(16, (1U << 26) / 96, 20);
   EXPECT_LT(file.size(), 400u);
-  EXPECT_EQ(mcpr_inspect(file.data(), file.size(), nullptr, &info).status, MCPR_INVALID);
+  EXPECT_EQ(mcpr_inspect(file.data(), file.size(), nullptr, &info, nullptr), MCPR_INVALID);
   // One frame more than any file with these channels may have, whatever its size.
   const auto larger = bomb(16, (1U << 26) / 96 + 1, 4000);
-  EXPECT_EQ(mcpr_inspect(larger.data(), larger.size(), nullptr, &info).status, MCPR_INVALID);
+  EXPECT_EQ(mcpr_inspect(larger.data(), larger.size(), nullptr, &info, nullptr), MCPR_INVALID);
 }
 
 TEST(HostileFiles, ABombWithinTheLimitsTakesOnlyTheStatedMemory) {
   const std::uint32_t frames = (1U << 22) / 96;
   const auto file = bomb(16, frames, 2000);
   mcpr_info info;
-  ASSERT_EQ(mcpr_inspect(file.data(), file.size(), nullptr, &info).status, MCPR_OK);
+  ASSERT_EQ(mcpr_inspect(file.data(), file.size(), nullptr, &info, nullptr), MCPR_OK);
   EXPECT_LT(info.read_bytes, 4 * std::size_t{frames} * 96 + 4 * frames + (1U << 20));
   const AlignedBytes scratch(info.read_bytes);
   std::size_t size = 0;
-  const mcpr_result result =
-      mcpr_read(file.data(), file.size(), nullptr, scratch.data(), scratch.size(), &size);
+  mcpr_result result;
+  mcpr_read(file.data(), file.size(), nullptr, scratch.data(), scratch.size(), &size, &result);
   // The bytes may happen to decode.
   EXPECT_TRUE(result.status == MCPR_INVALID || result.status == MCPR_OK) << result.message;
 }
 
 TEST(HostileFiles, FileSizeBoundsSamplesUnderAnyLimits) {
-  mcpr_limits limits = mcpr_default_limits();
+  mcpr_limits limits = mcpr::default_limits();
   limits.scratch_bytes = std::size_t{1} << 32;
   mcpr_info info;
   const std::size_t size = bomb(16, 1, 20).size();
   const auto most = static_cast<std::uint32_t>(((1U << 24) + (size << 14)) / 96);
   const auto held = bomb(16, most, 20);
   ASSERT_EQ(held.size(), size);
-  EXPECT_EQ(mcpr_inspect(held.data(), held.size(), &limits, &info).status, MCPR_OK);
+  EXPECT_EQ(mcpr_inspect(held.data(), held.size(), &limits, &info, nullptr), MCPR_OK);
   const auto beyond = bomb(16, most + 1, 20);
-  EXPECT_EQ(mcpr_inspect(beyond.data(), beyond.size(), &limits, &info).status, MCPR_INVALID);
+  EXPECT_EQ(mcpr_inspect(beyond.data(), beyond.size(), &limits, &info, nullptr), MCPR_INVALID);
 }
 
 TEST(HostileFiles, BombsOfJointsAndOfLimbsAreRefused) {
   mcpr_info info;
   const auto joints = bomb(900, 1, 20);
-  mcpr_limits limits = mcpr_default_limits();
+  mcpr_limits limits = mcpr::default_limits();
   limits.joints = 899;
-  EXPECT_EQ(mcpr_inspect(joints.data(), joints.size(), &limits, &info).status, MCPR_LIMIT);
+  EXPECT_EQ(mcpr_inspect(joints.data(), joints.size(), &limits, &info, nullptr), MCPR_LIMIT);
   // A limb in which every step would turn hundreds of joints.
   EXPECT_EQ(OpenedClip(bomb(600, 0, 4, 1)).result.status, MCPR_INVALID);
   // More effectors in a limb than can be solved together.
@@ -189,7 +189,7 @@ TEST(HostileFiles, JointCountBoundsTheDecodedSkeleton) {
   const auto file = bomb(3, 1, 20);
   mcpr_info info;
   const auto inspect = [&](const std::vector<std::byte>& changed) {
-    return mcpr_inspect(changed.data(), changed.size(), nullptr, &info).status;
+    return mcpr_inspect(changed.data(), changed.size(), nullptr, &info, nullptr);
   };
   EXPECT_EQ(inspect(promising(file, 3 * kBytesOfJoint, 3)), MCPR_OK);
   EXPECT_EQ(inspect(promising(file, 3 * kBytesOfJoint + 1, 3)), MCPR_INVALID);

@@ -41,9 +41,10 @@ TEST(Load, GivesTheClipOfTheThreeCalls) {
   const std::vector<std::byte> bytes = file();
   Heap heap;
   const mcpr_clip* clip = nullptr;
-  ASSERT_EQ(mcpr_load(bytes.data(), bytes.size(), nullptr, &heap.allocator, &clip).status, MCPR_OK);
+  ASSERT_EQ(mcpr_load(bytes.data(), bytes.size(), nullptr, &heap.allocator, &clip, nullptr),
+            MCPR_OK);
   EXPECT_EQ(heap.live, 1);
-  EXPECT_EQ(mcpr_clip_describe(clip).frames, 90U);
+  EXPECT_EQ(mcpr::describe(clip).frames, 90U);
   const test::OpenedClip opened(bytes);
   EXPECT_EQ(test::CookedClip(clip).sample({}, 12.5),
             test::CookedClip(opened.clip).sample({}, 12.5));
@@ -54,11 +55,11 @@ TEST(Load, CooksInOneCall) {
   const std::vector<std::byte> bytes = file();
   Heap heap;
   const mcpr_cooked* cooked = nullptr;
-  ASSERT_EQ(mcpr_load_cooked(bytes.data(), bytes.size(), nullptr, nullptr, &heap.allocator, &cooked)
-                .status,
+  ASSERT_EQ(mcpr_load_cooked(bytes.data(), bytes.size(), nullptr, nullptr, &heap.allocator, &cooked,
+                             nullptr),
             MCPR_OK);
   EXPECT_EQ(heap.live, 1);
-  EXPECT_EQ(mcpr_cooked_describe(cooked).frames, 90U);
+  EXPECT_EQ(mcpr::describe(cooked).frames, 90U);
   heap.allocator.release(&heap, const_cast<mcpr_cooked*>(cooked));
 }
 
@@ -68,18 +69,18 @@ TEST(Load, ReleasesEverythingWhenMemoryOrTheFileFails) {
     Heap heap;
     heap.left = left;
     const mcpr_cooked* cooked = nullptr;
-    EXPECT_EQ(
-        mcpr_load_cooked(bytes.data(), bytes.size(), nullptr, nullptr, &heap.allocator, &cooked)
-            .status,
-        MCPR_NO_MEMORY)
+    EXPECT_EQ(mcpr_load_cooked(bytes.data(), bytes.size(), nullptr, nullptr, &heap.allocator,
+                               &cooked, nullptr),
+              MCPR_NO_MEMORY)
         << left;
     EXPECT_EQ(heap.live, 0) << left;
   }
   Heap heap;
   const mcpr_clip* clip = nullptr;
   bytes.pop_back();
-  EXPECT_NE(mcpr_load(bytes.data(), bytes.size(), nullptr, &heap.allocator, &clip).status, MCPR_OK);
-  EXPECT_EQ(mcpr_load(bytes.data(), bytes.size(), nullptr, nullptr, &clip).status, MCPR_ARGUMENT);
+  EXPECT_NE(mcpr_load(bytes.data(), bytes.size(), nullptr, &heap.allocator, &clip, nullptr),
+            MCPR_OK);
+  EXPECT_EQ(mcpr_load(bytes.data(), bytes.size(), nullptr, nullptr, &clip, nullptr), MCPR_ARGUMENT);
   EXPECT_EQ(heap.live, 0);
 }
 

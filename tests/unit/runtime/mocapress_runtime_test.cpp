@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Compares the C interface with core, which decodes through the same code.
-#include "core/runtime/mocapress_runtime.h"
+#include "core/runtime/mocapress_runtime.hpp"
 
 #include <gtest/gtest.h>
 
@@ -71,7 +71,7 @@ TEST(Decoder, MatchesCoreToTheBit) {
 
 TEST(Decoder, DescribesTheFile) {
   const CompressedClip compressed = read_container(corrected_file());
-  const mcpr_clip_info info = mcpr_clip_describe(opened().clip);
+  const mcpr_clip_info info = mcpr::describe(opened().clip);
   EXPECT_EQ(info.frames, static_cast<std::uint32_t>(kFrames));
   EXPECT_EQ(info.sample_rate, compressed.sample_rate_hz);
   EXPECT_EQ(info.channels, static_cast<std::uint32_t>(compressed.skeleton.channel_count()));
@@ -81,7 +81,7 @@ TEST(Decoder, DescribesTheFile) {
   for (int j = 0; j < compressed.skeleton.joint_count(); ++j) {
     const Joint& expected = compressed.skeleton.joint(j);
     mcpr_joint joint;
-    ASSERT_EQ(mcpr_clip_joint(opened().clip, static_cast<std::uint32_t>(j), &joint).status,
+    ASSERT_EQ(mcpr_clip_joint(opened().clip, static_cast<std::uint32_t>(j), &joint, nullptr),
               MCPR_OK);
     EXPECT_EQ(joint.name, expected.name);
     EXPECT_EQ(joint.parent, expected.parent);
@@ -93,10 +93,10 @@ TEST(Decoder, DescribesTheFile) {
 
 TEST(Decoder, FindsAJointByName) {
   const mcpr_clip* const clip = opened().clip;
-  const auto joints = static_cast<std::int32_t>(mcpr_clip_describe(clip).joints);
+  const auto joints = static_cast<std::int32_t>(mcpr::describe(clip).joints);
   for (std::int32_t j = 0; j < joints; ++j) {
     mcpr_joint joint;
-    ASSERT_EQ(mcpr_clip_joint(clip, static_cast<std::uint32_t>(j), &joint).status, MCPR_OK);
+    ASSERT_EQ(mcpr_clip_joint(clip, static_cast<std::uint32_t>(j), &joint, nullptr), MCPR_OK);
     EXPECT_EQ(mcpr_find_joint(clip, joint.name), j) << joint.name;
     EXPECT_EQ(mcpr_find_joint(clip, (std::string(joint.name) + "x").c_str()), -1);
   }
@@ -153,7 +153,7 @@ TEST(Decoder, EveryPathGivesTheSameBits) {
 
 TEST(Decoder, ARequestCapsTheSolverAsTheLimitsDo) {
   const std::vector<std::byte> file = file_corrected_by(IkSolver::CyclicDescent);
-  mcpr_limits limits = mcpr_default_limits();
+  mcpr_limits limits = mcpr::default_limits();
   limits.solver_iterations = 1;
   const OpenedClip capped(file, &limits);
   const OpenedClip clip(file);
@@ -237,7 +237,7 @@ TEST(Decoder, LocalTransformsComposeToPositions) {
       const Eigen::Quaterniond turn(place(0), place(1), place(2), place(3));
       EXPECT_NEAR(turn.norm(), 1, 1e-6);
       mcpr_joint joint;
-      mcpr_clip_joint(opened().clip, static_cast<std::uint32_t>(j), &joint);
+      mcpr_clip_joint(opened().clip, static_cast<std::uint32_t>(j), &joint, nullptr);
       Eigen::Isometry3d parent_from_joint = Eigen::Isometry3d::Identity();
       parent_from_joint.translate(Eigen::Vector3d(place.tail<3>()));
       parent_from_joint.rotate(turn);
@@ -267,8 +267,7 @@ TEST(Decoder, RefusesRequestsTheClipCannotFulfil) {
     const AlignedBytes scratch(std::size_t{1} << 20);
     std::vector<float> out(kFrames * 100);
     return mcpr_decode_frames(opened().clip, &request, first, count, out.data(), scratch.data(),
-                              scratch.size())
-        .status;
+                              scratch.size(), nullptr);
   };
   const std::uint16_t beyond = 999;
   EXPECT_EQ(status({}, 0, kFrames), MCPR_OK);
@@ -281,7 +280,7 @@ TEST(Decoder, RefusesRequestsTheClipCannotFulfil) {
   EXPECT_EQ(opened().moment({}, kFrames - 0.5), opened().moment({}, kFrames - 1));
   EXPECT_EQ(opened().moment({}, -0.1), opened().moment({}, 0));
   EXPECT_TRUE(opened().moment({.wrap = static_cast<mcpr_wrap>(6)}, 0).empty());
-  const double rate = mcpr_clip_describe(opened().clip).sample_rate;
+  const double rate = mcpr::describe(opened().clip).sample_rate;
   EXPECT_EQ(opened().moment({.unit = MCPR_SECONDS}, 0.25), opened().moment({}, 0.25 * rate));
   EXPECT_TRUE(opened().moment({}, std::numeric_limits<double>::quiet_NaN()).empty());
 }
@@ -304,33 +303,34 @@ TEST(Decoder, RefusesDuplicateChannels) {
 TEST(Decoder, RefusesNullForRequiredArguments) {
   const auto& file = corrected_file();
   mcpr_info info;
-  EXPECT_EQ(mcpr_inspect(nullptr, file.size(), nullptr, &info).status, MCPR_ARGUMENT);
-  EXPECT_EQ(mcpr_inspect(nullptr, 0, nullptr, &info).status, MCPR_NOT_A_CLIP);
-  EXPECT_EQ(mcpr_inspect(file.data(), file.size(), nullptr, nullptr).status, MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_inspect(nullptr, file.size(), nullptr, &info, nullptr), MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_inspect(nullptr, 0, nullptr, &info, nullptr), MCPR_NOT_A_CLIP);
+  EXPECT_EQ(mcpr_inspect(file.data(), file.size(), nullptr, nullptr, nullptr), MCPR_ARGUMENT);
 
   const std::size_t need = opened().info.read_bytes;
   const AlignedBytes opening(need);
   std::size_t size = 0;
-  EXPECT_EQ(mcpr_read(nullptr, file.size(), nullptr, opening.data(), need, &size).status,
+  EXPECT_EQ(mcpr_read(nullptr, file.size(), nullptr, opening.data(), need, &size, nullptr),
             MCPR_ARGUMENT);
-  EXPECT_EQ(mcpr_read(file.data(), file.size(), nullptr, nullptr, need, &size).status,
+  EXPECT_EQ(mcpr_read(file.data(), file.size(), nullptr, nullptr, need, &size, nullptr),
             MCPR_NO_MEMORY);
-  EXPECT_EQ(mcpr_read(file.data(), file.size(), nullptr, opening.data(), need, nullptr).status,
+  EXPECT_EQ(mcpr_read(file.data(), file.size(), nullptr, opening.data(), need, nullptr, nullptr),
             MCPR_ARGUMENT);
-  ASSERT_EQ(mcpr_read(file.data(), file.size(), nullptr, opening.data(), need, &size).status,
+  ASSERT_EQ(mcpr_read(file.data(), file.size(), nullptr, opening.data(), need, &size, nullptr),
             MCPR_OK);
 
   const AlignedBytes resident(size);
   const mcpr_clip* clip = nullptr;
-  EXPECT_EQ(mcpr_build(nullptr, need, resident.data(), size, &clip).status, MCPR_ARGUMENT);
-  EXPECT_EQ(mcpr_build(opening.data(), need, nullptr, size, &clip).status, MCPR_NO_MEMORY);
-  EXPECT_EQ(mcpr_build(opening.data(), need, resident.data(), size, nullptr).status, MCPR_ARGUMENT);
-  ASSERT_EQ(mcpr_build(opening.data(), need, resident.data(), size, &clip).status, MCPR_OK);
+  EXPECT_EQ(mcpr_build(nullptr, need, resident.data(), size, &clip, nullptr), MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_build(opening.data(), need, nullptr, size, &clip, nullptr), MCPR_NO_MEMORY);
+  EXPECT_EQ(mcpr_build(opening.data(), need, resident.data(), size, nullptr, nullptr),
+            MCPR_ARGUMENT);
+  ASSERT_EQ(mcpr_build(opening.data(), need, resident.data(), size, &clip, nullptr), MCPR_OK);
 
-  EXPECT_EQ(mcpr_clip_describe(nullptr).frames, 0u);
+  EXPECT_EQ(mcpr::describe(static_cast<const mcpr_clip*>(nullptr)).frames, 0u);
   mcpr_joint joint;
-  EXPECT_EQ(mcpr_clip_joint(nullptr, 0, &joint).status, MCPR_ARGUMENT);
-  EXPECT_EQ(mcpr_clip_joint(clip, 0, nullptr).status, MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_clip_joint(nullptr, 0, &joint, nullptr), MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_clip_joint(clip, 0, nullptr, nullptr), MCPR_ARGUMENT);
 
   const mcpr_request request{};
   EXPECT_EQ(mcpr_frame_values(nullptr, &request), 0u);
@@ -344,10 +344,10 @@ TEST(Decoder, RefusesNullForRequiredArguments) {
   const AlignedBytes scratch(scratch_size);
   std::vector<float> out(mcpr_frame_values(clip, &request));
   const auto frames = [&](const mcpr_clip* of, const mcpr_request* asked, float* to, void* memory) {
-    return mcpr_decode_frames(of, asked, 0, 1, to, memory, scratch_size).status;
+    return mcpr_decode_frames(of, asked, 0, 1, to, memory, scratch_size, nullptr);
   };
   const auto moment = [&](const mcpr_clip* of, const mcpr_request* asked, float* to, void* memory) {
-    return mcpr_decode_moment(of, asked, 0.5, to, memory, scratch_size).status;
+    return mcpr_decode_moment(of, asked, 0.5, to, memory, scratch_size, nullptr);
   };
   EXPECT_EQ(frames(nullptr, &request, out.data(), scratch.data()), MCPR_ARGUMENT);
   EXPECT_EQ(frames(clip, nullptr, out.data(), scratch.data()), MCPR_ARGUMENT);
@@ -374,23 +374,24 @@ TEST(Decoder, RefusesTooLittleMemory) {
   const AlignedBytes scratch(std::size_t{1} << 20);
   float out[100];
   const std::size_t need = mcpr_scratch_bytes(opened().clip, &request);
-  EXPECT_EQ(mcpr_decode_frames(opened().clip, &request, 0, 1, out, scratch.data(), need).status,
+  EXPECT_EQ(mcpr_decode_frames(opened().clip, &request, 0, 1, out, scratch.data(), need, nullptr),
             MCPR_OK);
-  EXPECT_EQ(mcpr_decode_frames(opened().clip, &request, 0, 1, out, scratch.data(), need - 1).status,
-            MCPR_MEMORY);
-  EXPECT_EQ(mcpr_decode_frames(opened().clip, &request, 0, 1, out, scratch.data() + 4, need).status,
-            MCPR_MISALIGNED);
+  EXPECT_EQ(
+      mcpr_decode_frames(opened().clip, &request, 0, 1, out, scratch.data(), need - 1, nullptr),
+      MCPR_MEMORY);
+  EXPECT_EQ(
+      mcpr_decode_frames(opened().clip, &request, 0, 1, out, scratch.data() + 4, need, nullptr),
+      MCPR_MISALIGNED);
   const auto& file = corrected_file();
   std::size_t size = 0;
   EXPECT_EQ(mcpr_read(file.data(), file.size(), nullptr, scratch.data(),
-                      opened().info.read_bytes - 1, &size)
-                .status,
+                      opened().info.read_bytes - 1, &size, nullptr),
             MCPR_MEMORY);
 }
 
 TEST(Decoder, RefusesFilesBeyondTheLimits) {
   const auto status = [](auto change) {
-    mcpr_limits limits = mcpr_default_limits();
+    mcpr_limits limits = mcpr::default_limits();
     change(limits);
     return OpenedClip(corrected_file(), &limits).result.status;
   };
@@ -453,7 +454,7 @@ TEST(DecoderOfALoop, WrapsInBothDirections) {
   for (const Loop loop : {Loop::Repeats, Loop::Follows}) {
     const OpenedClip clip(loop_file(loop));
     ASSERT_NE(clip.clip, nullptr) << clip.result.message;
-    EXPECT_EQ(mcpr_clip_describe(clip.clip).loop_frames, 60u);
+    EXPECT_EQ(mcpr::describe(clip.clip).loop_frames, 60u);
     for (const mcpr_request& request : {mcpr_request{}, mcpr_request{.output = MCPR_LOCAL}})
       for (const double frame : {0.0, 0.25, 17.0, 58.5}) {
         const std::vector<float> expected = clip.moment(request, frame);
@@ -480,7 +481,7 @@ TEST(DecoderOfALoop, HasNoJumpAtTheSeam) {
 }
 
 TEST(DecoderOfALoop, RefusesClipsThatAreNoLoops) {
-  EXPECT_EQ(mcpr_clip_describe(opened().clip).loop_frames, 0u);
+  EXPECT_EQ(mcpr::describe(opened().clip).loop_frames, 0u);
   EXPECT_TRUE(looped(opened(), {}, 0).empty());
   const OpenedClip clip(loop_file(Loop::Follows));
   EXPECT_TRUE(looped(clip, {}, std::numeric_limits<double>::infinity()).empty());

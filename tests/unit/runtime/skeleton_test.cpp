@@ -27,9 +27,9 @@ std::vector<std::byte> file_of(const Motion& motion) {
 class RuntimeSkeleton : public testing::Test {
  protected:
   RuntimeSkeleton() {
-    for (std::uint32_t j = 0; j < mcpr_clip_describe(opened_.clip).joints; ++j) {
+    for (std::uint32_t j = 0; j < mcpr::describe(opened_.clip).joints; ++j) {
       mcpr_joint joint{};
-      mcpr_clip_joint(opened_.clip, j, &joint);
+      mcpr_clip_joint(opened_.clip, j, &joint, nullptr);
       names_.push_back(joint.name);
       parents_.push_back(static_cast<std::int16_t>(joint.parent));
     }
@@ -50,18 +50,18 @@ TEST_F(RuntimeSkeleton, AClipCookedAloneKeepsItIfAsked) {
   for (std::uint32_t j = 0; j < joints(); ++j) {
     mcpr_joint wanted{};
     mcpr_joint joint{};
-    ASSERT_EQ(mcpr_clip_joint(opened_.clip, j, &wanted).status, MCPR_OK);
-    ASSERT_EQ(mcpr_cooked_joint(cooked_.clip, j, &joint).status, MCPR_OK);
+    ASSERT_EQ(mcpr_clip_joint(opened_.clip, j, &wanted, nullptr), MCPR_OK);
+    ASSERT_EQ(mcpr_cooked_joint(cooked_.clip, j, &joint, nullptr), MCPR_OK);
     EXPECT_STREQ(joint.name, wanted.name);
     EXPECT_EQ(joint.parent, wanted.parent);
     EXPECT_TRUE(std::equal(joint.offset, joint.offset + 3, wanted.offset));
     EXPECT_EQ(joint.has_end_site, wanted.has_end_site);
     EXPECT_TRUE(std::equal(joint.end_site, joint.end_site + 3, wanted.end_site));
-    EXPECT_EQ(mcpr_cooked_joint(plain_.clip, j, &joint).status, MCPR_ARGUMENT);
+    EXPECT_EQ(mcpr_cooked_joint(plain_.clip, j, &joint, nullptr), MCPR_ARGUMENT);
   }
   mcpr_joint joint{};
-  EXPECT_EQ(mcpr_cooked_joint(cooked_.clip, joints(), &joint).status, MCPR_ARGUMENT);
-  EXPECT_EQ(mcpr_cooked_joint(nullptr, 0, &joint).status, MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_cooked_joint(cooked_.clip, joints(), &joint, nullptr), MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_cooked_joint(nullptr, 0, &joint, nullptr), MCPR_ARGUMENT);
 }
 
 TEST_F(RuntimeSkeleton, ACookedSkeletonChangesNoPoseAndTakesLittle) {
@@ -69,7 +69,7 @@ TEST_F(RuntimeSkeleton, ACookedSkeletonChangesNoPoseAndTakesLittle) {
     EXPECT_EQ(cooked_.sample({}, frame), plain_.sample({}, frame));
   EXPECT_LE(cooked_.bytes->size(), plain_.bytes->size() + 64 * joints());
   const mcpr_cooked* checked = nullptr;
-  EXPECT_EQ(mcpr_open_cooked(cooked_.bytes->data(), cooked_.bytes->size(), 1, &checked).status,
+  EXPECT_EQ(mcpr_open_cooked(cooked_.bytes->data(), cooked_.bytes->size(), 1, &checked, nullptr),
             MCPR_OK);
 }
 
@@ -84,7 +84,7 @@ TEST_F(RuntimeSkeleton, AnImpossibleCookedSkeletonIsRefused) {
     auto* const clip = reinterpret_cast<mcpr_cooked*>(bytes.data());
     clip->checksum = runtime::checksum_of(*clip);
     const mcpr_cooked* checked = nullptr;
-    return mcpr_open_cooked(bytes.data(), bytes.size(), 1, &checked).status;
+    return mcpr_open_cooked(bytes.data(), bytes.size(), 1, &checked, nullptr);
   };
   EXPECT_EQ(status_with(first_joint, 0xFFFFFFFFU), MCPR_OK);           // the root's parent
   EXPECT_EQ(status_with(first_joint, 0), MCPR_INVALID);                // its own parent
@@ -102,7 +102,7 @@ TEST_F(RuntimeSkeleton, ABlockOfBeforeThereWereSkeletonsOpens) {
   const AlignedBytes bytes(old.size());
   std::copy(old.begin(), old.end(), bytes.data());
   const mcpr_cooked* clip = nullptr;
-  ASSERT_EQ(mcpr_open_cooked(bytes.data(), bytes.size(), 1, &clip).status, MCPR_OK);
+  ASSERT_EQ(mcpr_open_cooked(bytes.data(), bytes.size(), 1, &clip, nullptr), MCPR_OK);
   EXPECT_EQ(mcpr_cooked_skeleton_hash(clip), 0U);
 }
 
@@ -156,14 +156,15 @@ TEST_F(RuntimeSkeleton, AnEnginesJointsAreFoundByName) {
   for (std::uint32_t j = 0; j + 1 < count; ++j)
     wanted.push_back(static_cast<std::int16_t>(j == 0 ? count - 1 : count - 2 - j));
   wanted.push_back(-1);
-  ASSERT_EQ(mcpr_map_joints(opened_.clip, &engine, map.data(), &gaps).status, MCPR_OK);
+  ASSERT_EQ(mcpr_map_joints(opened_.clip, &engine, map.data(), &gaps, nullptr), MCPR_OK);
   EXPECT_EQ(map, wanted);
   EXPECT_EQ(gaps.missing, 1U);
   EXPECT_EQ(gaps.unused, 1U);
   std::vector<std::int16_t> of_cooked(count, -7);
-  ASSERT_EQ(mcpr_map_cooked_joints(cooked_.clip, &engine, of_cooked.data(), &gaps).status, MCPR_OK);
+  ASSERT_EQ(mcpr_map_cooked_joints(cooked_.clip, &engine, of_cooked.data(), &gaps, nullptr),
+            MCPR_OK);
   EXPECT_EQ(of_cooked, wanted);
-  EXPECT_EQ(mcpr_map_cooked_joints(plain_.clip, &engine, of_cooked.data(), &gaps).status,
+  EXPECT_EQ(mcpr_map_cooked_joints(plain_.clip, &engine, of_cooked.data(), &gaps, nullptr),
             MCPR_ARGUMENT);
   std::vector<mcpr_transform> bind(count);
   for (std::uint32_t j = 0; j < count; ++j)
@@ -172,14 +173,15 @@ TEST_F(RuntimeSkeleton, AnEnginesJointsAreFoundByName) {
   const std::vector<float> sampled = cooked_.sample({}, 11.5);
   std::memcpy(pose.data(), sampled.data(), sampled.size() * sizeof(float));
   std::vector<mcpr_transform> out(count);
-  ASSERT_EQ(mcpr_remap_pose(map.data(), count, bind.data(), pose.data(), count, out.data()).status,
-            MCPR_OK);
+  ASSERT_EQ(
+      mcpr_remap_pose(map.data(), count, bind.data(), pose.data(), count, out.data(), nullptr),
+      MCPR_OK);
   for (std::uint32_t j = 0; j < count; ++j) {
     const mcpr_transform& from = map[j] < 0 ? bind[j] : pose[static_cast<std::size_t>(map[j])];
     EXPECT_EQ(std::memcmp(&out[j], &from, sizeof from), 0) << j;
   }
   EXPECT_EQ(
-      mcpr_remap_pose(map.data(), count, bind.data(), pose.data(), count - 1, out.data()).status,
+      mcpr_remap_pose(map.data(), count, bind.data(), pose.data(), count - 1, out.data(), nullptr),
       MCPR_ARGUMENT);
 }
 
@@ -187,12 +189,12 @@ TEST_F(RuntimeSkeleton, JointsThatHangElsewhereAreCounted) {
   std::vector<std::int16_t> map(joints());
   mcpr_map_gaps gaps{};
   mcpr_skeleton engine = skeleton();
-  ASSERT_EQ(mcpr_map_joints(opened_.clip, &engine, map.data(), &gaps).status, MCPR_OK);
+  ASSERT_EQ(mcpr_map_joints(opened_.clip, &engine, map.data(), &gaps, nullptr), MCPR_OK);
   EXPECT_EQ(gaps.missing + gaps.unused + gaps.moved, 0U);
   std::vector<std::int16_t> parents = parents_;
   parents[2] = parents[2] == 0 ? 1 : 0;
   engine.parents = parents.data();
-  ASSERT_EQ(mcpr_map_joints(opened_.clip, &engine, map.data(), &gaps).status, MCPR_OK);
+  ASSERT_EQ(mcpr_map_joints(opened_.clip, &engine, map.data(), &gaps, nullptr), MCPR_OK);
   EXPECT_EQ(gaps.moved, 1U);
   // A joint of the engine above the clip's root.
   std::vector<const char*> names(engine.names, engine.names + joints());
@@ -204,15 +206,15 @@ TEST_F(RuntimeSkeleton, JointsThatHangElsewhereAreCounted) {
                             .names = names.data(),
                             .parents = parents.data()};
   std::vector<std::int16_t> map_of_more(names.size());
-  ASSERT_EQ(mcpr_map_joints(opened_.clip, &above, map_of_more.data(), &gaps).status, MCPR_OK);
+  ASSERT_EQ(mcpr_map_joints(opened_.clip, &above, map_of_more.data(), &gaps, nullptr), MCPR_OK);
   EXPECT_EQ(gaps.missing, 1U);
   EXPECT_EQ(gaps.moved, 1U);
   parents = parents_;
   engine.parents = parents.data();
   parents[2] = static_cast<std::int16_t>(joints());
-  EXPECT_EQ(mcpr_map_joints(opened_.clip, &engine, map.data(), &gaps).status, MCPR_ARGUMENT);
-  EXPECT_EQ(mcpr_map_joints(nullptr, &engine, map.data(), &gaps).status, MCPR_ARGUMENT);
-  EXPECT_EQ(mcpr_map_joints(opened_.clip, nullptr, map.data(), &gaps).status, MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_map_joints(opened_.clip, &engine, map.data(), &gaps, nullptr), MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_map_joints(nullptr, &engine, map.data(), &gaps, nullptr), MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_map_joints(opened_.clip, nullptr, map.data(), &gaps, nullptr), MCPR_ARGUMENT);
 }
 
 }  // namespace

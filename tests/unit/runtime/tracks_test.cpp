@@ -10,7 +10,7 @@
 #include "core/codec/decode/track_decoding.h"
 #include "core/codec/encode/track_encoder.h"
 #include "core/codec/format/container.h"
-#include "core/runtime/mocapress_runtime.h"
+#include "core/runtime/mocapress_runtime.hpp"
 #include "core/runtime/pose/cooked_check.h"
 #include "tests/fuzz/file_sections.h"
 #include "tests/support/cooked_clip.h"
@@ -40,8 +40,7 @@ class RuntimeTracks : public testing::Test {
     const AlignedBytes scratch(mcpr_track_scratch_bytes(mcpr_clip_tracks(clip.clip), &request));
     std::vector<float> out(count * mcpr_track_values(mcpr_clip_tracks(clip.clip), &request));
     EXPECT_EQ(mcpr_track_frames(mcpr_clip_tracks(clip.clip), &request, first, count, out.data(),
-                                scratch.data(), scratch.size())
-                  .status,
+                                scratch.data(), scratch.size(), nullptr),
               MCPR_OK);
     return out;
   }
@@ -51,8 +50,7 @@ class RuntimeTracks : public testing::Test {
     const AlignedBytes scratch(mcpr_track_scratch_bytes(mcpr_clip_tracks(clip.clip), &request));
     std::vector<float> out(mcpr_track_values(mcpr_clip_tracks(clip.clip), &request));
     if (mcpr_track_moment(mcpr_clip_tracks(clip.clip), &request, frame, out.data(), scratch.data(),
-                          scratch.size())
-            .status != MCPR_OK)
+                          scratch.size(), nullptr) != MCPR_OK)
       out.clear();
     return out;
   }
@@ -62,10 +60,10 @@ TEST_F(RuntimeTracks, AreListedAndFound) {
   const OpenedClip clip(file());
   ASSERT_NE(clip.clip, nullptr) << clip.result.message;
   const ScalarTracks tracks = test::some_tracks(kTrackFrames);
-  ASSERT_EQ(mcpr_clip_describe(clip.clip).tracks, tracks.size());
+  ASSERT_EQ(mcpr::describe(clip.clip).tracks, tracks.size());
   for (std::uint32_t t = 0; t < tracks.size(); ++t) {
     mcpr_track track;
-    ASSERT_EQ(mcpr_track_describe(mcpr_clip_tracks(clip.clip), t, &track).status, MCPR_OK);
+    ASSERT_EQ(mcpr_track_describe(mcpr_clip_tracks(clip.clip), t, &track, nullptr), MCPR_OK);
     EXPECT_EQ(track.node, tracks[t].node);
     EXPECT_EQ(track.name, tracks[t].name);
     EXPECT_EQ(static_cast<int>(track.kind), static_cast<int>(tracks[t].kind));
@@ -148,14 +146,14 @@ std::vector<std::pair<double, float>> changes_of(const OpenedClip& clip,
                                                  double to) {
   const mcpr_tracks* const tracks = mcpr_clip_tracks(clip.clip);
   std::uint32_t count = 0;
-  EXPECT_EQ(mcpr_track_changes(tracks, &request, from, to, nullptr, 0, &count).status, MCPR_OK);
+  EXPECT_EQ(mcpr_track_changes(tracks, &request, from, to, nullptr, 0, &count, nullptr), MCPR_OK);
   std::vector<mcpr_change> changes(count);
-  EXPECT_EQ(mcpr_track_changes(tracks, &request, from, to, changes.data(), count, &count).status,
+  EXPECT_EQ(mcpr_track_changes(tracks, &request, from, to, changes.data(), count, &count, nullptr),
             MCPR_OK);
   std::vector<std::pair<double, float>> found;
   for (const mcpr_change& change : changes) {
     mcpr_track track;
-    EXPECT_EQ(mcpr_track_describe(tracks, change.track, &track).status, MCPR_OK);
+    EXPECT_EQ(mcpr_track_describe(tracks, change.track, &track, nullptr), MCPR_OK);
     EXPECT_EQ(track.steps, 1);
     found.emplace_back(change.time, change.value);
   }
@@ -212,14 +210,15 @@ TEST_F(RuntimeTracks, RefuseChangesOfTooManyFrames) {
   std::uint32_t count = 0;
   for (const double to : {1e9, HUGE_VAL, std::nan("")})
     EXPECT_EQ(
-        mcpr_track_changes(mcpr_clip_tracks(clip.clip), &all, 0, to, nullptr, 0, &count).status,
+        mcpr_track_changes(mcpr_clip_tracks(clip.clip), &all, 0, to, nullptr, 0, &count, nullptr),
         MCPR_ARGUMENT);
   const mcpr_track_request fast{.sample_rate = 1e10};
-  EXPECT_EQ(mcpr_track_changes(mcpr_clip_tracks(clip.clip), &fast, 1e300, 1e305, nullptr, 0, &count)
-                .status,
+  EXPECT_EQ(mcpr_track_changes(mcpr_clip_tracks(clip.clip), &fast, 1e300, 1e305, nullptr, 0, &count,
+                               nullptr),
             MCPR_ARGUMENT);
-  EXPECT_EQ(mcpr_track_changes(mcpr_clip_tracks(clip.clip), &all, 0, 1, nullptr, 0, nullptr).status,
-            MCPR_ARGUMENT);
+  EXPECT_EQ(
+      mcpr_track_changes(mcpr_clip_tracks(clip.clip), &all, 0, 1, nullptr, 0, nullptr, nullptr),
+      MCPR_ARGUMENT);
 }
 
 /// Beyond 2^52 nothing lies between two frames.
@@ -228,8 +227,8 @@ TEST_F(RuntimeTracks, RefuseChangesWhereFramesHaveNothingBetween) {
   const mcpr_track_request all{};
   std::uint32_t count = 0;
   const auto status = [&](double from, double to) {
-    return mcpr_track_changes(mcpr_clip_tracks(clip.clip), &all, from, to, nullptr, 0, &count)
-        .status;
+    return mcpr_track_changes(mcpr_clip_tracks(clip.clip), &all, from, to, nullptr, 0, &count,
+                              nullptr);
   };
   EXPECT_EQ(status(0x1p52 - 4, 0x1p52), MCPR_OK);
   EXPECT_EQ(status(0x1p53, 0x1p53 + 8), MCPR_ARGUMENT);
@@ -251,8 +250,7 @@ TEST_F(RuntimeTracks, ImpossibleCallsAreRefused) {
   const auto status = [&](const mcpr_track_request& request, std::uint32_t first,
                           std::size_t size) {
     return mcpr_track_frames(mcpr_clip_tracks(clip.clip), &request, first, 1, out.data(),
-                             scratch.data(), size)
-        .status;
+                             scratch.data(), size, nullptr);
   };
   const std::uint16_t twice[] = {1, 1};
   const std::uint16_t beyond[] = {5};
@@ -265,8 +263,8 @@ TEST_F(RuntimeTracks, ImpossibleCallsAreRefused) {
             MCPR_MEMORY);
   EXPECT_EQ(status(all, 0, mcpr_track_scratch_bytes(mcpr_clip_tracks(clip.clip), &all)), MCPR_OK);
   mcpr_track track;
-  EXPECT_EQ(mcpr_track_describe(mcpr_clip_tracks(clip.clip), 5, &track).status, MCPR_ARGUMENT);
-  EXPECT_EQ(mcpr_track_describe(nullptr, 0, &track).status, MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_track_describe(mcpr_clip_tracks(clip.clip), 5, &track, nullptr), MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_track_describe(nullptr, 0, &track, nullptr), MCPR_ARGUMENT);
   EXPECT_EQ(mcpr_find_track(nullptr, MCPR_TRACK_PROPERTY, nullptr, nullptr), -1);
 }
 
@@ -286,7 +284,7 @@ TEST_F(RuntimeTracks, EveryChangedByteIsRefusedOrPlays) {
       ++refused;
       continue;
     }
-    const std::uint32_t tracks = mcpr_clip_describe(opened.clip).tracks;
+    const std::uint32_t tracks = mcpr::describe(opened.clip).tracks;
     EXPECT_EQ(opened.tracks(30, 30).size(), 30 * tracks);
   }
   EXPECT_GT(refused, 20);
@@ -297,7 +295,7 @@ TEST_F(RuntimeTracks, SurviveCookingToTheBit) {
     const OpenedClip clip(file(loop));
     const test::CookedClip cooked(clip.clip);
     const mcpr_cooked* opened = nullptr;
-    ASSERT_EQ(mcpr_open_cooked(cooked.bytes->data(), cooked.bytes->size(), 1, &opened).status,
+    ASSERT_EQ(mcpr_open_cooked(cooked.bytes->data(), cooked.bytes->size(), 1, &opened, nullptr),
               MCPR_OK);
     const mcpr_tracks* const tracks = mcpr_cooked_tracks(opened);
     EXPECT_EQ(mcpr_track_count(tracks), 5u);
@@ -327,7 +325,7 @@ TEST_F(RuntimeTracks, EveryChangedByteOfACookedClipIsRefusedOrPlays) {
       auto* const head = reinterpret_cast<mcpr_cooked*>(copy.data());
       head->checksum = runtime::checksum_of(*head);
       const mcpr_cooked* opened = nullptr;
-      if (mcpr_open_cooked(copy.data(), size, 1, &opened).status != MCPR_OK) {
+      if (mcpr_open_cooked(copy.data(), size, 1, &opened, nullptr) != MCPR_OK) {
         ++refused;
         continue;
       }
@@ -342,7 +340,7 @@ TEST_F(RuntimeTracks, AreNullForAClipWithoutTracks) {
   const OpenedClip clip(
       write_container(test::segmented_clip(test::smooth_motion(50), SegmentLayout::whole(50))));
   const mcpr_track_request all{};
-  EXPECT_EQ(mcpr_clip_describe(clip.clip).tracks, 0u);
+  EXPECT_EQ(mcpr::describe(clip.clip).tracks, 0u);
   EXPECT_EQ(mcpr_clip_tracks(clip.clip), nullptr);
   EXPECT_EQ(mcpr_cooked_tracks(test::CookedClip(clip.clip).clip), nullptr);
   EXPECT_EQ(mcpr_cooked_tracks(nullptr), nullptr);

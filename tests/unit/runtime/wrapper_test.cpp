@@ -35,7 +35,7 @@ TEST(RuntimeInCxx, LoadsTheClipsOfTheCFunctions) {
   const auto clip = mcpr::load(file);
   ASSERT_TRUE(clip) << clip.result.message;
   EXPECT_EQ(mcpr_skeleton_hash(clip->get()), mcpr_skeleton_hash(opened.clip));
-  EXPECT_EQ(mcpr_clip_describe(clip->get()).frames, opened.info.frames);
+  EXPECT_EQ(mcpr::describe(clip->get()).frames, opened.info.frames);
   const auto cooked = mcpr::load_cooked(file, {.skeleton = 1});
   ASSERT_TRUE(cooked) << cooked.result.message;
   EXPECT_EQ(mcpr_cooked_skeleton_hash(cooked->get()), mcpr_skeleton_hash(opened.clip));
@@ -48,13 +48,13 @@ TEST(RuntimeInCxx, APlayerGivesTheBitsOfItsCursor) {
   ASSERT_TRUE(player) << player.result.message;
   const AlignedBytes memory(mcpr_cursor_bytes(cooked.clip));
   mcpr_cursor* cursor = nullptr;
-  ASSERT_EQ(mcpr_make_cursor(cooked.clip, memory.data(), memory.size(), &cursor).status, MCPR_OK);
-  std::vector<mcpr_transform> pose(mcpr_cooked_describe(cooked.clip).joints);
+  ASSERT_EQ(mcpr_make_cursor(cooked.clip, memory.data(), memory.size(), &cursor, nullptr), MCPR_OK);
+  std::vector<mcpr_transform> pose(mcpr::describe(cooked.clip).joints);
   const mcpr_sample_request request{.unit = MCPR_SECONDS, .wrap = MCPR_PING_PONG};
   for (double seconds = 0; seconds < 20; seconds += 0.37) {
     ASSERT_EQ(player->sample(seconds, pose, MCPR_PING_PONG).status, MCPR_OK);
     std::vector<float> expected(8 * pose.size());
-    ASSERT_EQ(mcpr_sample_next(cursor, &request, seconds, expected.data()).status, MCPR_OK);
+    ASSERT_EQ(mcpr_sample_next(cursor, &request, seconds, expected.data(), nullptr), MCPR_OK);
     EXPECT_EQ(values_of(pose), expected) << seconds;
   }
 }
@@ -77,7 +77,7 @@ TEST(RuntimeInCxx, APlayerMayBeMoved) {
   const auto clip = mcpr::load_cooked(bytes_of("runtime/segments.mcpr"));
   auto made = mcpr::Player::of(clip->get());
   mcpr::Player player = std::move(*made);
-  std::vector<mcpr_transform> pose(mcpr_cooked_describe(clip->get()).joints);
+  std::vector<mcpr_transform> pose(mcpr::describe(clip->get()).joints);
   EXPECT_EQ(player.sample(0.1, pose).status, MCPR_OK);
 }
 
@@ -85,7 +85,7 @@ TEST(RuntimeInCxx, RoomThatIsTooSmallIsRefused) {
   const auto clip = mcpr::load_cooked(bytes_of("runtime/segments.mcpr"));
   auto player = mcpr::Player::of(clip->get());
   ASSERT_TRUE(player);
-  std::vector<mcpr_transform> pose(mcpr_cooked_describe(clip->get()).joints - 1);
+  std::vector<mcpr_transform> pose(mcpr::describe(clip->get()).joints - 1);
   EXPECT_EQ(player->sample(0, pose).status, MCPR_MEMORY);
   EXPECT_EQ(player->sample(0, {}).status, MCPR_MEMORY);
 }
@@ -110,8 +110,8 @@ TEST(RuntimeInCxx, CountsTheTiersThatHaveCome) {
   const std::vector<std::byte> file = bytes_of("runtime/tiers.mcpr");
   std::vector<std::size_t> ends;
   mcpr_tier tier;
-  while (mcpr_tier_of(file.data(), file.size(), static_cast<std::uint32_t>(ends.size()), &tier)
-             .status == MCPR_OK)
+  while (mcpr_tier_of(file.data(), file.size(), static_cast<std::uint32_t>(ends.size()), &tier,
+                      nullptr) == MCPR_OK)
     ends.push_back(tier.bytes);
   ASSERT_GT(ends.size(), 1U);
   EXPECT_EQ(ends.back(), file.size());
@@ -121,7 +121,7 @@ TEST(RuntimeInCxx, CountsTheTiersThatHaveCome) {
         std::count_if(ends.begin(), ends.end(), [&](auto end) { return end <= size; });
     ASSERT_EQ(mcpr::tiers_within(come), static_cast<std::uint32_t>(whole)) << size;
   }
-  mcpr_limits limits = mcpr_default_limits();
+  mcpr_limits limits = mcpr::default_limits();
   limits.tiers = 1;
   EXPECT_TRUE(mcpr::load(std::span(file).first(ends[0]), &limits));
   EXPECT_EQ(mcpr::tiers_within(bytes_of("runtime/segments.mcpr")), 0U);
@@ -133,12 +133,12 @@ TEST(RuntimeInCxx, FindsAndNamesClipsOfABank) {
   std::copy(file.begin(), file.end(), memory.data());
   const auto bank = mcpr::open_bank({memory.data(), memory.size()});
   ASSERT_TRUE(bank) << bank.result.message;
-  const std::uint32_t clips = mcpk_describe(bank.value).clips;
+  const std::uint32_t clips = mcpr::describe(bank.value).clips;
   ASSERT_GT(clips, 1U);
   for (std::uint32_t clip = 0; clip < clips; ++clip) {
     const mcpr::Name name(bank.value, clip);
     const mcpr_cooked* expected = nullptr;
-    ASSERT_EQ(mcpk_cooked(bank.value, clip, &expected).status, MCPR_OK);
+    ASSERT_EQ(mcpk_cooked(bank.value, clip, &expected, nullptr), MCPR_OK);
     EXPECT_EQ(mcpr::cooked_of(bank.value, name.text).value, expected);
     EXPECT_TRUE(mcpr::Player::of(expected));
   }

@@ -8,6 +8,7 @@
 #include "core/mocapress/python/bindings/clip.h"
 #include "core/mocapress/python/bindings/instants.h"
 #include "core/mocapress/python/bindings/text.h"
+#include "core/runtime/mocapress_runtime.hpp"
 
 namespace mocapress::python {
 namespace {
@@ -61,11 +62,12 @@ py::object sample(const BankFile& bank, const py::str& name, const Doubles& seco
   mcpr_sample_request request{};
   request.unit = MCPR_SECONDS;
   request.wrap = loop ? MCPR_LOOP : MCPR_CLAMP;
-  const auto joints = static_cast<py::ssize_t>(mcpr_cooked_describe(clip).joints);
+  const auto joints = static_cast<py::ssize_t>(mcpr::describe(clip).joints);
   constexpr py::ssize_t kFloats = sizeof(mcpr_transform) / sizeof(float);
   const py::array_t<float> transforms =
       at_instants(seconds, joints, kFloats, [&](double instant, float* out) {
-        const mcpr_result result = mcpr_sample(clip, &request, instant, out);
+        mcpr_result result;
+        mcpr_sample(clip, &request, instant, out, &result);
         if (result.status != MCPR_OK) throw Error(result.message);
       });
   // The last float of a transform fills it up.

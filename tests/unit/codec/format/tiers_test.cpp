@@ -10,6 +10,7 @@
 #include "core/codec/encode/encoder.h"
 #include "core/codec/format/container.h"
 #include "core/codec/format/format_error.h"
+#include "core/codec/format/packed_clip_writer.h"
 #include "core/codec/format/section_writer.h"
 #include "core/codec/format/source_section.h"
 #include "tests/support/opened_clip.h"
@@ -45,7 +46,7 @@ std::vector<std::byte> tiered(std::span<const std::byte> file) {
 
 std::vector<float> all_frames(std::span<const std::byte> file, std::uint32_t tiers,
                               std::uint32_t bands_left_out = 0) {
-  mcpr_limits limits = mcpr_default_limits();
+  mcpr_limits limits = mcpr::default_limits();
   limits.tiers = tiers;
   const test::OpenedClip opened(file, &limits);
   if (opened.clip == nullptr) return {};
@@ -57,7 +58,7 @@ std::vector<float> all_frames(std::span<const std::byte> file, std::uint32_t tie
 
 mcpr_tier tier_of(std::span<const std::byte> file, std::uint32_t tier) {
   mcpr_tier found{};
-  EXPECT_EQ(mcpr_tier_of(file.data(), MCPR_TIERS_HEAD_BYTES, tier, &found).status, MCPR_OK);
+  EXPECT_EQ(mcpr_tier_of(file.data(), MCPR_TIERS_HEAD_BYTES, tier, &found, nullptr), MCPR_OK);
   return found;
 }
 
@@ -79,8 +80,12 @@ TEST(Tiers, CostTheirSectionsAlone) {
     const std::size_t segments = sections_of(file).segments_bytes == 0
                                      ? 0
                                      : static_cast<std::size_t>(sections_of(file).segments.count());
-    EXPECT_EQ(tiered(file).size(),
-              file.size() + 12 + 1 + 9 * kTiers + 12 * (kTiers - 1) + 4 * segments * (kTiers - 1));
+    const std::vector<std::byte> cut = tiered(file);
+    std::vector<std::byte> sizes;
+    for (const runtime::Tier& tier : std::span(sections_of(cut).tiers.tier).first(kTiers))
+      write_varint(sizes, tier.bytes);
+    EXPECT_EQ(cut.size(), file.size() + 12 + 1 + sizes.size() + (5 + 4) * (kTiers - 1) +
+                              4 * segments * (kTiers - 1));
   }
 }
 
@@ -110,7 +115,8 @@ TEST(Tiers, StateTheErrorOfEachTier) {
     EXPECT_EQ(tier.error, static_cast<float>(tier.bands_left_out));
     EXPECT_EQ(tier.max_error, 2 * tier.error);
   }
-  EXPECT_EQ(tier_of(cut, kTiers - 1).error, sections_of(cut).eps_cm);
+  EXPECT_EQ(tier_of(cut, kTiers - 1).error, 0) << "CLIP has it";
+  EXPECT_EQ(sections_of(cut).tiers.tier[kTiers - 1].eps_cm, sections_of(cut).eps_cm);
 }
 
 TEST(Tiers, KeepWhatIsSaidOfTheSource) {
@@ -133,11 +139,11 @@ TEST(Tiers, NeedEveryByteUpToTheirEnd) {
   const std::size_t first_tier = tier_of(cut, 0).bytes;
   for (std::size_t size = 0; size < cut.size(); ++size) {
     const std::vector<std::byte> prefix(cut.begin(), cut.begin() + static_cast<long>(size));
-    mcpr_limits limits = mcpr_default_limits();
+    mcpr_limits limits = mcpr::default_limits();
     limits.tiers = 1;
     mcpr_info info;
-    EXPECT_NE(mcpr_inspect(prefix.data(), size, nullptr, &info).status, MCPR_OK) << size;
-    EXPECT_EQ(mcpr_inspect(prefix.data(), size, &limits, &info).status == MCPR_OK,
+    EXPECT_NE(mcpr_inspect(prefix.data(), size, nullptr, &info, nullptr), MCPR_OK) << size;
+    EXPECT_EQ(mcpr_inspect(prefix.data(), size, &limits, &info, nullptr) == MCPR_OK,
               size >= first_tier)
         << size;
   }
@@ -147,8 +153,8 @@ TEST(Tiers, AFileWithoutTiersHasNone) {
   const std::vector<std::byte> file = files().front();
   mcpr_tier tier;
   for (const std::size_t size : {file.size(), std::size_t{MCPR_TIERS_HEAD_BYTES}})
-    EXPECT_EQ(mcpr_tier_of(file.data(), size, 0, &tier).status, MCPR_ARGUMENT);
-  EXPECT_EQ(mcpr_tier_of(tiered(file).data(), MCPR_TIERS_HEAD_BYTES, kTiers, &tier).status,
+    EXPECT_EQ(mcpr_tier_of(file.data(), size, 0, &tier, nullptr), MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_tier_of(tiered(file).data(), MCPR_TIERS_HEAD_BYTES, kTiers, &tier, nullptr),
             MCPR_ARGUMENT);
   EXPECT_EQ(without_tiers(file), file);
   EXPECT_THROW(file_of_tiers(file, 1), FormatError);
@@ -168,12 +174,22 @@ std::vector<std::byte> with_byte(std::vector<std::byte> file, std::size_t start,
   return file;
 }
 
+constexpr std::size_t kStart = runtime::kFileHead;  // of TIER
+
 TEST(Tiers, AreRefusedWhereTheyDoNotFitTheFile) {
-  constexpr std::size_t kStart = 8;  // of TIER
   for (const auto& file : files()) {
     const std::vector<std::byte> cut = tiered(file);
-    for (std::size_t at = 0; at < 1 + runtime::kTierBytes * kTiers; ++at) {
-      if (at > 0 && (at - 1) % runtime::kTierBytes > 4) continue;  // the errors only inform
+    const runtime::TierTable tiers = sections_of(cut).tiers;
+    std::vector<bool> informs = {false};  // the errors only inform
+    for (int t = 0; t < kTiers; ++t) {
+      std::vector<std::byte> size;
+      write_varint(size, tiers.tier[t].bytes);
+      informs.insert(informs.end(), size.size() + (t > 0 ? 4 : 0), false);
+      if (t + 1 < kTiers) informs.insert(informs.end(), {false, true, true, true, true});
+    }
+    ASSERT_EQ(kStart + runtime::kSectionHead + informs.size(), tiers.end);
+    for (std::size_t at = 0; at < informs.size(); ++at) {
+      if (informs[at]) continue;
       for (const int bits : {1, 2, 0x40, 0x80}) {
         const std::vector<std::byte> changed = with_byte(cut, kStart, at, bits);
         const auto refuses = [&](std::uint32_t tiers) {
@@ -185,16 +201,37 @@ TEST(Tiers, AreRefusedWhereTheyDoNotFitTheFile) {
   }
 }
 
+/// The file with another byte in a finer tier, whose checksum is right again.
+std::vector<std::byte> with_byte_of_tier(const std::vector<std::byte>& file, std::size_t at) {
+  const runtime::TierTable tiers = sections_of(file).tiers;
+  std::vector<std::byte> changed = file;
+  changed[at] ^= std::byte{0x55};
+  std::vector<TierBytes> bytes;
+  for (int t = 0; t < kTiers; ++t) {
+    const std::size_t size = tiers.tier[t].bytes;
+    bytes.push_back(tier_bytes(std::span(changed).subspan(tiers.file_bytes(t) - size, size)));
+  }
+  ByteWriter whole;
+  whole.append(std::span(file).first(kStart));
+  write_section(whole, "TIER", write_tiers(tiers, bytes));
+  whole.append(std::span(changed).subspan(tiers.end));
+  return whole.release();
+}
+
 TEST(Tiers, DamageIsToldWhereItIs) {
   for (const auto& file : files()) {
     const std::vector<std::byte> cut = tiered(file);
     int refused = 0;
     for (std::uint32_t t = 0; t + 1 < kTiers; ++t) {
-      const std::size_t section = tier_of(cut, t).bytes;  // FINE of the next tier
-      const std::size_t first = section + runtime::kSectionHead;
+      const std::size_t first = tier_of(cut, t).bytes;
       const std::size_t end = tier_of(cut, t + 1).bytes;
       for (std::size_t at = first; at < end; ++at) {
-        const test::OpenedClip opened(with_byte(cut, section, at - first, 0x55));
+        std::vector<std::byte> damaged = cut;
+        damaged[at] ^= std::byte{0x55};
+        const mcpr_result told = test::OpenedClip(damaged).result;
+        EXPECT_EQ(told.status, MCPR_DAMAGED);
+        EXPECT_EQ(told.offset, first) << "where the tier begins";
+        const test::OpenedClip opened(with_byte_of_tier(cut, at));
         if (opened.clip != nullptr) continue;  // it has other values
         ++refused;
         EXPECT_GE(opened.result.offset, at);

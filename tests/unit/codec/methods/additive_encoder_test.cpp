@@ -136,11 +136,11 @@ TEST(AdditiveEncoder, EnginesAddItToWhereItWasMeasured) {
                          {values[4], values[5], values[6], 0}};
       }
       ASSERT_EQ(
-          mcpr_pose_difference(&form, difference.data(), rest.data(), difference.data()).status,
+          mcpr_pose_difference(&form, difference.data(), rest.data(), difference.data(), nullptr),
           MCPR_OK);
       std::vector<mcpr_transform> pose = locals(base, base.clip.frames() == 1 ? 0 : t);
       const mcpr_weighted_pose added{difference.data(), 1, nullptr};
-      ASSERT_EQ(mcpr_blend_additive(&form, &added, pose.data()).status, MCPR_OK);
+      ASSERT_EQ(mcpr_blend_additive(&form, &added, pose.data(), nullptr), MCPR_OK);
       const Eigen::Matrix3Xd off =
           origins(motion.skeleton, pose) - origins(motion.skeleton, locals(motion, t));
       squares += off.colwise().squaredNorm().dot(weights);

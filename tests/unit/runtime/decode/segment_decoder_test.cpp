@@ -168,8 +168,8 @@ TEST(SegmentDecoder, UsesExactlyTheStatedMemory) {
     std::memset(scratch.data(), 0x5A, scratch.size());
     std::vector<float> out(700 * mcpr_frame_values(opened.clip, &request));
     const auto decode_with = [&](std::size_t size) {
-      return mcpr_decode_frames(opened.clip, &request, 0, 700, out.data(), scratch.data(), size)
-          .status;
+      return mcpr_decode_frames(opened.clip, &request, 0, 700, out.data(), scratch.data(), size,
+                                nullptr);
     };
     EXPECT_EQ(decode_with(need - 1), MCPR_MEMORY);
     EXPECT_EQ(decode_with(need), MCPR_OK);
@@ -186,15 +186,15 @@ TEST(SegmentDecoder, AClipInSegmentsMayBeMovedAsBytes) {
   const AlignedBytes scratch(mcpr_scratch_bytes(clip.opened.clip, &request));
   const auto* const there = reinterpret_cast<const mcpr_clip*>(moved.data());
   std::vector<float> out(700 * mcpr_frame_values(there, &request));
-  ASSERT_EQ(mcpr_decode_frames(there, &request, 0, 700, out.data(), scratch.data(), scratch.size())
-                .status,
+  ASSERT_EQ(mcpr_decode_frames(there, &request, 0, 700, out.data(), scratch.data(), scratch.size(),
+                               nullptr),
             MCPR_OK);
   EXPECT_EQ(out, clip.opened.frames(request, 0, 700));
 }
 
 TEST(SegmentDecoder, LimitsCountSharedFramesTwice) {
   const auto file = write_container(three_segments().compressed);
-  mcpr_limits limits = mcpr_default_limits();
+  mcpr_limits limits = mcpr::default_limits();
   const std::uint64_t values = three_segments().opened.info.channels + 6;
   limits.values = 779 * values;
   EXPECT_EQ(OpenedClip(file, &limits).result.status, MCPR_LIMIT);
@@ -220,21 +220,20 @@ TEST(SegmentDecoder, TheFileIsNotNeededAfterReading) {
   const AlignedBytes scratch(three_segments().opened.info.read_bytes);
   std::size_t size = 0;
   ASSERT_EQ(
-      mcpr_read(file.data(), file.size(), nullptr, scratch.data(), scratch.size(), &size).status,
+      mcpr_read(file.data(), file.size(), nullptr, scratch.data(), scratch.size(), &size, nullptr),
       MCPR_OK);
   std::fill(file.begin(), file.end(), std::byte{0x5A});
   const AlignedBytes resident(size);
   for (int built = 0; built < 2; ++built) {  // building may be repeated
     const mcpr_clip* clip = nullptr;
-    ASSERT_EQ(mcpr_build(scratch.data(), scratch.size(), resident.data(), size, &clip).status,
+    ASSERT_EQ(mcpr_build(scratch.data(), scratch.size(), resident.data(), size, &clip, nullptr),
               MCPR_OK);
     for (const mcpr_request& request :
          {mcpr_request{}, mcpr_request{.output = MCPR_POSITIONS, .apply_ik = 1}}) {
       const AlignedBytes frame_scratch(mcpr_scratch_bytes(clip, &request));
       std::vector<float> out(700 * mcpr_frame_values(clip, &request));
       ASSERT_EQ(mcpr_decode_frames(clip, &request, 0, 700, out.data(), frame_scratch.data(),
-                                   frame_scratch.size())
-                    .status,
+                                   frame_scratch.size(), nullptr),
                 MCPR_OK);
       EXPECT_EQ(out, three_segments().opened.frames(request, 0, 700));
     }

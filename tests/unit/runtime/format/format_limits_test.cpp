@@ -15,7 +15,7 @@ namespace mocapress {
 namespace {
 
 TEST(FormatLimits, AreTheDefaultsOfTheRuntimeDecoder) {
-  const mcpr_limits limits = mcpr_default_limits();
+  const mcpr_limits limits = mcpr::default_limits();
   EXPECT_EQ(limits.frames, runtime::kMostFrames);
   EXPECT_EQ(limits.joints, static_cast<std::uint32_t>(runtime::kMostJoints));
   EXPECT_EQ(limits.channels, runtime::kMostChannels);

@@ -33,22 +33,22 @@ class Conventions : public testing::Test {
                 .encode({.method = Method::ClosedLoop, .weighting = Weighting::BoneEnds})
                 .compressed)),
         cooked_(opened_.clip) {
-    for (std::uint32_t j = 0; j < mcpr_clip_describe(opened_.clip).joints; ++j) {
+    for (std::uint32_t j = 0; j < mcpr::describe(opened_.clip).joints; ++j) {
       mcpr_joint joint{};
-      mcpr_clip_joint(opened_.clip, j, &joint);
+      mcpr_clip_joint(opened_.clip, j, &joint, nullptr);
       parents_.push_back(static_cast<std::int16_t>(joint.parent));
     }
   }
 
   static mcpr_convention of(mcpr_engine engine) {
     mcpr_convention convention{};
-    EXPECT_EQ(mcpr_convention_of(engine, &convention).status, MCPR_OK);
+    EXPECT_EQ(mcpr_convention_of(engine, &convention, nullptr), MCPR_OK);
     return convention;
   }
 
   mcpr_status refusal_of(const mcpr_sample_request& request) const {
     std::vector<float> out(4096);
-    return mcpr_sample(cooked_.clip, &request, 3, out.data()).status;
+    return mcpr_sample(cooked_.clip, &request, 3, out.data(), nullptr);
   }
 
   OpenedClip opened_;
@@ -174,7 +174,7 @@ TEST_F(Conventions, AWriterGetsEveryJointInTurn) {
   mcpr_sample_request request{.convention = &convention, .parents = parents_.data()};
   const std::vector<float> pose = cooked_.sample(request, 31.3);
   request.layout = MCPR_WRITER;
-  ASSERT_EQ(mcpr_sample(cooked_.clip, &request, 31.3, &writer).status, MCPR_OK);
+  ASSERT_EQ(mcpr_sample(cooked_.clip, &request, 31.3, &writer, nullptr), MCPR_OK);
   ASSERT_EQ(8 * written.size(), pose.size());
   EXPECT_EQ(std::memcmp(written.data(), pose.data(), sizeof(float) * pose.size()), 0);
 
@@ -183,12 +183,12 @@ TEST_F(Conventions, AWriterGetsEveryJointInTurn) {
       .clip = cooked_.clip, .time = 31.3, .out = &writer, .parents = parents_.data()};
   const mcpr_crowd_request crowd{.layout = MCPR_WRITER, .convention = &convention};
   const AlignedBytes scratch(mcpr_crowd_scratch_bytes());
-  ASSERT_EQ(mcpr_sample_crowd(&crowd, &character, 1, scratch.data(), scratch.size()).status,
+  ASSERT_EQ(mcpr_sample_crowd(&crowd, &character, 1, scratch.data(), scratch.size(), nullptr),
             MCPR_OK);
   EXPECT_EQ(std::memcmp(written.data(), pose.data(), sizeof(float) * pose.size()), 0);
 
   writer.write = nullptr;
-  EXPECT_EQ(mcpr_sample(cooked_.clip, &request, 31.3, &writer).status, MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_sample(cooked_.clip, &request, 31.3, &writer, nullptr), MCPR_ARGUMENT);
 }
 
 TEST_F(Conventions, PositionsAreInTheEnginesAxesAndUnit) {
@@ -259,7 +259,7 @@ TEST_F(Conventions, EveryPathAndACrowdGiveTheSameBits) {
       .clip = cooked_.clip, .time = 12.5, .out = posed.data(), .parents = parents_.data()};
   const mcpr_crowd_request request = {.convention = &convention, .exact = 1};
   const AlignedBytes scratch(mcpr_crowd_scratch_bytes());
-  ASSERT_EQ(mcpr_sample_crowd(&request, &character, 1, scratch.data(), scratch.size()).status,
+  ASSERT_EQ(mcpr_sample_crowd(&request, &character, 1, scratch.data(), scratch.size(), nullptr),
             MCPR_OK);
   EXPECT_EQ(posed, expected);
 }
@@ -270,8 +270,8 @@ TEST_F(Conventions, RootMotionIsConverted) {
   const mcpr_sample_request request = {.convention = &convention};
   mcpr_transform moved{};
   mcpr_transform converted{};
-  ASSERT_EQ(mcpr_sample_motion(cooked_.clip, &own, 0, 3, 40, &moved).status, MCPR_OK);
-  ASSERT_EQ(mcpr_sample_motion(cooked_.clip, &request, 0, 3, 40, &converted).status, MCPR_OK);
+  ASSERT_EQ(mcpr_sample_motion(cooked_.clip, &own, 0, 3, 40, &moved, nullptr), MCPR_OK);
+  ASSERT_EQ(mcpr_sample_motion(cooked_.clip, &request, 0, 3, 40, &converted, nullptr), MCPR_OK);
   EXPECT_FLOAT_EQ(converted.translation[0], 0.01F * moved.translation[0]);
   EXPECT_FLOAT_EQ(converted.translation[1], -0.01F * moved.translation[2]);
   EXPECT_FLOAT_EQ(converted.translation[2], 0.01F * moved.translation[1]);
@@ -289,7 +289,7 @@ TEST_F(Conventions, RefuseAxesThatAreNotThreeAndParentsThatComeLater) {
   EXPECT_EQ(refusal_of({.parents = later.data()}), MCPR_ARGUMENT);
   later[1] = -2;
   EXPECT_EQ(refusal_of({.parents = later.data()}), MCPR_ARGUMENT);
-  EXPECT_EQ(mcpr_convention_of(static_cast<mcpr_engine>(6), nullptr).status, MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_convention_of(static_cast<mcpr_engine>(6), nullptr, nullptr), MCPR_ARGUMENT);
 }
 
 }  // namespace

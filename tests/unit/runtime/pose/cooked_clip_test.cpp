@@ -45,8 +45,7 @@ void compare(const OpenedClip& opened, const std::vector<float>& made, mcpr_wrap
   std::vector<float> expected(mcpr_frame_values(opened.clip, &decoded));
   const AlignedBytes scratch(mcpr_scratch_bytes(opened.clip, &decoded));
   ASSERT_EQ(mcpr_decode_moment(opened.clip, &decoded, frame, expected.data(), scratch.data(),
-                               scratch.size())
-                .status,
+                               scratch.size(), nullptr),
             MCPR_OK);
   ASSERT_EQ(made.size() / 8, expected.size() / 7);
   for (std::size_t j = 0; j < made.size() / 8; ++j) {
@@ -73,14 +72,14 @@ void expect_as_decoded(const CompressedClip& clip, bool apply_ik = false) {
   const CookedClip cooked(opened.clip, {.apply_ik = apply_ik ? 1 : 0});
   ASSERT_NE(cooked.clip, nullptr) << cooked.result.message;
   const mcpr_cooked* checked = nullptr;
-  const mcpr_result check =
-      mcpr_open_cooked(cooked.bytes->data(), cooked.bytes->size(), 1, &checked);
+  mcpr_result check;
+  mcpr_open_cooked(cooked.bytes->data(), cooked.bytes->size(), 1, &checked, &check);
   ASSERT_EQ(check.status, MCPR_OK) << check.message;
   const mcpr_request decoded{.output = MCPR_LOCAL, .apply_ik = apply_ik ? 1 : 0};
   const double last = clip.frames - 1;
   const AlignedBytes memory(mcpr_cursor_bytes(cooked.clip));
   mcpr_cursor* cursor = nullptr;
-  ASSERT_EQ(mcpr_make_cursor(cooked.clip, memory.data(), memory.size(), &cursor).status, MCPR_OK);
+  ASSERT_EQ(mcpr_make_cursor(cooked.clip, memory.data(), memory.size(), &cursor, nullptr), MCPR_OK);
   const mcpr_sample_request request{};
   Worst sampled;
   Worst played;
@@ -93,7 +92,7 @@ void expect_as_decoded(const CompressedClip& clip, bool apply_ik = false) {
     if (i >= 6 && i < 12) frame = std::max(last - (i - 6), 0.0);
     compare(opened, cooked.sample({}, frame), MCPR_CLAMP, decoded, frame, sampled);
     std::vector<float> next(mcpr_sample_values(cooked.clip, &request));
-    ASSERT_EQ(mcpr_sample_next(cursor, &request, frame, next.data()).status, MCPR_OK);
+    ASSERT_EQ(mcpr_sample_next(cursor, &request, frame, next.data(), nullptr), MCPR_OK);
     compare(opened, next, MCPR_CLAMP, decoded, frame, played);
   }
   for (const Worst& worst : {sampled, played}) {
@@ -154,13 +153,13 @@ TEST(CookedClip, MatchesTheDecoderWithTheIkCorrectionAndEnds) {
 
 /// The largest distance of a joint from its decoded place, at frames. cm
 double largest_move(const OpenedClip& opened, const CookedClip& cooked) {
-  const mcpr_clip_info info = mcpr_clip_describe(opened.clip);
+  const mcpr_clip_info info = mcpr::describe(opened.clip);
   const std::vector<float> decoded =
       opened.frames({.output = MCPR_POSITIONS, .apply_ik = 1}, 0, info.frames);
   std::vector<std::int16_t> parents;
   for (std::uint32_t j = 0; j < info.joints; ++j) {
     mcpr_joint joint{};
-    EXPECT_EQ(mcpr_clip_joint(opened.clip, j, &joint).status, MCPR_OK);
+    EXPECT_EQ(mcpr_clip_joint(opened.clip, j, &joint, nullptr), MCPR_OK);
     parents.push_back(static_cast<std::int16_t>(joint.parent));
   }
   double largest = 0;
@@ -292,8 +291,7 @@ class Selected {
   Selected(const mcpr_cooked* clip, const std::vector<std::uint16_t>& joints)
       : memory_(mcpr_selection_bytes(clip, static_cast<std::uint32_t>(joints.size()))) {
     EXPECT_EQ(mcpr_make_selection(clip, joints.data(), static_cast<std::uint32_t>(joints.size()),
-                                  memory_.data(), memory_.size(), &selection)
-                  .status,
+                                  memory_.data(), memory_.size(), &selection, nullptr),
               MCPR_OK);
   }
   const mcpr_selection* selection = nullptr;
@@ -303,7 +301,7 @@ class Selected {
 };
 
 TEST_F(CookedPaths, SelectionsMatchLists) {
-  const mcpr_cooked_info info = mcpr_cooked_describe(cooked_.clip);
+  const mcpr_cooked_info info = mcpr::describe(cooked_.clip);
   Random random(10);
   for (int i = 0; i < 100; ++i) {
     std::vector<std::uint16_t> list;
@@ -337,10 +335,10 @@ TEST_F(CookedPaths, RefuseUnsuitableSelections) {
   const std::size_t size = mcpr_selection_bytes(cooked_.clip, 3);
   const AlignedBytes memory(size);
   const auto make = [&](std::uint32_t count, std::size_t bytes) {
-    return mcpr_make_selection(cooked_.clip, joints, count, memory.data(), bytes, &made).status;
+    return mcpr_make_selection(cooked_.clip, joints, count, memory.data(), bytes, &made, nullptr);
   };
   EXPECT_EQ(make(3, size), MCPR_ARGUMENT) << "one twice";
-  EXPECT_EQ(mcpr_make_selection(no_clip, joints, 0, memory.data(), size, &made).status,
+  EXPECT_EQ(mcpr_make_selection(no_clip, joints, 0, memory.data(), size, &made, nullptr),
             MCPR_ARGUMENT);
   EXPECT_EQ(make(2, mcpr_selection_bytes(cooked_.clip, 2) - 1), MCPR_MEMORY);
   ASSERT_EQ(make(2, size), MCPR_OK);
@@ -384,7 +382,7 @@ TEST_F(CookedPaths, SnapToAFrameWithinRounding) {
 }
 
 TEST_F(CookedPaths, ConvertSecondsAndClampAtTheEnds) {
-  const double rate = mcpr_cooked_describe(cooked_.clip).sample_rate;
+  const double rate = mcpr::describe(cooked_.clip).sample_rate;
   EXPECT_EQ(cooked_.sample({.unit = MCPR_SECONDS}, 100 / rate), cooked_.sample({}, 100));
   EXPECT_EQ(cooked_.sample({}, -7), cooked_.sample({}, 0));
   EXPECT_EQ(cooked_.sample({}, 1e12), cooked_.sample({}, 332));
@@ -401,19 +399,19 @@ TEST_F(CookedPaths, RefuseImpossibleRequests) {
     EXPECT_EQ(mcpr_sample_values(cooked_.clip, &request), 0u);
   float out[512];
   const mcpr_sample_request request{};
-  EXPECT_EQ(mcpr_sample(cooked_.clip, &request, std::nan(""), out).status, MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_sample(cooked_.clip, &request, std::nan(""), out, nullptr), MCPR_ARGUMENT);
   for (const mcpr_wrap wrap :
        {MCPR_CLAMP, MCPR_PING_PONG, MCPR_LOOP_JUMP, MCPR_LOOP_BLEND, MCPR_LOOP_HOLD}) {
     const mcpr_sample_request seconds{.unit = MCPR_SECONDS, .wrap = wrap};
     mcpr_transform motion;
     for (const double far : {1e307, -1e307, std::numeric_limits<double>::max()}) {
-      EXPECT_EQ(mcpr_sample(cooked_.clip, &seconds, far, out).status, MCPR_ARGUMENT) << wrap;
-      EXPECT_EQ(mcpr_sample_motion(cooked_.clip, &seconds, 0, 0, far, &motion).status,
+      EXPECT_EQ(mcpr_sample(cooked_.clip, &seconds, far, out, nullptr), MCPR_ARGUMENT) << wrap;
+      EXPECT_EQ(mcpr_sample_motion(cooked_.clip, &seconds, 0, 0, far, &motion, nullptr),
                 MCPR_ARGUMENT)
           << wrap;
     }
   }
-  EXPECT_EQ(mcpr_sample(nullptr, &request, 0, out).status, MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_sample(nullptr, &request, 0, out, nullptr), MCPR_ARGUMENT);
 }
 
 /// Tests both kinds of loops across the seam, and in several cycles.
@@ -492,7 +490,7 @@ TEST(CookedLoop, MotionFollowsTheWrap) {
   const auto motion = [&](mcpr_wrap wrap, double from, double to) {
     mcpr_transform out;
     const mcpr_sample_request request{.wrap = wrap};
-    EXPECT_EQ(mcpr_sample_motion(cooked.clip, &request, 0, from, to, &out).status, MCPR_OK);
+    EXPECT_EQ(mcpr_sample_motion(cooked.clip, &request, 0, from, to, &out, nullptr), MCPR_OK);
     const auto* const values = reinterpret_cast<const float*>(&out);
     return std::vector<float>(values, values + 7);
   };
@@ -518,15 +516,16 @@ TEST(CookedLoop, MotionOnTheGroundAndTheRestOfTheRootMakeTheRoot) {
   };
   mcpr_transform start = root_at(20);
   mcpr_transform ground_at_start;
-  ASSERT_EQ(mcpr_split_root(nullptr, &start, &ground_at_start).status, MCPR_OK);
+  ASSERT_EQ(mcpr_split_root(nullptr, &start, &ground_at_start, nullptr), MCPR_OK);
   mcpr_transform end = root_at(71.5);
   mcpr_transform ground_at_end;
-  ASSERT_EQ(mcpr_split_root(nullptr, &end, &ground_at_end).status, MCPR_OK);
+  ASSERT_EQ(mcpr_split_root(nullptr, &end, &ground_at_end, nullptr), MCPR_OK);
   EXPECT_EQ(end.translation[0], 0);
   EXPECT_EQ(end.translation[1], root_at(71.5).translation[1]);
   EXPECT_EQ(end.translation[2], 0);
   mcpr_transform moved;
-  ASSERT_EQ(mcpr_sample_ground_motion(cooked.clip, &request, 0, 20, 71.5, &moved).status, MCPR_OK);
+  ASSERT_EQ(mcpr_sample_ground_motion(cooked.clip, &request, 0, 20, 71.5, &moved, nullptr),
+            MCPR_OK);
   EXPECT_EQ(moved.translation[1], 0);
   const auto heading = [](const mcpr_transform& turn) {
     return 2 * std::atan2(turn.rotation[2], turn.rotation[0]);
@@ -542,12 +541,12 @@ TEST(CookedLoop, MotionOnTheGroundAndTheRestOfTheRootMakeTheRoot) {
               ground_at_end.translation[2], 1e-3);
   mcpr_transform back;
   const mcpr_sample_request looping{.wrap = MCPR_LOOP_JUMP};
-  ASSERT_EQ(mcpr_sample_ground_motion(cooked.clip, &looping, 0, 20, 20 + 89 * 3, &moved).status,
+  ASSERT_EQ(mcpr_sample_ground_motion(cooked.clip, &looping, 0, 20, 20 + 89 * 3, &moved, nullptr),
             MCPR_OK);
-  ASSERT_EQ(mcpr_sample_ground_motion(cooked.clip, &looping, 0, 20 + 89 * 3, 20, &back).status,
+  ASSERT_EQ(mcpr_sample_ground_motion(cooked.clip, &looping, 0, 20 + 89 * 3, 20, &back, nullptr),
             MCPR_OK);
   EXPECT_NEAR(std::remainder(heading(moved) + heading(back), 6.2831853F), 0, 1e-5);
-  EXPECT_EQ(mcpr_sample_ground_motion(cooked.clip, &request, 9999, 0, 1, &moved).status,
+  EXPECT_EQ(mcpr_sample_ground_motion(cooked.clip, &request, 9999, 0, 1, &moved, nullptr),
             MCPR_ARGUMENT);
 }
 
@@ -564,7 +563,7 @@ TEST_F(CookedPaths, SteppedJointsKeepTheEarlierFrame) {
       request.stepped_count = 2;
       const std::vector<float> held = cooked_.sample(request, 100.25);
       ASSERT_EQ(held.size(), between.size());
-      const std::size_t joints = all ? mcpr_cooked_describe(cooked_.clip).joints : 3;
+      const std::size_t joints = all ? mcpr::describe(cooked_.clip).joints : 3;
       const std::size_t values = held.size() / joints;
       for (std::size_t i = 0; i < held.size(); ++i) {
         const std::size_t joint = layout == MCPR_ARRAYS ? i % joints : i / values;
@@ -585,7 +584,7 @@ TEST(CookedLoop, MotionAccumulatesOverCycles) {
   const mcpr_sample_request request{.wrap = MCPR_LOOP};
   const auto motion = [&](double from, double to) {
     mcpr_transform out;
-    EXPECT_EQ(mcpr_sample_motion(cooked.clip, &request, 0, from, to, &out).status, MCPR_OK);
+    EXPECT_EQ(mcpr_sample_motion(cooked.clip, &request, 0, from, to, &out, nullptr), MCPR_OK);
     return out;
   };
   const auto length = [](const mcpr_transform& by) {
@@ -605,7 +604,7 @@ class HostileCooked : public testing::Test {
         cooked_(opened_.clip) {}
 
   static mcpr_status open(const AlignedBytes& bytes, std::size_t size, const mcpr_cooked** clip) {
-    return mcpr_open_cooked(bytes.data(), size, 1, clip).status;
+    return mcpr_open_cooked(bytes.data(), size, 1, clip, nullptr);
   }
 
   OpenedClip opened_;
@@ -658,7 +657,7 @@ TEST_F(HostileCooked, WrongNumbersWithTheRightChecksumAreRefusedOrHarmless) {
         const mcpr_sample_request request{.wrap = wrap, .path = path};
         std::vector<float> out(mcpr_sample_values(clip, &request));
         for (const double frame : {0.0, 0.5, 49.3, 98.5, 99.0, 1e9})
-          if (!out.empty()) mcpr_sample(clip, &request, frame, out.data());
+          if (!out.empty()) mcpr_sample(clip, &request, frame, out.data(), nullptr);
       }
   }
   EXPECT_GT(opened, 0);

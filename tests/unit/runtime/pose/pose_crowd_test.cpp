@@ -33,8 +33,7 @@ class Stage {
         cursor_memory_(mcpr_cursor_bytes(cooked_.clip)) {
     const std::uint16_t joints[] = {4, 1};
     EXPECT_EQ(mcpr_make_selection(cooked_.clip, joints, 2, selection_memory_.data(),
-                                  selection_memory_.size(), &selection)
-                  .status,
+                                  selection_memory_.size(), &selection, nullptr),
               MCPR_OK);
   }
 
@@ -45,11 +44,11 @@ class Stage {
   /// A pose from a new cursor.
   std::vector<float> played(const mcpr_sample_request& request, double time) const {
     mcpr_cursor* cursor = nullptr;
-    EXPECT_EQ(mcpr_make_cursor(cooked_.clip, cursor_memory_.data(), cursor_memory_.size(), &cursor)
-                  .status,
+    EXPECT_EQ(mcpr_make_cursor(cooked_.clip, cursor_memory_.data(), cursor_memory_.size(), &cursor,
+                               nullptr),
               MCPR_OK);
     std::vector<float> out(mcpr_sample_values(cooked_.clip, &request));
-    EXPECT_EQ(mcpr_sample_next(cursor, &request, time, out.data()).status, MCPR_OK);
+    EXPECT_EQ(mcpr_sample_next(cursor, &request, time, out.data(), nullptr), MCPR_OK);
     return out;
   }
 
@@ -108,7 +107,7 @@ class PoseCrowd : public testing::Test {
     std::vector<Member> made;
     for (int i = 0; i < count; ++i) {
       const Stage& stage = *stages_[static_cast<std::size_t>(random.below(stages_.size()))];
-      const mcpr_cooked_info info = mcpr_cooked_describe(stage.clip());
+      const mcpr_cooked_info info = mcpr::describe(stage.clip());
       double time = (info.frames - 1) * (are_near ? 0.4 + 0.02 * random.unit() : random.unit());
       if (i % 5 == 0) time = std::floor(time);
       const bool loops = info.loop_frames > 0 && i % 2 == 0;
@@ -143,15 +142,18 @@ class PoseCrowd : public testing::Test {
                           std::vector<mcpr_character>& characters) {
     const auto count = static_cast<std::uint32_t>(characters.size());
     const AlignedBytes scratch(mcpr_sort_crowd_scratch_bytes(count));
-    return mcpr_sort_crowd(&request, characters.data(), count, scratch.data(), scratch.size());
+    mcpr_result result;
+    mcpr_sort_crowd(&request, characters.data(), count, scratch.data(), scratch.size(), &result);
+    return result;
   }
 
   static mcpr_result pose(const mcpr_crowd_request& request,
                           const std::vector<mcpr_character>& characters) {
     const AlignedBytes scratch(mcpr_crowd_scratch_bytes());
-    return mcpr_sample_crowd(&request, characters.data(),
-                             static_cast<std::uint32_t>(characters.size()), scratch.data(),
-                             scratch.size());
+    mcpr_result result;
+    mcpr_sample_crowd(&request, characters.data(), static_cast<std::uint32_t>(characters.size()),
+                      scratch.data(), scratch.size(), &result);
+    return result;
   }
 
   std::vector<std::unique_ptr<Stage>> stages_;
@@ -261,16 +263,16 @@ TEST_F(PoseCrowd, RefusesAllIfOneCannotBePosed) {
     for (const auto& stage : stages_)
       if (stage->clip() != c.clip) c.selection = stage->selection;
   });
-  EXPECT_EQ(mcpr_sample_crowd(nullptr, good.data(), 1, nullptr, 0).status, MCPR_ARGUMENT);
-  EXPECT_EQ(mcpr_sample_crowd(&request, nullptr, 1, nullptr, 0).status, MCPR_ARGUMENT);
-  EXPECT_EQ(mcpr_sample_crowd(&request, nullptr, 0, nullptr, 0).status, MCPR_OK) << "of none";
+  EXPECT_EQ(mcpr_sample_crowd(nullptr, good.data(), 1, nullptr, 0, nullptr), MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_sample_crowd(&request, nullptr, 1, nullptr, 0, nullptr), MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_sample_crowd(&request, nullptr, 0, nullptr, 0, nullptr), MCPR_OK) << "of none";
   const AlignedBytes scratch(mcpr_crowd_scratch_bytes());
-  EXPECT_EQ(mcpr_sample_crowd(&request, good.data(), 1, scratch.data(), scratch.size() - 1).status,
-            MCPR_MEMORY);
   EXPECT_EQ(
-      mcpr_sort_crowd(&request, const_cast<mcpr_character*>(good.data()), 50, scratch.data(), 99)
-          .status,
+      mcpr_sample_crowd(&request, good.data(), 1, scratch.data(), scratch.size() - 1, nullptr),
       MCPR_MEMORY);
+  EXPECT_EQ(mcpr_sort_crowd(&request, const_cast<mcpr_character*>(good.data()), 50, scratch.data(),
+                            99, nullptr),
+            MCPR_MEMORY);
 }
 
 }  // namespace

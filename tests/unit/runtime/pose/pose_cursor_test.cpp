@@ -51,7 +51,8 @@ class Player {
   std::vector<float> fresh(const mcpr_sample_request& request, double time) const {
     const AlignedBytes memory(mcpr_cursor_bytes(clip_->clip));
     mcpr_cursor* cursor = nullptr;
-    EXPECT_EQ(mcpr_make_cursor(clip_->clip, memory.data(), memory.size(), &cursor).status, MCPR_OK);
+    EXPECT_EQ(mcpr_make_cursor(clip_->clip, memory.data(), memory.size(), &cursor, nullptr),
+              MCPR_OK);
     return sample_with(cursor, request, time);
   }
 
@@ -59,13 +60,13 @@ class Player {
   explicit Player(std::unique_ptr<CookedClip> clip)
       : clip_(std::move(clip)), memory_(mcpr_cursor_bytes(clip_->clip)) {
     EXPECT_LE(memory_.size(), 4096u);
-    EXPECT_EQ(mcpr_make_cursor(clip_->clip, memory_.data(), memory_.size(), &cursor_).status,
+    EXPECT_EQ(mcpr_make_cursor(clip_->clip, memory_.data(), memory_.size(), &cursor_, nullptr),
               MCPR_OK);
   }
   std::vector<float> sample_with(mcpr_cursor* cursor, const mcpr_sample_request& request,
                                  double time) const {
     std::vector<float> out(mcpr_sample_values(clip_->clip, &request));
-    EXPECT_EQ(mcpr_sample_next(cursor, &request, time, out.data()).status, MCPR_OK);
+    EXPECT_EQ(mcpr_sample_next(cursor, &request, time, out.data(), nullptr), MCPR_OK);
     return out;
   }
 
@@ -171,12 +172,12 @@ TEST(PoseCursor, RefusesANullCursorOrTooLittleMemory) {
   const mcpr_sample_request request{};
   float out[512];
   EXPECT_EQ(mcpr_cursor_bytes(nullptr), 0u);
-  EXPECT_EQ(mcpr_make_cursor(clip, memory.data(), size - 1, &cursor).status, MCPR_MEMORY);
-  EXPECT_EQ(mcpr_make_cursor(clip, memory.data() + 1, size, &cursor).status, MCPR_MISALIGNED);
-  EXPECT_EQ(mcpr_make_cursor(nullptr, memory.data(), size, &cursor).status, MCPR_ARGUMENT);
-  EXPECT_EQ(mcpr_sample_next(nullptr, &request, 0, out).status, MCPR_ARGUMENT);
-  ASSERT_EQ(mcpr_make_cursor(clip, memory.data(), size, &cursor).status, MCPR_OK);
-  EXPECT_EQ(mcpr_sample_next(cursor, &request, std::nan(""), out).status, MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_make_cursor(clip, memory.data(), size - 1, &cursor, nullptr), MCPR_MEMORY);
+  EXPECT_EQ(mcpr_make_cursor(clip, memory.data() + 1, size, &cursor, nullptr), MCPR_MISALIGNED);
+  EXPECT_EQ(mcpr_make_cursor(nullptr, memory.data(), size, &cursor, nullptr), MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr_sample_next(nullptr, &request, 0, out, nullptr), MCPR_ARGUMENT);
+  ASSERT_EQ(mcpr_make_cursor(clip, memory.data(), size, &cursor, nullptr), MCPR_OK);
+  EXPECT_EQ(mcpr_sample_next(cursor, &request, std::nan(""), out, nullptr), MCPR_ARGUMENT);
 }
 
 /// Malicious bytes that pass the check are played without harm (run under asan).
@@ -196,15 +197,15 @@ TEST(PoseCursor, WrongNumbersAreHarmless) {
     auto* const head = reinterpret_cast<mcpr_cooked*>(copy.data());
     head->checksum = runtime::checksum_of(*head);
     const mcpr_cooked* clip = nullptr;
-    if (mcpr_open_cooked(copy.data(), copy.size(), 1, &clip).status != MCPR_OK) continue;
+    if (mcpr_open_cooked(copy.data(), copy.size(), 1, &clip, nullptr) != MCPR_OK) continue;
     ++opened;
     mcpr_cursor* cursor = nullptr;
-    ASSERT_EQ(mcpr_make_cursor(clip, memory.data(), memory.size(), &cursor).status, MCPR_OK);
+    ASSERT_EQ(mcpr_make_cursor(clip, memory.data(), memory.size(), &cursor, nullptr), MCPR_OK);
     for (const mcpr_path path : existing_paths()) {
       const mcpr_sample_request request{.path = path};
       std::vector<float> out(mcpr_sample_values(clip, &request));
       for (const double frame : {0.0, 0.5, 49.3, 48.2, 98.5, 99.0, 1e9})
-        if (!out.empty()) mcpr_sample_next(cursor, &request, frame, out.data());
+        if (!out.empty()) mcpr_sample_next(cursor, &request, frame, out.data(), nullptr);
     }
   }
   EXPECT_GT(opened, 0);

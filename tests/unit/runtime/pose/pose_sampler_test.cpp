@@ -28,10 +28,11 @@ class LargeClip : public testing::Test {
     request.scratch = scratch.data();
     request.scratch_size = scratch.size();
     std::vector<float> out(mcpr_sample_values(cooked_.clip, &request));
-    const mcpr_result result = cursor == nullptr
-                                   ? mcpr_sample(cooked_.clip, &request, frame, out.data())
-                                   : mcpr_sample_next(cursor, &request, frame, out.data());
-    EXPECT_EQ(result.status, MCPR_OK) << result.message;
+    mcpr_result result;
+    const mcpr_status status = cursor == nullptr
+                                   ? mcpr_sample(cooked_.clip, &request, frame, out.data(), &result)
+                                   : mcpr_sample_next(cursor, &request, frame, out.data(), &result);
+    EXPECT_EQ(status, MCPR_OK) << result.message;
     return out;
   }
 
@@ -66,10 +67,10 @@ TEST_F(LargeClip, IsRefusedWithoutTheMemoryThatItAsksFor) {
   const auto expect = [&](void* memory, std::size_t size, mcpr_status status) {
     request.scratch = memory;
     request.scratch_size = size;
-    EXPECT_EQ(mcpr_sample(cooked_.clip, &request, 3.5, out.data()).status, status);
+    EXPECT_EQ(mcpr_sample(cooked_.clip, &request, 3.5, out.data(), nullptr), status);
   };
   expect(nullptr, 0, MCPR_NO_MEMORY);
-  EXPECT_EQ(mcpr_sample_motion(cooked_.clip, &request, 0, 0, 1, &moved).status, MCPR_NO_MEMORY);
+  EXPECT_EQ(mcpr_sample_motion(cooked_.clip, &request, 0, 0, 1, &moved, nullptr), MCPR_NO_MEMORY);
   expect(scratch.data(), bytes - 1, MCPR_MEMORY);
   expect(scratch.data() + 1, bytes, MCPR_MISALIGNED);
   expect(scratch.data(), bytes, MCPR_OK);
@@ -91,7 +92,8 @@ TEST_F(LargeClip, NeedsNoMoreMemoryThanTheHeaderTells) {
 TEST_F(LargeClip, HasTheDecodersPosesAndTheSameBitsOnEveryPath) {
   const AlignedBytes memory(mcpr_cursor_bytes(cooked_.clip));
   mcpr_cursor* cursor = nullptr;
-  ASSERT_EQ(mcpr_make_cursor(cooked_.clip, memory.data(), memory.size(), &cursor).status, MCPR_OK);
+  ASSERT_EQ(mcpr_make_cursor(cooked_.clip, memory.data(), memory.size(), &cursor, nullptr),
+            MCPR_OK);
   for (double frame = 0; frame <= 29; frame += 0.75) {
     const std::vector<float> pose = sampled({}, frame);
     expect_as_decoded(pose, frame);
@@ -123,7 +125,7 @@ TEST_F(LargeClip, ACrowdPosesItWithoutMemoryOfItsOwn) {
   character.stepped_count = 2;
   const mcpr_crowd_request request{.exact = 1};
   const AlignedBytes scratch(mcpr_crowd_scratch_bytes());
-  ASSERT_EQ(mcpr_sample_crowd(&request, &character, 1, scratch.data(), scratch.size()).status,
+  ASSERT_EQ(mcpr_sample_crowd(&request, &character, 1, scratch.data(), scratch.size(), nullptr),
             MCPR_OK);
   EXPECT_EQ(out, sampled({.stepped = kStepped, .stepped_count = 2}, 11.25));
 }
@@ -134,7 +136,7 @@ TEST_F(LargeClip, MotionOfItsRootIsTheDifferenceOfPoses) {
   request.scratch = scratch.data();
   request.scratch_size = scratch.size();
   mcpr_transform moved;
-  ASSERT_EQ(mcpr_sample_motion(cooked_.clip, &request, 0, 2, 20, &moved).status, MCPR_OK);
+  ASSERT_EQ(mcpr_sample_motion(cooked_.clip, &request, 0, 2, 20, &moved, nullptr), MCPR_OK);
   const std::vector<float> from = sampled({}, 2);
   const std::vector<float> to = sampled({}, 20);
   float length = 0, expected = 0;
