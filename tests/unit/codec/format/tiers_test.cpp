@@ -82,8 +82,8 @@ TEST(Tiers, CostTheirSectionsAlone) {
                                      : static_cast<std::size_t>(sections_of(file).segments.count());
     const std::vector<std::byte> cut = tiered(file);
     std::vector<std::byte> sizes;
-    for (const runtime::Tier& tier : std::span(sections_of(cut).tiers.tier).first(kTiers))
-      write_varint(sizes, tier.bytes);
+    const runtime::TierTable table = sections_of(cut).tiers;
+    for (int t = 0; t < kTiers; ++t) write_varint(sizes, table.tier[t].bytes);
     EXPECT_EQ(cut.size(), file.size() + 12 + 1 + sizes.size() + (5 + 4) * (kTiers - 1) +
                               4 * segments * (kTiers - 1));
   }
@@ -179,15 +179,15 @@ constexpr std::size_t kStart = runtime::kFileHead;  // of TIER
 TEST(Tiers, AreRefusedWhereTheyDoNotFitTheFile) {
   for (const auto& file : files()) {
     const std::vector<std::byte> cut = tiered(file);
-    const runtime::TierTable tiers = sections_of(cut).tiers;
+    const runtime::TierTable table = sections_of(cut).tiers;
     std::vector<bool> informs = {false};  // the errors only inform
     for (int t = 0; t < kTiers; ++t) {
       std::vector<std::byte> size;
-      write_varint(size, tiers.tier[t].bytes);
+      write_varint(size, table.tier[t].bytes);
       informs.insert(informs.end(), size.size() + (t > 0 ? 4 : 0), false);
       if (t + 1 < kTiers) informs.insert(informs.end(), {false, true, true, true, true});
     }
-    ASSERT_EQ(kStart + runtime::kSectionHead + informs.size(), tiers.end);
+    ASSERT_EQ(kStart + runtime::kSectionHead + informs.size(), table.end);
     for (std::size_t at = 0; at < informs.size(); ++at) {
       if (informs[at]) continue;
       for (const int bits : {1, 2, 0x40, 0x80}) {
