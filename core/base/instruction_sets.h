@@ -2,6 +2,7 @@
 // Compiles work on many numbers twice, with and without AVX2; the program uses the version that
 // suits the machine. Both do the same operations in the same order and without contraction: the
 // bits agree. Code to be compiled twice is one inline function of vectors of either length.
+// with_avx2() runs it with the longer ones.
 #pragma once
 
 #include <cstring>
@@ -9,14 +10,15 @@
 #if defined(__x86_64__) && defined(__GNUC__)
 #define MOCAPRESS_WITH_AVX2
 #define MOCAPRESS_FOR_AVX2 __attribute__((target("avx2")))
-#define MOCAPRESS_INLINE __attribute__((always_inline)) inline
+#define MOCAPRESS_INLINED __attribute__((always_inline))  // for lambdas
+#define MOCAPRESS_INLINE MOCAPRESS_INLINED inline
 #else
+#define MOCAPRESS_INLINED
 #define MOCAPRESS_INLINE inline
 #endif
 
 namespace mocapress {
 
-using Floats1 = float;
 using Floats4 = float __attribute__((vector_size(16)));
 using Floats8 = float __attribute__((vector_size(32)));
 using Doubles1 = double;
@@ -40,6 +42,24 @@ inline bool has_avx2() {
 #ifdef MOCAPRESS_WITH_AVX2
   static const bool has = __builtin_cpu_supports("avx2") != 0;
   return has;
+#else
+  return false;
+#endif
+}
+
+#ifdef MOCAPRESS_WITH_AVX2
+template <typename Work>
+MOCAPRESS_FOR_AVX2 bool run_with_avx2(const Work& work) {
+  work();
+  return true;
+}
+#endif
+
+/// Runs `work`, a lambda that is MOCAPRESS_INLINED, by AVX2; returns false on machines without.
+template <typename Work>
+bool with_avx2([[maybe_unused]] const Work& work) {
+#ifdef MOCAPRESS_WITH_AVX2
+  return has_avx2() && run_with_avx2(work);
 #else
   return false;
 #endif

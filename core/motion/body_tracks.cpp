@@ -92,14 +92,6 @@ MOCAPRESS_INLINE Eigen::Index find_errors(const TrackColumns& tracks, Eigen::Ind
   return t;
 }
 
-#ifdef MOCAPRESS_WITH_AVX2
-MOCAPRESS_FOR_AVX2 Eigen::Index find_errors_with_avx2(const TrackColumns& tracks,
-                                                      Eigen::Index origin, Eigen::Index shell,
-                                                      double* errors) {
-  return find_errors<Doubles4>(tracks, origin, shell, 0, errors);
-}
-#endif
-
 }  // namespace
 
 const JointErrors::OfJoint& JointErrors::of(int joint) {
@@ -111,9 +103,9 @@ const JointErrors::OfJoint& JointErrors::of(int joint) {
   const Eigen::Index origin = Eigen::Index{3} * joint;
   const Eigen::Index shell = shell_ + Eigen::Index{9} * joint;
   Eigen::Index t = 0;
-#ifdef MOCAPRESS_WITH_AVX2
-  if (has_avx2()) t = find_errors_with_avx2(tracks, origin, shell, errors.data());
-#endif
+  with_avx2([&]() MOCAPRESS_INLINED {
+    t = find_errors<Doubles4>(tracks, origin, shell, 0, errors.data());
+  });
   t = find_errors<Doubles2>(tracks, origin, shell, t, errors.data());
   find_errors<Doubles1>(tracks, origin, shell, t, errors.data());
   return errors;
@@ -149,21 +141,14 @@ MOCAPRESS_INLINE Eigen::Index square_of(const double* columns, Eigen::Index rows
   return t;
 }
 
-#ifdef MOCAPRESS_WITH_AVX2
-MOCAPRESS_FOR_AVX2 Eigen::Index square_with_avx2(const double* columns, Eigen::Index rows,
-                                                 const Eigen::Vector3d& in_joint, double* squares) {
-  return square_of<Doubles4>(columns, rows, in_joint, 0, squares);
-}
-#endif
-
 }  // namespace
 
 void JointErrors::find_squares(const OfJoint& of_joint, const Eigen::Vector3d& in_joint,
                                Eigen::Ref<Eigen::VectorXd> squares) {
   Eigen::Index t = 0;
-#ifdef MOCAPRESS_WITH_AVX2
-  if (has_avx2()) t = square_with_avx2(of_joint.data(), of_joint.rows(), in_joint, squares.data());
-#endif
+  with_avx2([&]() MOCAPRESS_INLINED {
+    t = square_of<Doubles4>(of_joint.data(), of_joint.rows(), in_joint, 0, squares.data());
+  });
   t = square_of<Doubles2>(of_joint.data(), of_joint.rows(), in_joint, t, squares.data());
   square_of<Doubles1>(of_joint.data(), of_joint.rows(), in_joint, t, squares.data());
 }

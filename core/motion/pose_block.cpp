@@ -28,6 +28,12 @@ void for_frames(int frames, const Work& work) {
     work(std::integral_constant<int, kMost>());
 }
 
+/// Runs `work` on a block of kFrames, by AVX2 where vectors of four pay.
+template <int kFrames, typename Work>
+void for_block(const Work& work) {
+  if (kFrames != kMost || !with_avx2(work)) work();
+}
+
 MOCAPRESS_INLINE double rounded(double value) {
   constexpr double kWhole = 6755399441055744;  // 1.5 * 2^52: adding it drops the fraction
   return value + kWhole - kWhole;
@@ -116,26 +122,6 @@ MOCAPRESS_INLINE void multiply_axes(const Axes& from, const Eigen::Matrix3d& mat
     }
 }
 
-#ifdef MOCAPRESS_WITH_AVX2
-MOCAPRESS_FOR_AVX2 void find_sines_and_cosines_with_avx2(const double* radians, double* sines,
-                                                         double* cosines) {
-  find_sines_and_cosines<kMost>(radians, sines, cosines);
-}
-MOCAPRESS_FOR_AVX2 void turn_axes_with_avx2(const double* sines, const double* cosines,
-                                            const Axes& axes, int a, int b) {
-  turn_axes<kMost>(sines, cosines, axes, a, b);
-}
-MOCAPRESS_FOR_AVX2 void multiply_axes_with_avx2(const Axes& from, const Eigen::Matrix3d& matrix,
-                                                const Axes& to) {
-  multiply_axes<kMost>(from, matrix, to);
-}
-#endif
-
-/// True if this many frames are worth vectors of four, and the machine has them.
-bool takes_avx2(int frames) {
-  return frames == kMost && has_avx2();
-}
-
 }  // namespace
 
 PoseBlock::PoseBlock(const Skeleton& skeleton)
@@ -216,10 +202,8 @@ void PoseBlock::multiply(int from, const Eigen::Matrix3d& matrix, int joint) {
     made[static_cast<std::size_t>(i)] = axes_.col(Eigen::Index{9} * joint + i).data();
   }
   for_frames(frames_, [&](auto count) {
-#ifdef MOCAPRESS_WITH_AVX2
-    if (takes_avx2(count)) return multiply_axes_with_avx2(given, matrix, made);
-#endif
-    multiply_axes<count>(given, matrix, made);
+    constexpr int kFrames = decltype(count)::value;
+    for_block<kFrames>([&]() MOCAPRESS_INLINED { multiply_axes<kFrames>(given, matrix, made); });
   });
 }
 
@@ -240,14 +224,11 @@ void PoseBlock::turn(int joint, int axis, const Eigen::Ref<const Eigen::VectorXd
       cosines[t] = std::cos(angles[t]);
     }
   for_frames(frames_, [&](auto count) {
-#ifdef MOCAPRESS_WITH_AVX2
-    if (takes_avx2(count)) {
-      if (!is_far) find_sines_and_cosines_with_avx2(angles.data(), sines.data(), cosines.data());
-      return turn_axes_with_avx2(sines.data(), cosines.data(), axes, next, last);
-    }
-#endif
-    if (!is_far) find_sines_and_cosines<count>(angles.data(), sines.data(), cosines.data());
-    turn_axes<count>(sines.data(), cosines.data(), axes, next, last);
+    constexpr int kFrames = decltype(count)::value;
+    for_block<kFrames>([&]() MOCAPRESS_INLINED {
+      if (!is_far) find_sines_and_cosines<kFrames>(angles.data(), sines.data(), cosines.data());
+      turn_axes<kFrames>(sines.data(), cosines.data(), axes, next, last);
+    });
   });
 }
 

@@ -99,28 +99,15 @@ MOCAPRESS_INLINE int move_origin(const CompositeBody& body, const ThreeColumns& 
   return t;
 }
 
-#ifdef MOCAPRESS_WITH_AVX2
-MOCAPRESS_FOR_AVX2 int add_points_with_avx2(CompositeBody& body, double weight,
-                                            const ThreeColumns& places, const ThreeColumns& origin,
-                                            int frames) {
-  return add_points<Doubles4>(body, weight, places, origin, 0, frames);
-}
-MOCAPRESS_FOR_AVX2 int move_origin_with_avx2(const CompositeBody& body, const ThreeColumns& place,
-                                             const ThreeColumns& origin, int frames,
-                                             CompositeBody& moved) {
-  return move_origin<Doubles4>(body, place, origin, 0, frames, moved);
-}
-#endif
-
 }  // namespace
 
 void CompositeBody::add(double weight, const ThreeColumns& places, const ThreeColumns& origin,
                         int frames) {
   mass += weight;
   int t = 0;
-#ifdef MOCAPRESS_WITH_AVX2
-  if (has_avx2()) t = add_points_with_avx2(*this, weight, places, origin, frames);
-#endif
+  with_avx2([&]() MOCAPRESS_INLINED {
+    t = add_points<Doubles4>(*this, weight, places, origin, 0, frames);
+  });
   t = add_points<Doubles2>(*this, weight, places, origin, t, frames);
   add_points<Doubles1>(*this, weight, places, origin, t, frames);
 }
@@ -141,9 +128,9 @@ CompositeBody CompositeBody::seen_from(const ThreeColumns& place, const ThreeCol
   CompositeBody moved;
   moved.mass = mass;
   int t = 0;
-#ifdef MOCAPRESS_WITH_AVX2
-  if (has_avx2()) t = move_origin_with_avx2(*this, place, origin, frames, moved);
-#endif
+  with_avx2([&]() MOCAPRESS_INLINED {
+    t = move_origin<Doubles4>(*this, place, origin, 0, frames, moved);
+  });
   t = move_origin<Doubles2>(*this, place, origin, t, frames, moved);
   move_origin<Doubles1>(*this, place, origin, t, frames, moved);
   return moved;

@@ -27,20 +27,13 @@ MOCAPRESS_INLINE float inner_product_of(const float* a, const float* b, Eigen::I
          ((parts[1] + parts[5]) + (parts[3] + parts[7]));
 }
 
-#ifdef MOCAPRESS_WITH_AVX2
-MOCAPRESS_FOR_AVX2 float inner_product_with_avx2(const float* a, const float* b,
-                                                 Eigen::Index count) {
-  return inner_product_of<Floats8>(a, b, count);
-}
-#endif
-
 }  // namespace
 
 float inner_product(const float* a, const float* b, Eigen::Index count) {
-#ifdef MOCAPRESS_WITH_AVX2
-  if (has_avx2()) return inner_product_with_avx2(a, b, count);
-#endif
-  return inner_product_of<Floats4>(a, b, count);
+  float sum = 0;
+  if (!with_avx2([&]() MOCAPRESS_INLINED { sum = inner_product_of<Floats8>(a, b, count); }))
+    sum = inner_product_of<Floats4>(a, b, count);
+  return sum;
 }
 
 }  // namespace mocapress

@@ -287,30 +287,9 @@ MOCAPRESS_INLINE void add_error_with(const Task& task, Eigen::Index channel, con
            : add_error_of<Vector, false, false>(task, channel, delta, state);
 }
 
-#ifdef MOCAPRESS_WITH_AVX2
-MOCAPRESS_FOR_AVX2 void hand_up_with_avx2(const Task& task, const JointState* state,
-                                          JointState* parent, float* energies) {
-  hand_up_with<Floats8>(task, state, parent, energies);
-}
-MOCAPRESS_FOR_AVX2 void enter_with_avx2(const Task& task, const JointState* parent,
-                                        JointState* state) {
-  enter_with<Floats8>(task, parent, state);
-}
-MOCAPRESS_FOR_AVX2 void find_work_with_avx2(const Task& task, Eigen::Index channel,
-                                            const JointState* state, float* work) {
-  find_work_of<Floats8>(task, channel, state, work);
-}
-MOCAPRESS_FOR_AVX2 void add_error_with_avx2(const Task& task, Eigen::Index channel,
-                                            const float* delta, bool forces, JointState* state) {
-  add_error_with<Floats8>(task, channel, delta, forces, state);
-}
-#endif
-
 void enter(const Task& task, const JointState* parent, JointState* state) {
-#ifdef MOCAPRESS_WITH_AVX2
-  if (has_avx2()) return enter_with_avx2(task, parent, state);
-#endif
-  enter_with<Floats4>(task, parent, state);
+  if (!with_avx2([&]() MOCAPRESS_INLINED { enter_with<Floats8>(task, parent, state); }))
+    enter_with<Floats4>(task, parent, state);
 }
 
 }  // namespace
@@ -318,10 +297,8 @@ void enter(const Task& task, const JointState* parent, JointState* state) {
 void hand_up(const LinkageJoint& joint, ErrorColumns errors, FrameRange frames,
              const JointState* state, JointState* parent, float* energies) {
   const Task task{joint, frames, errors};
-#ifdef MOCAPRESS_WITH_AVX2
-  if (has_avx2()) return hand_up_with_avx2(task, state, parent, energies);
-#endif
-  hand_up_with<Floats4>(task, state, parent, energies);
+  if (!with_avx2([&]() MOCAPRESS_INLINED { hand_up_with<Floats8>(task, state, parent, energies); }))
+    hand_up_with<Floats4>(task, state, parent, energies);
 }
 
 void hand_up(const LinkageJoint& joint, FrameRange frames, const JointState* state,
@@ -343,20 +320,18 @@ void find_work(const LinkageJoint& joint, int channel, FrameRange frames, const 
                float* work) {
   const Task task{joint, frames};
   const Eigen::Index own = channel - joint.first_channel;
-#ifdef MOCAPRESS_WITH_AVX2
-  if (has_avx2()) return find_work_with_avx2(task, own, state, work);
-#endif
-  find_work_of<Floats4>(task, own, state, work);
+  if (!with_avx2([&]() MOCAPRESS_INLINED { find_work_of<Floats8>(task, own, state, work); }))
+    find_work_of<Floats4>(task, own, state, work);
 }
 
 void add_error(const LinkageJoint& joint, int channel, const float* delta, FrameRange frames,
                bool forces, JointState* state) {
   const Task task{joint, frames};
   const Eigen::Index own = channel - joint.first_channel;
-#ifdef MOCAPRESS_WITH_AVX2
-  if (has_avx2()) return add_error_with_avx2(task, own, delta, forces, state);
-#endif
-  add_error_with<Floats4>(task, own, delta, forces, state);
+  const auto add_longer = [&]() MOCAPRESS_INLINED {
+    add_error_with<Floats8>(task, own, delta, forces, state);
+  };
+  if (!with_avx2(add_longer)) add_error_with<Floats4>(task, own, delta, forces, state);
 }
 
 }  // namespace mocapress

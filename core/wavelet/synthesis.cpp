@@ -33,19 +33,13 @@ MOCAPRESS_INLINE float dot_of(const float* values, int size, const float* sample
   return (quarters[0] + quarters[2]) + (quarters[1] + quarters[3]);
 }
 
-#ifdef MOCAPRESS_WITH_AVX2
-template <bool squared>
-MOCAPRESS_FOR_AVX2 float dot_with_avx2(const float* values, int size, const float* samples) {
-  return dot_of<Floats8, squared>(values, size, samples);
-}
-#endif
-
 template <bool squared>
 float dot(const float* values, int size, const float* samples) {
-#ifdef MOCAPRESS_WITH_AVX2
-  if (has_avx2()) return dot_with_avx2<squared>(values, size, samples);
-#endif
-  return dot_of<Floats4, squared>(values, size, samples);
+  float sum = 0;
+  if (!with_avx2([&]()
+                     MOCAPRESS_INLINED { sum = dot_of<Floats8, squared>(values, size, samples); }))
+    sum = dot_of<Floats4, squared>(values, size, samples);
+  return sum;
 }
 
 }  // namespace

@@ -123,42 +123,22 @@ MOCAPRESS_INLINE void find_way(Columns3<const double> axis, Columns3<const doubl
   }
 }
 
-#ifdef MOCAPRESS_WITH_AVX2
-template <bool kTurns>
-MOCAPRESS_FOR_AVX2 bool any_beyond_with_avx2(const MovedFrames& point, const MovingSteps& steps,
-                                             const double* squared_bound, Eigen::Index& frame) {
-  return any_beyond<Doubles4, kTurns>(point, steps, squared_bound, frame);
-}
-template <bool kTurns>
-MOCAPRESS_FOR_AVX2 void move_with_avx2(const MovedFrames& point, const MovingSteps& steps,
-                                       Eigen::Index& frame) {
-  move_from<Doubles4, kTurns>(point, steps, frame);
-}
-MOCAPRESS_FOR_AVX2 void find_way_with_avx2(Columns3<const double> axis,
-                                           Columns3<const double> origin,
-                                           Columns3<const double> original, Eigen::Index frames,
-                                           const MovedFrames& point, Eigen::Index& frame) {
-  find_way<Doubles4>(axis, origin, original, frames, point, frame);
-}
-#endif
-
 template <bool kTurns>
 bool goes_beyond_of(const MovedFrames& point, const MovingSteps& steps,
                     const double* squared_bound) {
   Eigen::Index frame = 0;
-#ifdef MOCAPRESS_WITH_AVX2
-  if (has_avx2() && any_beyond_with_avx2<kTurns>(point, steps, squared_bound, frame)) return true;
-#endif
-  return any_beyond<Doubles2, kTurns>(point, steps, squared_bound, frame) ||
+  bool found = false;
+  with_avx2([&]() MOCAPRESS_INLINED {
+    found = any_beyond<Doubles4, kTurns>(point, steps, squared_bound, frame);
+  });
+  return found || any_beyond<Doubles2, kTurns>(point, steps, squared_bound, frame) ||
          any_beyond<Doubles1, kTurns>(point, steps, squared_bound, frame);
 }
 
 template <bool kTurns>
 void move_point_of(const MovedFrames& point, const MovingSteps& steps) {
   Eigen::Index frame = 0;
-#ifdef MOCAPRESS_WITH_AVX2
-  if (has_avx2()) move_with_avx2<kTurns>(point, steps, frame);
-#endif
+  with_avx2([&]() MOCAPRESS_INLINED { move_from<Doubles4, kTurns>(point, steps, frame); });
   move_from<Doubles2, kTurns>(point, steps, frame);
   move_from<Doubles1, kTurns>(point, steps, frame);
 }
@@ -178,9 +158,9 @@ void find_way_of_turn(Columns3<const double> axis, Columns3<const double> origin
                       Columns3<const double> original, Eigen::Index frames,
                       const MovedFrames& point) {
   Eigen::Index frame = 0;
-#ifdef MOCAPRESS_WITH_AVX2
-  if (has_avx2()) find_way_with_avx2(axis, origin, original, frames, point, frame);
-#endif
+  with_avx2([&]() MOCAPRESS_INLINED {
+    find_way<Doubles4>(axis, origin, original, frames, point, frame);
+  });
   find_way<Doubles2>(axis, origin, original, frames, point, frame);
   find_way<Doubles1>(axis, origin, original, frames, point, frame);
 }

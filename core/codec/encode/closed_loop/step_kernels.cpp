@@ -30,27 +30,15 @@ MOCAPRESS_INLINE void find_differences(const int* __restrict values, double step
     differences[i] = static_cast<float>(values[i] * step - coefficients[i]);
 }
 
-#ifdef MOCAPRESS_WITH_AVX2
-MOCAPRESS_FOR_AVX2 void cut_to_steps_with_avx2(const double* coefficients, const float* less,
-                                               double per_unit, double added, int* values) {
-  cut_to_steps<kAtATime>(coefficients, less, per_unit, added, values);
-}
-MOCAPRESS_FOR_AVX2 void find_differences_with_avx2(const int* values, double step,
-                                                   const double* coefficients, float* differences) {
-  find_differences<kAtATime>(values, step, coefficients, differences);
-}
-#endif
-
 }  // namespace
 
 void cut_to_steps(const double* coefficients, const float* less, int count, double per_unit,
                   double added, int* values) {
   int i = 0;
-#ifdef MOCAPRESS_WITH_AVX2
-  if (has_avx2())
+  with_avx2([&]() MOCAPRESS_INLINED {
     for (; i + kAtATime <= count; i += kAtATime)
-      cut_to_steps_with_avx2(coefficients + i, less + i, per_unit, added, values + i);
-#endif
+      cut_to_steps<kAtATime>(coefficients + i, less + i, per_unit, added, values + i);
+  });
   for (; i + 4 <= count; i += 4)
     cut_to_steps<4>(coefficients + i, less + i, per_unit, added, values + i);
   for (; i < count; ++i) cut_to_steps<1>(coefficients + i, less + i, per_unit, added, values + i);
@@ -59,11 +47,10 @@ void cut_to_steps(const double* coefficients, const float* less, int count, doub
 void find_differences(const int* values, int count, double step, const double* coefficients,
                       float* differences) {
   int i = 0;
-#ifdef MOCAPRESS_WITH_AVX2
-  if (has_avx2())
+  with_avx2([&]() MOCAPRESS_INLINED {
     for (; i + kAtATime <= count; i += kAtATime)
-      find_differences_with_avx2(values + i, step, coefficients + i, differences + i);
-#endif
+      find_differences<kAtATime>(values + i, step, coefficients + i, differences + i);
+  });
   for (; i + 4 <= count; i += 4)
     find_differences<4>(values + i, step, coefficients + i, differences + i);
   for (; i < count; ++i) find_differences<1>(values + i, step, coefficients + i, differences + i);
