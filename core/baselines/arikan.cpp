@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: MIT
-#include "core/baselines/arikan.h"
+// Based on: O. Arikan, "Compression of Motion Capture Databases", 2006. Our reading:
+// - curves of one segment begin where those before ended, so that nothing has to be smoothed;
+// - k-means, not spectral clustering, and a length of segment and a number of clusters chosen for
+//   the tolerance;
+// - roots and translations are curves of their own, and feet have no signals of their own;
+// - 16-bit steps and DEFLATE in place of Huffman codes.
+// The bytes: METHODS.md.
+#include "core/baselines/rivals.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <span>
 #include <vector>
 
 #include "core/base/byte_cursor.h"
 #include "core/base/error.h"
 #include "core/baselines/k_means.h"
 #include "core/baselines/principal_components.h"
-#include "core/baselines/rivals.h"
 #include "core/baselines/splines.h"
 #include "core/baselines/virtual_markers.h"
 #include "core/codec/format/deflate.h"
@@ -29,16 +34,16 @@ constexpr int curve_count(int frames, int length) {
   return frames > 1 ? (frames - 2) / length + 1 : 0;
 }
 
-/// Motions of one kind of skeleton, cut into curves and clustered in several ways.
+/// A motion, cut into curves and clustered in several ways.
 class SegmentDatabase {
  public:
-  SegmentDatabase(std::span<const Motion> motions, Weighting weighting);
+  SegmentDatabase(const Motion& motion, Weighting weighting);
 
-  /// One encoding of all motions: the best way to cut and cluster them for a tolerance.
+  /// One encoding of the motion: the best way to cut and cluster it for a tolerance.
   class Encoding {
    public:
     void write_codebook(ByteWriter& writer) const;
-    void write_clip(ByteWriter& writer, std::size_t clip) const;
+    void write_clip(ByteWriter& writer) const;
 
    private:
     friend class SegmentDatabase;
@@ -53,35 +58,29 @@ class SegmentDatabase {
   Encoding encode(double tolerance_cm) const;
 
  private:
-  /// The parts of a motion that do not depend on the cut.
-  struct Source {
-    int frames;
-    Eigen::RowVectorXd first_frame;
-    std::vector<int> other_channels;
-    std::vector<int> angles;
-    Eigen::VectorXd other_scales;  // cm for a unit of each other channel
-  };
   struct Clustering {
-    std::vector<int> clusters;               // each segment's cluster, all motions in a row
+    std::vector<int> clusters;               // each segment's cluster
     std::vector<int> places;                 // each segment's row in its cluster
     std::vector<PrincipalComponents> parts;  // one for each cluster
   };
-  /// All motions as curves of one length.
+  /// The motion as curves of one length.
   struct Cutting {
-    int length;                      // frames
-    double error;                    // cm: root-mean-square distance of the curves from the motions
-    std::vector<std::size_t> first;  // each motion's first segment
-    Eigen::MatrixXd markers;         // segments x control points 1, 2, 3 of all markers
-    std::vector<Eigen::MatrixXd> others;  // for each motion: 3 segments x other channels
+    int length;               // frames
+    double error;             // cm: root-mean-square distance of the curves from the motion
+    Eigen::MatrixXd markers;  // segments x control points 1, 2, 3 of all markers
+    Eigen::MatrixXd others;   // 3 segments x other channels
     std::vector<Clustering> clusterings;
   };
 
-  Cutting cut(const std::vector<Eigen::MatrixXd>& markers, std::span<const Motion> motions,
-              int length) const;
+  Cutting cut(const Eigen::MatrixXd& markers, const Clip& clip, int length) const;
 
-  std::vector<Source> sources_;
+  int frames_;
+  Eigen::RowVectorXd first_frame_;
+  std::vector<int> other_channels_;
+  std::vector<int> angles_;
+  Eigen::VectorXd other_scales_;   // cm for a unit of each other channel
+  Eigen::Index coordinates_;       // coordinates of a frame's markers
   std::vector<Cutting> cuttings_;  // the longest first
-  Eigen::Index coordinates_ = 0;   // coordinates of a frame's markers
 };
 
 constexpr double kMostSteps = 32000;  // well within 16 bits
@@ -104,66 +103,53 @@ Eigen::MatrixXd marker_tracks(const VirtualMarkers& markers, const Clip& clip) {
   return tracks;
 }
 
-SegmentDatabase::SegmentDatabase(std::span<const Motion> motions, Weighting weighting) {
-  std::vector<Eigen::MatrixXd> tracks;
-  for (const auto& [skeleton, clip] : motions) {
-    const VirtualMarkers markers(skeleton);
-    coordinates_ = markers.coordinates();
-    tracks.push_back(marker_tracks(markers, clip));
-    Source source{clip.frames(), {}, markers.other_channels(), markers.angles(), {}};
-    if (clip.frames() > 0) source.first_frame = clip.channels.row(0);
+SegmentDatabase::SegmentDatabase(const Motion& motion, Weighting weighting) {
+  const auto& [skeleton, clip] = motion;
+  const VirtualMarkers markers(skeleton);
+  frames_ = clip.frames();
+  other_channels_ = markers.other_channels();
+  angles_ = markers.angles();
+  coordinates_ = markers.coordinates();
+  other_scales_ = Eigen::VectorXd::Ones(std::ssize(other_channels_));
+  if (frames_ > 0) {
+    first_frame_ = clip.channels.row(0);
     const Eigen::MatrixXd curvature = ErrorModel(skeleton, clip, weighting).curvature();
-    source.other_scales = Eigen::VectorXd::Ones(std::ssize(source.other_channels));
-    if (clip.frames() > 0)
-      source.other_scales =
-          curvature(Eigen::all, source.other_channels).colwise().mean().cwiseSqrt().cwiseMax(1);
-    sources_.push_back(std::move(source));
+    other_scales_ = curvature(Eigen::all, other_channels_).colwise().mean().cwiseSqrt().cwiseMax(1);
   }
+  const Eigen::MatrixXd tracks = marker_tracks(markers, clip);
   for (const int length : {32, 16, 8, 5, kShortestCurve})
-    cuttings_.push_back(cut(tracks, motions, length));
+    cuttings_.push_back(cut(tracks, clip, length));
 }
 
-SegmentDatabase::Cutting SegmentDatabase::cut(const std::vector<Eigen::MatrixXd>& markers,
-                                              std::span<const Motion> motions, int length) const {
+SegmentDatabase::Cutting SegmentDatabase::cut(const Eigen::MatrixXd& markers, const Clip& clip,
+                                              int length) const {
   Cutting cutting{.length = length};
-  Eigen::Index segments = 0;
-  for (const Motion& motion : motions) {
-    cutting.first.push_back(static_cast<std::size_t>(segments));
-    segments += curve_count(motion.clip.frames(), length);
-  }
+  const Eigen::Index segments = curve_count(frames_, length);
+  const Eigen::MatrixXd other = clip.channels(Eigen::all, other_channels_);
   cutting.markers.resize(segments, 3 * coordinates_);
+  cutting.others.resize(3 * segments, other.cols());
   double squared_error = 0;
-  int frames = 0;
-  for (std::size_t m = 0; m < motions.size(); ++m) {
-    const Source& source = sources_[m];
-    const Eigen::MatrixXd other = motions[m].clip.channels(Eigen::all, source.other_channels);
-    const int count = curve_count(motions[m].clip.frames(), length);
-    Eigen::MatrixXd controls_of_others(3 * count, other.cols());
-    for (int s = 0; s < count; ++s) {
-      const int begin = s * length;
-      const int last = std::min(begin + length, motions[m].clip.frames() - 1);
-      const auto fit = [&](const Eigen::MatrixXd& rows, const Eigen::RowVectorXd& scales) {
-        const Eigen::MatrixXd segment = rows.middleRows(begin, last - begin + 1);
-        Eigen::MatrixXd controls = fit_bezier(segment);
-        squared_error += ((bezier_curve(segment.row(0), controls, last - begin) -
-                           segment.bottomRows(last - begin)) *
-                          scales.asDiagonal())
-                             .squaredNorm();
-        return controls;
-      };
-      // Averaged over the markers.
-      const double share =
-          std::sqrt(3.0 / static_cast<double>(std::max<Eigen::Index>(coordinates_, 1)));
-      cutting.markers.row(static_cast<Eigen::Index>(cutting.first[m]) + s) =
-          fit(markers[m], Eigen::RowVectorXd::Constant(coordinates_, share))
-              .reshaped<Eigen::RowMajor>()
-              .transpose();
-      controls_of_others.middleRows<3>(3 * s) = fit(other, source.other_scales.transpose());
-      frames += last - begin;
-    }
-    cutting.others.push_back(std::move(controls_of_others));
+  for (Eigen::Index s = 0; s < segments; ++s) {
+    const Eigen::Index begin = s * length;
+    const Eigen::Index count = std::min<Eigen::Index>(length, frames_ - 1 - begin);
+    const auto fit = [&](const Eigen::MatrixXd& rows, const Eigen::RowVectorXd& scales) {
+      const Eigen::MatrixXd segment = rows.middleRows(begin, count + 1);
+      Eigen::MatrixXd controls = fit_bezier(segment);
+      squared_error += ((bezier_curve(segment.row(0), controls, static_cast<int>(count)) -
+                         segment.bottomRows(count)) *
+                        scales.asDiagonal())
+                           .squaredNorm();
+      return controls;
+    };
+    // Averaged over the markers.
+    const double share =
+        std::sqrt(3.0 / static_cast<double>(std::max<Eigen::Index>(coordinates_, 1)));
+    cutting.markers.row(s) = fit(markers, Eigen::RowVectorXd::Constant(coordinates_, share))
+                                 .reshaped<Eigen::RowMajor>()
+                                 .transpose();
+    cutting.others.middleRows<3>(3 * s) = fit(other, other_scales_.transpose());
   }
-  cutting.error = std::sqrt(squared_error / std::max(frames, 1));
+  cutting.error = std::sqrt(squared_error / std::max(frames_ - 1, 1));
 
   constexpr int kMostClusters = 64;
   constexpr int kLargestCluster = 400;  // segments: larger clusters take long to analyse
@@ -207,8 +193,7 @@ SegmentDatabase::Encoding SegmentDatabase::encode(double tolerance_cm) const {
         bytes += kBytes * (static_cast<double>(parts.mean.size()) * (1 + components.back()) +
                            static_cast<double>(parts.projections.rows()) * components.back());
       }
-      for (const Eigen::MatrixXd& others : cut.others)
-        bytes += kBytes * static_cast<double>(others.size());
+      bytes += kBytes * static_cast<double>(cut.others.size());
       if (bytes >= least) continue;
       least = bytes;
       double largest_loading = 0;
@@ -249,24 +234,24 @@ void SegmentDatabase::Encoding::write_codebook(ByteWriter& writer) const {
   }
 }
 
-void SegmentDatabase::Encoding::write_clip(ByteWriter& writer, std::size_t clip) const {
-  const Source& source = database->sources_[clip];
+void SegmentDatabase::Encoding::write_clip(ByteWriter& writer) const {
   const Cutting& cut = database->cuttings_[cutting];
   const Clustering& ways = cut.clusterings[clustering];
-  if (source.frames == 0) return;
-  for (const int c : source.other_channels) writer.write(static_cast<float>(source.first_frame(c)));
-  for (const int c : source.angles)
-    writer.write(steps(std::remainder(source.first_frame(c), 2 * std::numbers::pi),
-                       std::numbers::pi / 32767));
+  if (database->frames_ == 0) return;
+  const Eigen::RowVectorXd& first_frame = database->first_frame_;
+  for (const int c : database->other_channels_) writer.write(static_cast<float>(first_frame(c)));
+  for (const int c : database->angles_)
+    writer.write(
+        steps(std::remainder(first_frame(c), 2 * std::numbers::pi), std::numbers::pi / 32767));
   writer.write(coefficient_step);
 
   // Each curve starts at the end of the decoder's last one.
-  const Eigen::MatrixXd& others = cut.others[clip];
+  const Eigen::MatrixXd& others = cut.others;
   for (Eigen::Index c = 0; c < others.cols(); ++c) {
     const double at_first =
-        static_cast<float>(source.first_frame(source.other_channels[static_cast<std::size_t>(c)]));
+        static_cast<float>(first_frame(database->other_channels_[static_cast<std::size_t>(c)]));
     const double range = largest_of(others.col(c).array() - at_first);
-    const float step = step_for(tolerance / 4 / source.other_scales(c), 2 * range);
+    const float step = step_for(tolerance / 4 / database->other_scales_(c), 2 * range);
     writer.write(step);
     double start = at_first;
     for (Eigen::Index s = 0; s < others.rows(); s += 3) {
@@ -274,11 +259,8 @@ void SegmentDatabase::Encoding::write_clip(ByteWriter& writer, std::size_t clip)
       start += static_cast<double>(step) * steps(others(s + 2, c) - start, step);
     }
   }
-  const std::size_t first = cut.first[clip];
-  const std::size_t count = static_cast<std::size_t>(others.rows()) / 3;
-  for (std::size_t s = first; s < first + count; ++s)
-    writer.write(static_cast<std::uint8_t>(ways.clusters[s]));
-  for (std::size_t s = first; s < first + count; ++s) {
+  for (const int cluster : ways.clusters) writer.write(static_cast<std::uint8_t>(cluster));
+  for (std::size_t s = 0; s < ways.clusters.size(); ++s) {
     const auto cluster = static_cast<std::size_t>(ways.clusters[s]);
     const auto coefficients = ways.parts[cluster].projections.row(ways.places[s]);
     for (int i = 0; i < components[cluster]; ++i)
@@ -422,7 +404,8 @@ std::size_t most_clip_bytes(const VirtualMarkers& markers, int frames) {
 
 /// The same for a codebook: it has at most as many clusters as segments, and at most as many
 /// components in all.
-std::size_t most_codebook_bytes(const VirtualMarkers& markers, std::size_t segments) {
+std::size_t most_codebook_bytes(const VirtualMarkers& markers, int frames) {
+  const std::size_t segments = segments_of(frames);
   const std::size_t of_vector = 6 * static_cast<std::size_t>(markers.coordinates());
   constexpr std::size_t kMostClusters = 255;
   return 6 + std::min(segments, kMostClusters) * (2 + of_vector) + segments * (4 + of_vector);
@@ -430,8 +413,7 @@ std::size_t most_codebook_bytes(const VirtualMarkers& markers, std::size_t segme
 
 class ArikanCoder : public DetailCoder {
  public:
-  ArikanCoder(const Motion& motion, Weighting weighting)
-      : database_(std::span(&motion, 1), weighting) {}
+  ArikanCoder(const Motion& motion, Weighting weighting) : database_(motion, weighting) {}
 
   int most_detail() const override { return kMostDetail; }
 
@@ -439,7 +421,7 @@ class ArikanCoder : public DetailCoder {
     const auto encoding = database_.encode(tolerance_of_detail(detail));
     ByteWriter writer;
     encoding.write_codebook(writer);
-    encoding.write_clip(writer, 0);
+    encoding.write_clip(writer);
     return deflate_bytes(writer.bytes());
   }
 
@@ -464,8 +446,8 @@ class Arikan : public ComparisonMethod {
   Clip decode(const Skeleton& skeleton, double sample_rate_hz, int frames,
               std::span<const std::byte> motion) const override {
     const VirtualMarkers markers(skeleton);
-    const auto bytes = inflate_bytes(motion, most_codebook_bytes(markers, segments_of(frames)) +
-                                                 most_clip_bytes(markers, frames));
+    const auto bytes = inflate_bytes(
+        motion, most_codebook_bytes(markers, frames) + most_clip_bytes(markers, frames));
     ByteReader reader(bytes);
     const Codebook codebook(reader, markers.coordinates());
     Clip clip{sample_rate_hz,
@@ -475,61 +457,11 @@ class Arikan : public ComparisonMethod {
   }
 };
 
-bool alike(const Skeleton& a, const Skeleton& b) {
-  return std::equal(a.joints().begin(), a.joints().end(), b.joints().begin(), b.joints().end(),
-                    [](const Joint& x, const Joint& y) {
-                      return x.parent == y.parent && x.channels == y.channels;
-                    });
-}
-
 }  // namespace
 
 const ComparisonMethod& arikan_method() {
   static const Arikan kMethod;
   return kMethod;
-}
-
-std::size_t ArikanDatabase::bytes() const {
-  std::size_t sum = codebook.size();
-  for (const auto& clip : clips) sum += clip.size();
-  return sum;
-}
-
-ArikanDatabase compress_database(std::span<const Motion> motions, Weighting weighting,
-                                 double tolerance_cm) {
-  for (const Motion& motion : motions)
-    if (!alike(motion.skeleton, motions.front().skeleton))
-      throw Error("the skeletons of a database must have the same joints and channels");
-  const SegmentDatabase database(motions, weighting);
-  const auto encoding = database.encode(tolerance_cm);
-  ArikanDatabase result;
-  ByteWriter codebook;
-  encoding.write_codebook(codebook);
-  result.codebook = deflate_bytes(codebook.bytes());
-  for (std::size_t m = 0; m < motions.size(); ++m) {
-    ByteWriter clip;
-    encoding.write_clip(clip, m);
-    result.clips.push_back(deflate_bytes(clip.bytes()));
-  }
-  return result;
-}
-
-Clip decode_from_database(const Skeleton& skeleton, double sample_rate_hz, int frames,
-                          std::span<const std::byte> codebook_bytes,
-                          std::span<const std::byte> clip_bytes) {
-  constexpr int kMostFramesOfDatabase = 1 << 20;  // a database has several clips
-  const VirtualMarkers markers(skeleton);
-  const auto shared = inflate_bytes(
-      codebook_bytes, most_codebook_bytes(markers, segments_of(kMostFramesOfDatabase)));
-  ByteReader codebook_reader(shared);
-  const Codebook codebook(codebook_reader, markers.coordinates());
-  codebook_reader.expect_end();
-  const auto own = inflate_bytes(clip_bytes, most_clip_bytes(markers, frames));
-  ByteReader reader(own);
-  Clip clip{sample_rate_hz,
-            ClipDecoder(skeleton, frames, codebook).decode(reader, skeleton.channel_count())};
-  reader.expect_end();
-  return clip;
 }
 
 }  // namespace mocapress

@@ -3,7 +3,6 @@
 
 #include <array>
 
-#include "core/baselines/arikan.h"
 #include "core/baselines/quaternion.h"
 
 namespace mocapress {

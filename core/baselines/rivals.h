@@ -16,6 +16,10 @@ const ComparisonMethod& subsample_method();
 /// PCA of segments, with key frames for each component. A detail is a tolerance.
 const ComparisonMethod& liu_mcmillan_method();
 
+/// Clustered PCA of short Bezier curves of virtual markers, with the clip alone as database. A
+/// detail is a tolerance.
+const ComparisonMethod& arikan_method();
+
 /// Each channel by itself, with key frames and steps as fine as it needs: what engines do. A detail
 /// is a tolerance.
 const ComparisonMethod& key_frame_method();
