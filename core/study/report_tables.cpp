@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <set>
 #include <utility>
@@ -149,15 +148,15 @@ std::string time_cells(const StudyRow* row, const StudiedClip& clip, double rati
   return cells + cell(kNothing, "paper") + cell(kNothing, "paper");
 }
 
-/// Among targets of a kind at which feet were measured, the one nearest to the paper's video.
-std::optional<Target> footskate_target(const Results& results, Target::Kind kind) {
+/// Among the targets of a kind whose rows are measured and suit, the one nearest to `value`.
+template <typename Suits>
+std::optional<Target> nearest_target(const Results& results, Target::Kind kind, double value,
+                                     const Suits& suits) {
   std::optional<Target> nearest;
-  const auto distance = [](const Target& target) {
-    return std::abs(std::log(target.value / kPublishedVideoRatio));
-  };
+  const auto off = [&](const Target& target) { return std::abs(std::log(target.value / value)); };
   for (const StudyRow& row : results.rows())
-    if (row.measured && row.measured->footskate_cm && row.settings.target.kind == kind &&
-        (!nearest || distance(row.settings.target) < distance(*nearest)))
+    if (row.measured && suits(row) && row.settings.target.kind == kind &&
+        (!nearest || off(row.settings.target) < off(*nearest)))
       nearest = row.settings.target;
   return nearest;
 }
@@ -315,7 +314,9 @@ std::string time_table(const Results& results) {
 std::string footskate_table(const Results& results) {
   std::string tables;
   for (const Target::Kind kind : {Target::Kind::CoefficientRatio, Target::Kind::Ratio})
-    if (const auto target = footskate_target(results, kind))
+    if (const auto target = nearest_target(
+            results, kind, kPublishedVideoRatio,
+            [](const StudyRow& row) { return row.measured->footskate_cm.has_value(); }))
       tables += footskate_at(results, *target);
   return tables.empty()
              ? ""
@@ -358,20 +359,11 @@ std::string clip_table(const Results& results) {
 
 namespace {
 
-/// The target of a kind nearest to `value`.
-std::optional<Target> nearest_target(const Results& results, Target::Kind kind, double value) {
-  std::optional<Target> nearest;
-  const auto off = [&](const Target& target) { return std::abs(std::log(target.value / value)); };
-  for (const StudyRow& row : results.rows())
-    if (row.measured && row.settings.target.kind == kind &&
-        (!nearest || off(row.settings.target) < off(*nearest)))
-      nearest = row.settings.target;
-  return nearest;
-}
-
 std::optional<Target> angle_target(const Results& results) {
-  const auto ratio = nearest_target(results, Target::Kind::Ratio, kPublishedVideoRatio);
-  return ratio ? ratio : nearest_target(results, Target::Kind::Error, headline_eps_cm(results));
+  const auto all = [](const StudyRow&) { return true; };
+  const auto ratio = nearest_target(results, Target::Kind::Ratio, kPublishedVideoRatio, all);
+  return ratio ? ratio
+               : nearest_target(results, Target::Kind::Error, headline_eps_cm(results), all);
 }
 
 std::string angle_target_text(const Target& target) {
@@ -441,17 +433,6 @@ Pair pair_of(const Results& results, const StudiedClip& clip, const Series& held
   return {plain ? results.row(clip, *plain, target) : nullptr, results.row(clip, held, target)};
 }
 
-/// Among ratios at which feet were held, the one nearest to kShownRatio.
-std::optional<Target> shown_target(const Results& results) {
-  std::optional<Target> nearest;
-  const auto off = [](const Target& t) { return std::abs(std::log(t.value / kShownRatio)); };
-  for (const StudyRow& row : results.rows())
-    if (row.ik_ratio() && row.measured && row.settings.target.kind == Target::Kind::Ratio &&
-        (!nearest || off(row.settings.target) < off(*nearest)))
-      nearest = row.settings.target;
-  return nearest;
-}
-
 std::string percent(double share) {
   const std::string text = fixed(100 * share, 0);
   return (share > 0 && text[0] != '-' ? "+" : "") + text + " %";
@@ -474,7 +455,9 @@ std::string line_of(const StudiedClip& clip, const Pair& pair, Weighting weighti
 
 std::string held_feet_table(const Results& results) {
   const Series* held = held_series(results);
-  const auto target = shown_target(results);
+  const auto target =
+      nearest_target(results, Target::Kind::Ratio, kShownRatio,
+                     [](const StudyRow& row) { return row.ik_ratio().has_value(); });
   if (!held || !target) return "";
   const std::string groups = head("") + head("") +
                              group("&#949;<sub>x</sub> (cm) without, with IK", 3) +
