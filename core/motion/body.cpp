@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <map>
 #include <numbers>
-#include <numeric>
 
 #include "core/motion/body_part.h"
 

@@ -4,7 +4,6 @@
 #include "core/study/report.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/utf8_path.h"
 #include "core/codec/methods/compression_method.h"

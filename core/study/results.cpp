@@ -2,7 +2,6 @@
 #include "core/study/results.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "core/base/number_text.h"
 #include "core/base/utf8_path.h"

@@ -7,7 +7,6 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
-#include "core/base/number_text.h"
 #include "core/base/utf8_path.h"
 #include "core/mocapress/settings_json.h"
 #include "core/report/measurement_json.h"
