@@ -5,7 +5,6 @@
 #include <draco/core/varint_decoding.h>
 
 #include <iterator>
-#include <utility>
 
 #include "core/base/error.h"
 

@@ -5,7 +5,6 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <string_view>
 #include <unordered_map>
 #include <unordered_set>
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <vector>
 
 #include "core/base/error.h"
 #include "core/base/number_text.h"

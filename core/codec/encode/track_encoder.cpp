@@ -2,7 +2,6 @@
 #include "core/codec/encode/track_encoder.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "core/base/parallel.h"

@@ -2,7 +2,6 @@
 #include "core/codec/format/container.h"
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 
 #include "core/base/byte_cursor.h"

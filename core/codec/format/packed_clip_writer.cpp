@@ -2,7 +2,6 @@
 #include "core/codec/format/packed_clip_writer.h"
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 
 #include "core/base/byte_cursor.h"

@@ -6,7 +6,6 @@
 #include <map>
 #include <numbers>
 #include <set>
-#include <unordered_map>
 
 #include "core/base/printable.h"
 #include "core/formats/fbx/fbx_meshes.h"

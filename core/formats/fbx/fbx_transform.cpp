@@ -2,7 +2,6 @@
 #include "core/formats/fbx/fbx_transform.h"
 
 #include <array>
-#include <cmath>
 #include <numbers>
 #include <utility>
 
