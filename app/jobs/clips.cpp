@@ -59,20 +59,28 @@ void complete(DecodedClip& decoded) {
   }
 }
 
+Visibility visibilityOf(const DecodedClip& decoded, const Encoder& encoder,
+                        const std::vector<ContactSpan>& contacts, const SightLimits& limits) {
+  const Skeleton& skeleton = encoder.motion().skeleton;
+  return measure_visibility(skeleton, encoder.original_body(), body_tracks(skeleton, decoded.clip),
+                            decoded.clip.sample_rate_hz, contacts, limits);
+}
+
 void findArtifacts(DecodedClip& decoded, const Encoder& encoder,
-                   const std::vector<ContactSpan>& contacts, const SightLimits& limits = {}) {
+                   const std::vector<ContactSpan>& contacts, const SightLimits& limits) {
   const auto measure = [&](const Eigen::MatrixXd& tracks) {
     return measure_footskate(contacts, encoder.original_tracks(), tracks,
                              decoded.clip.sample_rate_hz);
   };
   if (!decoded.footskate) decoded.footskate = measure(*decoded.tracks);
-  if (!decoded.visibility)
-    decoded.visibility = measure_visibility(encoder.motion().skeleton, encoder.original_body(),
-                                            body_tracks(encoder.motion().skeleton, decoded.clip),
-                                            decoded.clip.sample_rate_hz, contacts, limits);
+  if (!decoded.visibility) decoded.visibility = visibilityOf(decoded, encoder, contacts, limits);
   decoded.glitches = find_glitches(encoder.original_tracks(), *decoded.tracks);
   if (decoded.uncorrected_tracks)
     decoded.uncorrected_footskate = measure(*decoded.uncorrected_tracks);
+}
+
+const std::vector<ContactSpan>& contactsOf(const Encoder& encoder, const EncodeSettings& options) {
+  return options.contacts ? *options.contacts : encoder.contacts();
 }
 
 }  // namespace
@@ -119,12 +127,11 @@ DecodedPtr decodedClip(Encoding encoding, const Encoder& encoder, const EncodeSe
   decoded.complete = encoding.complete;
   decoded.effort = options.effort;
   complete(decoded);
-  findArtifacts(decoded, encoder, options.contacts ? *options.contacts : encoder.contacts(),
-                options.limits);
+  findArtifacts(decoded, encoder, contactsOf(encoder, options), options.limits);
   return std::make_shared<const DecodedClip>(std::move(decoded));
 }
 
-DecodedPtr decodedClip(OpenedMcpr opened, const OriginalClip* original,
+DecodedPtr decodedClip(OpenedMcpr opened, const OriginalClip* original, const SightLimits& limits,
                        const SourceFormat& source) {
   DecodedClip decoded;
   decoded.source = source;
@@ -133,17 +140,25 @@ DecodedPtr decodedClip(OpenedMcpr opened, const OriginalClip* original,
   decoded.compressed = std::move(opened.compressed);
   decoded.clip = std::move(opened.decoded);
   complete(decoded);
-  return original ? measured(decoded, *original)
+  return original ? measured(decoded, *original, limits)
                   : std::make_shared<const DecodedClip>(std::move(decoded));
 }
 
-DecodedPtr measured(const DecodedClip& decoded, const OriginalClip& original) {
+DecodedPtr judged(const DecodedClip& decoded, const Encoder& encoder,
+                  const EncodeSettings& options) {
+  DecodedClip result = decoded;
+  result.visibility = visibilityOf(decoded, encoder, contactsOf(encoder, options), options.limits);
+  return std::make_shared<const DecodedClip>(std::move(result));
+}
+
+DecodedPtr measured(const DecodedClip& decoded, const OriginalClip& original,
+                    const SightLimits& limits) {
   DecodedClip result = decoded;
   result.footskate.reset();
   result.visibility.reset();
   result.distortion =
       measure(original.motion().skeleton, original.encoder->original_body(), result.clip);
-  findArtifacts(result, *original.encoder, original.encoder->contacts());
+  findArtifacts(result, *original.encoder, original.encoder->contacts(), limits);
   return std::make_shared<const DecodedClip>(std::move(result));
 }
 

@@ -106,12 +106,18 @@ bool comparable(const Motion& original, const CompressedClip& compressed);
 /// Decodes and measures an encoding made with these options.
 DecodedPtr decodedClip(Encoding encoding, const Encoder& encoder, const EncodeSettings& options);
 
-/// The same for a clip read from a file; measured if there is an original.
-DecodedPtr decodedClip(OpenedMcpr opened, const OriginalClip* original,
+/// The same for a clip read from a file; measured, by `limits` of visibility, if there is an
+/// original.
+DecodedPtr decodedClip(OpenedMcpr opened, const OriginalClip* original, const SightLimits& limits,
                        const SourceFormat& source = {});
 
 /// The same clip, measured against its original.
-DecodedPtr measured(const DecodedClip& decoded, const OriginalClip& original);
+DecodedPtr measured(const DecodedClip& decoded, const OriginalClip& original,
+                    const SightLimits& limits);
+
+/// A clip that was encoded with these options but for their limits of visibility, judged by them.
+DecodedPtr judged(const DecodedClip& decoded, const Encoder& encoder,
+                  const EncodeSettings& options);
 
 /// The same clip with its skin's errors measured on the original's current skin.
 DecodedPtr measuredAgain(const DecodedClip& decoded, const OriginalClip& original);

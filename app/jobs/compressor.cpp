@@ -64,7 +64,7 @@ void Compressor::setEncoder(std::shared_ptr<const Encoder> encoder, const std::s
 }
 
 std::string Compressor::resultKey() const {
-  return content_ + '\n' + settingsKey(wanted_);
+  return content_ + '\n' + bytesKey(wanted_);
 }
 
 void Compressor::request(const EncodeSettings& options) {
@@ -76,6 +76,8 @@ void Compressor::request(const EncodeSettings& options) {
   if (const DecodedPtr known = results_.find(resultKey())) {
     quick_.abandon();
     newer_wanted_ = false;
+    if (known->visibility && known->visibility->limits != wanted_.limits)
+      return startJudging(known);
     emit answered(known, true);
     return;
   }
@@ -153,6 +155,13 @@ void Compressor::startCoding() {
                 if (!coded_will_do_) refine_later_.start();
                 emit answered(decoded, coded_will_do_);
               },
+              [this](const QString& message) { fail(message); });
+}
+
+void Compressor::startJudging(const DecodedPtr& known) {
+  code_.start([known, encoder = encoder_,
+               options = wanted_](const Job&) { return judged(*known, *encoder, options); },
+              [this](const DecodedPtr& decoded) { answerFinally(decoded); },
               [this](const QString& message) { fail(message); });
 }
 

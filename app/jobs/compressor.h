@@ -17,7 +17,7 @@ namespace mocapress {
 /// instead of annealing) comes at once and is refined afterwards. A draft with an estimated size is
 /// repeated with its bytes before the refinement. New settings abandon a running refinement at
 /// once, but let a quick answer finish, so that pictures keep coming during a drag. Settings that
-/// were answered before are answered from the cache.
+/// were answered before are answered from the cache, judged by their limits of visibility.
 class Compressor : public QObject {
   Q_OBJECT
 
@@ -61,12 +61,13 @@ class Compressor : public QObject {
   void startQuick();
   void quickDone(const DecodedPtr& decoded);
   void startCoding();
+  void startJudging(const DecodedPtr& known);
   void startRefining();
   void refined(const DecodedPtr& decoded);
   void fail(const QString& message);
 
   JobRunner quick_;
-  JobRunner code_;  // codes the quick answer's bytes
+  JobRunner code_;  // codes the quick answer's bytes, or judges a known answer anew
   JobRunner refine_;
   QTimer refine_later_;  // delays refinements, so that a drag does not start and abandon them
   std::shared_ptr<const Encoder> encoder_;

@@ -26,8 +26,8 @@ OpenedClip openCompressed(OpenRequest& request) {
       request.original && comparable(request.original->motion(), opened.compressed);
   const OriginalPtr original = together ? request.original : nullptr;
   if (!original) readCharacterOn(request.characters, opened.compressed.skeleton);
-  return {original,
-          decodedClip(std::move(opened), original.get(), load_source(toPath(request.path)))};
+  return {original, decodedClip(std::move(opened), original.get(), request.limits,
+                                load_source(toPath(request.path)))};
 }
 
 OriginalPtr readOriginal(OpenRequest& request) {
@@ -79,7 +79,7 @@ OpenedClip openOriginal(OpenRequest& request) {
                                             "joints, frames or sample rate differ.")
                     .arg(request.path)
                     .toStdString());
-  return {original, together ? measured(*request.decoded, *original) : nullptr};
+  return {original, together ? measured(*request.decoded, *original, request.limits) : nullptr};
 }
 
 /// Opens the clip as a comparison method leaves it.
@@ -91,7 +91,7 @@ OpenedClip openCompared(OpenRequest& request, const Job& job) {
       MethodEncoder(original->motion())
           .compress(*compression_method, request.options.value_or(EncodeSettings()),
                     [&](const EncodeProgress&) { return !job.stopRequested(); });
-  return {original, decodedClip(read_mcpr(made.file), original.get())};
+  return {original, decodedClip(read_mcpr(made.file), original.get(), request.limits)};
 }
 
 /// The studio has no target for coefficient ratios, so the achieved file ratio replaces it.

@@ -45,6 +45,13 @@ std::string settingsKey(const EncodeSettings& options) {
   return key.str();
 }
 
+std::string bytesKey(const EncodeSettings& options) {
+  if (options.target.kind == Target::Kind::Visibility) return settingsKey(options);
+  EncodeSettings shaping = options;
+  shaping.limits = {};
+  return settingsKey(shaping);
+}
+
 namespace {
 
 template <typename Matrix>

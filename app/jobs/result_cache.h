@@ -14,8 +14,12 @@ struct EncodeSettings;
 /// A key that is equal for settings which give a clip the same bytes and measures.
 std::string settingsKey(const EncodeSettings& options);
 
-/// Final answers by clip and settings, so that returning to an earlier clip or to earlier settings
-/// takes no time. When it holds too much, it drops the least recently used.
+/// A key that is equal for settings which give a clip the same bytes. They may differ in limits of
+/// visibility, unless these are the target.
+std::string bytesKey(const EncodeSettings& options);
+
+/// Final answers by clip and bytesKey() of the settings, so that returning to an earlier clip or to
+/// earlier settings takes no time. When it holds too much, it drops the least recently used.
 class ResultCache {
  public:
   static constexpr std::size_t kMostBytes = 256 << 20;

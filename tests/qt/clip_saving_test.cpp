@@ -31,7 +31,7 @@ class ClipSaving : public testing::Test {
 TEST_F(ClipSaving, WritesWhatWasVerified) {
   saveClip(path_, decoded_, &original_, {});
   EXPECT_EQ(written(), decoded_.file);
-  const DecodedPtr opened = decodedClip(open_mcpr(path_.toStdString()), nullptr);
+  const DecodedPtr opened = decodedClip(open_mcpr(path_.toStdString()), nullptr, {});
   QFile::remove(path_);
   saveClip(path_, *opened, nullptr, {});
   EXPECT_EQ(written(), decoded_.file) << "a clip without its original is read instead";

@@ -148,6 +148,24 @@ TEST_F(Compressing, AnswersOnceWhereNothingIsAnnealed) {
   EXPECT_LT(answers_[1].decoded->ratio, 7) << "a second answer to the first would come before";
 }
 
+TEST_F(Compressing, JudgesAnAnswerByOtherLimitsWithoutEncodingItAgain) {
+  compressor_.setEncoder(makeEncoder(100));
+  EncodeSettings options = ratio(20, Method::Standard);
+  compressor_.request(options);
+  ASSERT_TRUE(waitForFinal()) << failures_.join(u' ').toStdString();
+  const DecodedPtr near = answers_.back().decoded;
+  answers_.clear();
+  options.limits.distance_m *= 4;
+  compressor_.request(options);
+  ASSERT_TRUE(waitForFinal());
+  ASSERT_EQ(answers_.size(), 1U);  // without a draft
+  const DecodedClip& far = *answers_[0].decoded;
+  EXPECT_EQ(far.file, near->file);
+  EXPECT_EQ(far.encode_seconds, near->encode_seconds);
+  EXPECT_EQ(far.visibility->limits.distance_m, options.limits.distance_m);
+  EXPECT_LT(far.visibility->worst().times_noticed(), near->visibility->worst().times_noticed());
+}
+
 TEST_F(Compressing, EndsWithTheAnswerToTheNewestRequest) {
   compressor_.setEncoder(makeEncoder(300));
   for (int i = 0; i < 40; ++i) {

@@ -63,7 +63,7 @@ TEST(LibraryModel, SaysWhyAVerdictIsStaleWhoGaveItAndWhen) {
     model.setEntry(entry);
     return model.index(0, 0).data(Qt::AccessibleTextRole).toString();
   };
-  EXPECT_TRUE(words().contains(QStringLiteral("5.0 mm, ✓ approved, borderline")));
+  EXPECT_TRUE(words().contains(QStringLiteral("5.0 mm, ✓ approved, borderline from 5 m")));
   EXPECT_EQ(stateOf(entry), RowState::Good);
   entry.stale = Staleness::Source;
   EXPECT_TRUE(words().contains(QStringLiteral("✓ stale: file changed")));

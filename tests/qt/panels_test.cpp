@@ -288,11 +288,15 @@ TEST(ResultPanel, ShowsDashesForWhatIsNotKnown) {
 TEST(ResultPanel, ShowsVisibilityAndTheMostVisibleJoint) {
   ResultPanel panel;
   ResultFigures figures;
-  figures.seen = SeenFigures{Sight::Borderline, Cue::Head, QStringLiteral("Neck1"), 2.5, 1.25};
+  figures.seen =
+      SeenFigures{Sight::Borderline, Cue::Head, QStringLiteral("Neck1"), 2.5, 1.25, 19, 15};
   panel.setFigures(figures);
-  QString reason;
-  for (const QLabel* label : panel.findChildren<QLabel*>())
+  QString verdict, reason;
+  for (const QLabel* label : panel.findChildren<QLabel*>()) {
+    if (label->accessibleName() == QStringLiteral("Visibility")) verdict = label->text();
     if (label->accessibleName() == QStringLiteral("Most visible error")) reason = label->text();
+  }
+  EXPECT_EQ(verdict, QStringLiteral("borderline from 15 m"));
   EXPECT_TRUE(reason.contains(QStringLiteral("Neck1 at 2.50 s: 1.25 times"))) << qPrintable(reason);
 }
 

@@ -141,6 +141,8 @@ QString detailsOf(const Settings& preset) {
   if (preset.effort != Effort::Default)
     texts << Presets::tr("Effort: %1.").arg(displayName(preset.effort));
   if (preset.ends != Ends::Even) texts << Presets::tr("Ends: %1.").arg(displayName(preset.ends));
+  if (preset.limits.distance_m != kUsualDistance)
+    texts << Presets::tr("Watched from %L1 m.").arg(preset.limits.distance_m, 0, 'g', 3);
   if (preset.contacts)
     texts << Presets::tr("%Ln contact(s) of its own.", nullptr,
                          static_cast<int>(preset.contacts->size()));
@@ -220,6 +222,10 @@ QString displayName(Sight sight) {
       return SightTexts::tr("visible");
   }
   return {};
+}
+
+QString sightText(Sight sight, double distance_m) {
+  return SightTexts::tr("%1 from %L2 m").arg(displayName(sight)).arg(distance_m, 0, 'g', 3);
 }
 
 QString displayName(Cue cue) {

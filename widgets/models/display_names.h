@@ -49,6 +49,9 @@ using SightPtr = std::shared_ptr<const SightTable>;
 /// Returns "not visible", "borderline" or "visible".
 QString displayName(Sight sight);
 
+/// Returns "not visible from 15 m".
+QString sightText(Sight sight, double distance_m);
+
 /// Names a cue, such as "sliding foot".
 QString displayName(Cue cue);
 

@@ -92,7 +92,8 @@ namespace {
 /// Adds the visibility of errors, provided the outcome is still that of the clip.
 QString withOutcome(const QString& state, const LibraryEntry& entry) {
   QStringList parts{state};
-  if (entry.outcome && entry.outcome->sight) parts << displayName(*entry.outcome->sight);
+  if (entry.outcome && entry.outcome->sight)
+    parts << sightText(*entry.outcome->sight, entry.outcome->limits.distance_m);
   return parts.join(LibraryModel::tr(", "));
 }
 

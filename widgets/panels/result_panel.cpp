@@ -242,7 +242,7 @@ void ResultPanel::setFigures(const std::optional<ResultFigures>& figures) {
 
 /// Leads with the verdict, in its colour, and says why.
 void ResultPanel::setSeen(const std::optional<SeenFigures>& seen) {
-  seen_->setText(seen ? displayName(seen->sight) : kUnknown);
+  seen_->setText(seen ? sightText(seen->sight, seen->distance_m) : kUnknown);
   reason_->setText(seen ? reasonText(*seen) : QString());
   for (QLabel* label : {seen_, reason_}) label->setVisible(seen.has_value());
   QPalette coloured = palette();

@@ -23,7 +23,8 @@ struct SeenFigures {
   QString joint;
   double seconds = 0;
   double times_noticed = 0;
-  double unnoticed_from_m = 0;  // distance from which nothing is noticed
+  double unnoticed_from_m = 0;         // distance from which nothing is noticed
+  double distance_m = kUsualDistance;  // of the viewer, for whom `sight` is
 };
 
 /// Figures of one compressed clip. Unset ones are unknown.

@@ -63,7 +63,8 @@ std::optional<ResultFigures> figuresOf(const Document& document) {
                                document.landmarkNames()[static_cast<std::size_t>(worst.joint)],
                                worst.frame / decoded.clip.sample_rate_hz,
                                worst.times_noticed(),
-                               decoded.visibility->unnoticed_from_m};
+                               decoded.visibility->unnoticed_from_m,
+                               decoded.visibility->limits.distance_m};
   }
   return figures;
 }

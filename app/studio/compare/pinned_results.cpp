@@ -71,6 +71,7 @@ void PinnedResults::pinEngine() {
   const auto bytes = static_cast<double>(document.decoded()->compressed.motion_bytes());
   EncodeSettings settings;
   settings.weighting = document.options().weighting;
+  settings.limits = document.options().limits;
   settings.target = {Target::Kind::Size, bytes};
   engine_.start(
       [original, settings](const Job& job) {
@@ -78,7 +79,7 @@ void PinnedResults::pinEngine() {
             MethodEncoder(original->motion())
                 .compress(*find_compression_method(kEngineMethod), settings,
                           [&](const EncodeProgress&) { return !job.stopRequested(); });
-        return decodedClip(read_mcpr(made.file), original.get());
+        return decodedClip(read_mcpr(made.file), original.get(), settings.limits);
       },
       [this](const DecodedPtr& decoded) {
         // Others may have been pinned meanwhile.

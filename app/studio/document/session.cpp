@@ -109,6 +109,7 @@ void Session::openRow(const StudyRow& row, const QString& skeleton) {
   EncodeSettings wanted = *request.options;
   wanted.contacts = before.now().encode.contacts;
   wanted.ranges = before.now().encode.ranges;
+  wanted.limits = before.now().encode.limits;
   if (settingsKey(wanted) == settingsKey(before.now().encode)) return apply(before);  // no step
   document_.loadOptions(wanted);
   changeTuning(before, document_.tuning());
@@ -149,6 +150,8 @@ void Session::readBy(const ReadOptions& reading, std::function<void()> then) {
 void Session::start(OpenRequest request, std::function<void()> then) {
   if (!request.reading && reading_memory_) request.reading = reading_memory_(request.path);
   request.characters = document_.characters();
+  request.limits = document_.options().limits;
+  if (request.options) request.options->limits = request.limits;
   emit opening(request.path);
   opening_.start([request](const Job& job) { return openClip(request, job); },
                  [this, request, then = std::move(then)](const OpenedClip& opened) {

@@ -40,6 +40,8 @@ QString nameOf(SettingsField field) {
       return FieldTexts::tr("Loop");
     case SettingsField::Weighting:
       return FieldTexts::tr("Weighting");
+    case SettingsField::Limits:
+      return FieldTexts::tr("Viewing Distance");
     case SettingsField::Ends:
       return FieldTexts::tr("Ends");
     case SettingsField::Coding:
@@ -76,6 +78,7 @@ SettingsField firstDifference(const ClipSettings& a, const ClipSettings& b) {
   if (only(&EncodeSettings::ranges)) return SettingsField::Ranges;
   if (only(&EncodeSettings::loop)) return SettingsField::Loop;
   if (only(&EncodeSettings::weighting)) return SettingsField::Weighting;
+  if (only(&EncodeSettings::limits)) return SettingsField::Limits;
   if (only(&EncodeSettings::ends)) return SettingsField::Ends;
   if (only(&EncodeSettings::coding)) return SettingsField::Coding;
   if (only(&EncodeSettings::correction)) return SettingsField::Correction;

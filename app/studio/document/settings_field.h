@@ -18,6 +18,7 @@ enum class SettingsField {
   Ranges,
   Loop,
   Weighting,
+  Limits,
   Ends,
   Coding,
   Correction,

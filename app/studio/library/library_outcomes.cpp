@@ -39,7 +39,10 @@ Outcome outcomeOf(const DecodedClip& decoded, const OriginalClip& original,
                   decoded.distortion->max.cm, decoded.compressed.motion_bytes(),
                   reached(options.target, quantityOf(decoded, options))};
   if (decoded.footskate && has_contacts) outcome.slide_cm = decoded.footskate->total_cm;
-  if (decoded.visibility) outcome.sight = decoded.visibility->sight();
+  if (decoded.visibility) {
+    outcome.sight = decoded.visibility->sight();
+    outcome.limits = decoded.visibility->limits;
+  }
   for (const Warnings* warnings : {&original.warnings, &original.of_character})
     for (const Warning& warning : *warnings)
       outcome.warnings << QString::fromStdString(warning.text());
@@ -56,7 +59,10 @@ Outcome outcomeOf(const BatchStep& step, const Settings& settings) {
   Outcome outcome{measured.ratio, measured.eps_cm(settings.weighting), measured.max_error_cm,
                   measured.motion_bytes, keeps_promise(settings, measured)};
   outcome.slide_cm = measured.footskate_cm;
-  if (measured.seen) outcome.sight = measured.seen->sight();
+  if (measured.seen) {
+    outcome.sight = measured.seen->sight();
+    outcome.limits = measured.seen->limits;
+  }
   for (const std::string& warning : step.warnings)
     outcome.warnings << QString::fromStdString(warning);
   outcome.worst_frame = measured.worst_frame;

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/batch/format_options_json.h"
+#include "core/metrics/sight_limits_json.h"
 #include "core/mocapress/settings_json.h"
 #include "core/report/verdict.h"
 
@@ -41,6 +42,7 @@ Json toJson(const Outcome& outcome) {
           {"bytes", outcome.motion_bytes},
           {"met", outcome.met},
           {"visibility", outcome.sight ? Json(name(*outcome.sight)) : Json()},
+          {"limits", to_json(outcome.limits, false)},
           {"slide_cm", outcome.slide_cm ? Json(*outcome.slide_cm) : Json()},
           {"warnings", texts(outcome.warnings)},
           {"worst_frame", outcome.worst_frame ? Json(*outcome.worst_frame) : Json()},
@@ -60,6 +62,7 @@ Outcome outcomeFrom(const Json& json) {
                   valueAt<double>(json, "max_cm"), valueAt<std::size_t>(json, "bytes"),
                   valueAt<bool>(json, "met")};
   outcome.sight = sightNamed(valueAt<std::string>(json, "visibility"));
+  if (json.contains("limits")) outcome.limits = limits_from(json["limits"]);
   if (json.contains("slide_cm") && !json["slide_cm"].is_null())
     outcome.slide_cm = json["slide_cm"].get<double>();
   for (const std::string& warning : valueAt<std::vector<std::string>>(json, "warnings"))

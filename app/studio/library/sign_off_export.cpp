@@ -47,7 +47,8 @@ SignOffFigures figuresIn(const ProjectClip& clip) {
                          .max_cm = outcome.max_cm,
                          .worst_frame = outcome.worst_frame,
                          .worst_point = outcome.worst_point,
-                         .sight = outcome.sight};
+                         .sight = outcome.sight,
+                         .limits = outcome.limits};
   // As a verdict on that outcome would be.
   figures.stale = stale_reason({.verdict = Verdict::Approved,
                                 .source_hash = outcome.source,
