@@ -18,7 +18,7 @@ namespace mocapress {
 namespace {
 
 // A model observer answers, no person.
-TEST(BlindTestWindow, KeepsTheTestOfAModelObserver) {
+TEST(BlindTestWindow, KeepsTheTestOfAModelObserverAndTheAnswersOfOneThatWasClosed) {
   const QTemporaryDir directory;
   const QString path = directory.filePath(QStringLiteral("walk.bvh"));
   write_motion(path.toStdU16String(), samples::walk_clip());
@@ -48,6 +48,15 @@ TEST(BlindTestWindow, KeepsTheTestOfAModelObserver) {
   ASSERT_EQ(kept.size(), 1u);
   EXPECT_EQ(kept[0].clip, "walk.bvh");
   EXPECT_EQ(kept[0].answers.size(), 40u);
+
+  window.prepare();
+  window.start()->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window.test().has_value(); }, kPatience));
+  for (int i = 0; i < 3; ++i) window.answer(true);
+  window.close();
+  const std::vector<BlindTestRecord> both = read_blind_tests(file.toStdU16String());
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_EQ(both[1].answers.size(), 3u);
 }
 
 TEST(BlindTestWindow, NeedsAnOpenClip) {

@@ -37,6 +37,20 @@ TEST(ByteCostModel, ListsJointsThenTheRest) {
   EXPECT_EQ(model.rowCount(), 0);
 }
 
+TEST(BytesPanel, KeepsTheChosenLineWhenMoreCome) {
+  ByteCostModel model;
+  BytesPanel panel(&model);
+  std::vector<SlopeRow> rows = {{QStringLiteral("Fingers"), -310, 0.2, 0.4}};
+  panel.setSlopes(rows);
+  panel.slopes()->setCurrentItem(panel.slopes()->topLevelItem(0));
+  rows.push_back({QStringLiteral("More"), 90, 1, 0.9});
+  panel.setSlopes(rows);
+  EXPECT_EQ(panel.slopes()->currentItem(), panel.slopes()->topLevelItem(0));
+  EXPECT_TRUE(panel.apply()->isEnabled());
+  panel.setSlopes({});
+  EXPECT_FALSE(panel.apply()->isEnabled());
+}
+
 TEST(BytesPanel, AppliesTheChosenLine) {
   ByteCostModel model;
   BytesPanel panel(&model);

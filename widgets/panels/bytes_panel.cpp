@@ -133,6 +133,7 @@ void BytesPanel::setCurrentJoint(int joint) {
 }
 
 void BytesPanel::setSlopes(const std::vector<SlopeRow>& slopes) {
+  const int chosen = slopes_->indexOfTopLevelItem(slopes_->currentItem());
   slopes_->clear();
   for (const SlopeRow& slope : slopes) {
     const QString sign = slope.bytes > 0 ? QStringLiteral("+") : QString();
@@ -146,7 +147,8 @@ void BytesPanel::setSlopes(const std::vector<SlopeRow>& slopes) {
     item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
   }
   hint_->setVisible(slopes.empty());
-  apply_->setEnabled(false);
+  slopes_->setCurrentItem(slopes_->topLevelItem(chosen));  // null: none
+  apply_->setEnabled(slopes_->currentItem() != nullptr);
 }
 
 void BytesPanel::setState(bool measuring, bool possible) {

@@ -33,7 +33,8 @@ class BytesPanel : public QWidget {
   /// Makes the row of that joint current. Emits nothing.
   void setCurrentJoint(int joint);
 
-  /// Shows the results of other settings, in the order of applyRequested().
+  /// Shows the results of other settings, in the order of applyRequested(). The chosen line stays
+  /// chosen when more come.
   void setSlopes(const std::vector<SlopeRow>& slopes);
 
   /// `measuring`: more follow. `possible`: there is a clip to measure on.

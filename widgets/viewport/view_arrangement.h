@@ -33,6 +33,7 @@ struct ViewOptions {
   bool quartered = false;   // four views: from anywhere, front, side and top; figures overlaid
   double exaggeration = 1;  // factor on the difference from the original
   bool titles = true;       // names the figures
+  float room = 1;  // distance of a framing camera, times what a figure needs to fill the view
 
   bool operator==(const ViewOptions&) const = default;
 };

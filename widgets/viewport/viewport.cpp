@@ -272,6 +272,9 @@ void Viewport::resetCamera() {
     std::vector<QVector3D> body = leadingBody();
     for (QVector3D& point : body) point += offset();
     camera_.frame(body, kLeastRadius * shape_->size());
+    OrbitCamera::Place place = camera_.place();
+    place.distance *= options_.room;
+    camera_.setPlace(place);
   }
   showCamera();
 }

@@ -36,6 +36,7 @@ const std::vector<double> kAskedLevels = {0.5, 0.7, 1, 1.4, 2, 2.8, 4, 5.7, 8};
 constexpr double kNear = 1.05;      // levels nearer than this factor are one
 constexpr double kLoopSeconds = 3;  // about the worst moment
 constexpr std::size_t kLeastLevels = 3;
+constexpr float kRoom = 1.25;
 
 double levelOf(const DecodedPtr& decoded) {
   return decoded->visibility->worst().times_noticed();
@@ -127,8 +128,9 @@ QWidget* BlindTestWindow::makeQuestions() {
   for (Viewport*& view : views_) {
     view = new Viewport(page);
     view->setFocusPolicy(Qt::NoFocus);
-    view->setOptions({.titles = false});  // "Original" would be on all of them
-    view->setFollow(true);                // a runner would leave the picture
+    // "Original" would be on all of them; feet should not stand on the edge.
+    view->setOptions({.titles = false, .room = kRoom});
+    view->setFollow(true);  // a runner would leave the picture
     row->addWidget(view, 1);
   }
   auto* keys = new QLabel(
@@ -345,7 +347,9 @@ void BlindTestWindow::finish() {
   pages_->setCurrentIndex(2);
 }
 
+/// Keeps the answers of a test that runs.
 void BlindTestWindow::closeEvent(QCloseEvent* event) {
+  if (running()) finish();
   encoder_.abandon();
   playback_->pause();
   event->accept();
