@@ -31,6 +31,7 @@ void add_bench(CLI::App& app);
 void add_study(CLI::App& app);
 void add_batch(CLI::App& app);
 void add_diff(CLI::App& app);
+void add_signoff(CLI::App& app);
 void add_bank(CLI::App& app);
 
 }  // namespace mocapress::cli

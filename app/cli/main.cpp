@@ -74,6 +74,7 @@ ExitCode run(int argc, char** argv) {
   add_study(app);
   add_batch(app);
   add_diff(app);
+  add_signoff(app);
   add_bank(app);
   refuse_streams(app);
   try {

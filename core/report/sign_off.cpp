@@ -25,6 +25,7 @@ constexpr std::size_t kWorst = 20;
 constexpr const char* kPaperStyle = R"css(
 body { font-family: sans-serif; font-size: 9pt; color: #1b1f24; }
 h1 { font-size: 17pt; } h2 { font-size: 12pt; }
+h2.every { page-break-before: always; }
 p.muted { color: #5a6470; } a { color: #1b1f24; text-decoration: none; }
 th { text-align: left; background-color: #e7eaee; font-size: 8pt; }
 th, td { padding: 3px; font-size: 8pt; vertical-align: top; }
@@ -172,7 +173,7 @@ std::string clips_table(const SignOff& report) {
     lines += line(cells);
   }
   return element("section", "",
-                 element("h2", "", say("Every clip")) +
+                 element("h2", attribute("class", "every"), say("Every clip")) +
                      table(line(left(say("Clip")) + left(say("verdict")) + left(say("by")) +
                                 left(say("when")) + left(say("stale")) + left(say("note")) +
                                 head(say("ratio")) + head(say("bytes")) + head(say("error, cm")) +

@@ -210,6 +210,24 @@ TEST_F(CliBatch, ADifferenceFromABatchThatWasCutOffIsNotPassed) {
   EXPECT_EQ(mocapress({"diff", file("new"), file("old")}).exit_code, 0);
 }
 
+TEST_F(CliBatch, SignsOffWhatAProjectsReviewersSaid) {
+  write_clips(2);
+  const std::string project = write("hero.mocapress", R"({"format": "mocapress-project",
+    "version": 1, "clips": [{"path": "in/clip_100.bvh"},
+                            {"path": "in/clip_101.bvh", "verdict": "approved", "reviewer": "ann"}]})");
+  mocapress({"batch", project, "-o", file("out"), "--preset", "crowd"});
+  const Outcome done = mocapress({"signoff", file("out"), "-o", file("sign-off.csv")});
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_THAT(done.out, HasSubstr("2 clips: 0 approved, 0 rejected, 1 stale, 1 without a verdict"));
+  EXPECT_THAT(read_text(file("sign-off.csv")), HasSubstr(",approved,ann,"));
+  EXPECT_EQ(
+      mocapress({"signoff", file("out"), "-o", file("sign-off.html"), "--all-approved"}).exit_code,
+      4);
+  EXPECT_THAT(read_text(file("sign-off.html")), HasSubstr("clip_101.bvh"));
+  EXPECT_EQ(mocapress({"signoff", file("out"), "-o", file("sign-off.pdf")}).exit_code, 2);
+  EXPECT_EQ(mocapress({"signoff", file("nowhere"), "-o", file("a.csv")}).exit_code, 3);
+}
+
 TEST_F(CliBatch, DoesAProjectOfTheStudio) {
   write_clips(2);
   const std::string project = write("hero.mocapress", R"({"format": "mocapress-project",
