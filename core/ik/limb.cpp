@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/ik/limb.h"
 
-
 #include "core/base/error.h"
 #include "core/runtime/ik/limb_planner.h"
 
