@@ -56,7 +56,7 @@ class Filler {
     BankSourceReader::File file = files_.read(source);
     ReadyClip ready{std::move(file.tags), {}};
     if (options_.form == runtime::BankForm::Cooked)
-      ready.clip = cook_for_bank(file.bytes, options_.ik);
+      ready.clip = cook_for_bank(file.bytes, options_.cooking);
     else
       ready.clip = pack_clip(file.bytes, learned_);
     return ready;

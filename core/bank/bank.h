@@ -28,7 +28,7 @@ struct BankOptions {
   runtime::BankForm form = runtime::BankForm::Packed;
   std::vector<std::string> tags;  // given to the clips that are put in
   BankTexts texts;                // the bank's own; an existing key gets the new value
-  CookedIk ik;                    // for the clips that are put into a cooked bank
+  Cooking cooking;                // for the clips that are put into a cooked bank
   // For a packed bank: learns from its clips how to code their motions, which takes seconds and
   // pays from some hundred clips on.
   bool learn = false;

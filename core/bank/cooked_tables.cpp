@@ -83,8 +83,9 @@ std::vector<std::byte> skeleton_of(const mcpr_clip* clip) {
   return item;
 }
 
-std::uint64_t bytes_without_ik(const mcpr_clip& clip) {
-  OwnMemory<runtime::CookedBuilder> builder(clip, mcpr_cook_options{});
+std::uint64_t bytes_without_ik(const mcpr_clip& clip, const Cooking& cooking) {
+  OwnMemory<runtime::CookedBuilder> builder(
+      clip, mcpr_cook_options{.detail_bands = cooking.detail_bands});
   require(builder->prepare());
   const runtime::CookedBuilder::Size size = builder->lay_out_apart(nullptr, nullptr);
   return size.clip + size.tables;
@@ -92,7 +93,7 @@ std::uint64_t bytes_without_ik(const mcpr_clip& clip) {
 
 }  // namespace
 
-ClipForBank cook_for_bank(std::span<const std::byte> file, const CookedIk& ik) {
+ClipForBank cook_for_bank(std::span<const std::byte> file, const Cooking& cooking) {
   mcpr_info info{};
   mcpr_result result;
   mcpr_inspect(file.data(), file.size(), nullptr, &info, &result);
@@ -105,8 +106,9 @@ ClipForBank cook_for_bank(std::span<const std::byte> file, const CookedIk& ik) {
   const mcpr_clip* clip = nullptr;
   mcpr_build(scratch.data(), scratch.size(), resident.data(), resident.size(), &clip, &result);
   require(result);
-  const mcpr_cook_options options{.apply_ik = ik.apply ? 1 : 0,
-                                  .ik_error = ik.error.value_or(info.error)};
+  const mcpr_cook_options options{.apply_ik = cooking.apply_ik ? 1 : 0,
+                                  .ik_error = cooking.ik_error.value_or(info.error),
+                                  .detail_bands = cooking.detail_bands};
   OwnMemory<runtime::CookedBuilder> builder(*clip, options);
   require(builder->prepare());
   const runtime::CookedBuilder::Size size = builder->lay_out_apart(nullptr, nullptr);
@@ -116,8 +118,8 @@ ClipForBank cook_for_bank(std::span<const std::byte> file, const CookedIk& ik) {
   std::memset(made.tables.data(), 0, made.tables.size());
   builder->lay_out_apart(made.clip.data(), made.tables.data());
   reinterpret_cast<mcpr_cooked*>(made.clip.data())->tables = made.tables.data() - made.clip.data();
-  if (ik.apply && info.effectors > 0) {
-    const std::uint64_t without = bytes_without_ik(*clip);
+  if (cooking.apply_ik && info.effectors > 0) {
+    const std::uint64_t without = bytes_without_ik(*clip, cooking);
     const std::uint64_t with = size.clip + size.tables;
     made.ik_bytes = with > without ? with - without : 0;
   }

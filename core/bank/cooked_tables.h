@@ -23,16 +23,18 @@ struct ClipForBank {
   const mcpr_cooked& cooked() const { return *reinterpret_cast<const mcpr_cooked*>(clip.data()); }
 };
 
-/// Options for cooking IK corrections.
-struct CookedIk {
-  bool apply = true;
-  /// The furthest that cooking may move a joint at any frame, cm; 0: not at all. Unset: the error
-  /// that the clip's file states.
-  std::optional<float> error;
+/// Options for cooking.
+struct Cooking {
+  bool apply_ik = true;
+  /// The furthest that cooking the IK correction may move a joint at any frame, cm; 0: not at all.
+  /// Unset: the error that the clip's file states.
+  std::optional<float> ik_error;
+  /// As in mcpr_cook_options: fewer are faster and larger. 0: as suits memory.
+  std::uint32_t detail_bands = 0;
 };
 
 /// Cooks a .mcpr. Throws FormatError.
-ClipForBank cook_for_bank(std::span<const std::byte> file, const CookedIk& ik);
+ClipForBank cook_for_bank(std::span<const std::byte> file, const Cooking& cooking);
 
 /// The bytes of a clip for a bank. Its tables go into `tables`, whose place in the bank is not set
 /// yet.

@@ -47,6 +47,8 @@ mcpr_result prepare(const mcpr_clip* clip, const mcpr_cook_options* options, voi
   if (!is_a_clip(clip)) return refused("no clip");
   const mcpr_cook_options wanted = options_or_none(options);
   if (!(wanted.ik_error >= 0)) return refused("an error below zero");
+  if (wanted.detail_bands > MCPR_MOST_DETAIL_BANDS)
+    return refused("more detail bands than a cooked clip keeps");
   mcpr_result result = check_memory(scratch, scratch_size, cooking_bytes(*clip, wanted),
                                     "too little scratch memory");
   if (failed(result)) return result;

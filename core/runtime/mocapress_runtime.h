@@ -309,6 +309,8 @@ MCPR_API mcpr_status mcpr_decode_moment(const mcpr_clip* clip, const mcpr_reques
  * but not their names and parents. It has the same scalar tracks. */
 typedef struct mcpr_cooked mcpr_cooked;
 
+#define MCPR_MOST_DETAIL_BANDS 5
+
 /* Options of cooking. Null options are all zero. */
 typedef struct mcpr_cook_options {
   int apply_ik;   /* 1: apply the clip's IK correction, if it has one, once and for all */
@@ -316,6 +318,9 @@ typedef struct mcpr_cook_options {
                      rounding. 0: not at all, which takes far more memory, see SAMPLING.md */
   int skeleton;   /* 1: keep the joints' names, parents and offsets, about 50 bytes a joint, for
                      mcpr_cooked_joint. Clips of a bank have them there */
+  uint32_t detail_bands; /* 1 to MCPR_MOST_DETAIL_BANDS: how many of the finest bands stay details;
+                            coarser ones become samples. With fewer a pose is faster and the clip
+                            larger, see SAMPLING.md. 0: 4 or 5, whichever suits memory */
 } mcpr_cook_options;
 
 /* The bytes of scratch memory that cooking needs; 0 without a clip. They are in proportion to

@@ -8,7 +8,7 @@
 // lies between two poses of one clip. flushed: all clips were flushed from all caches before.
 // ACL has one context that goes over to each clip, or one for each clip, whichever is faster; ours
 // needs none. By SSE2, ours has the instructions that ACL is compiled for.
-// Usage: mocapress-cold CLIP|FOLDER... [--pieces N] [--clips N] [--rounds N]
+// Usage: mocapress-cold CLIP|FOLDER... [--pieces N] [--clips N] [--rounds N] [--detail-bands N]
 #include <immintrin.h>
 
 #include <algorithm>
@@ -50,6 +50,7 @@ struct Cold {
   std::size_t pieces = 250;
   std::size_t copies = 10000;  // clips in memory
   int rounds = 15;
+  std::uint32_t detail_bands = 0;  // of ours, as in mcpr_cook_options
 
   void run() const;
 };
@@ -105,7 +106,10 @@ void Cold::run() const {
     sources.push_back({name, folder / (std::to_string(c % pieces) + ".mcpr"), {}});
   }
   make_bank(folder / "cooked.mcpk", sources,
-            {.form = runtime::BankForm::Cooked, .tags = {}, .texts = {}});
+            {.form = runtime::BankForm::Cooked,
+             .tags = {},
+             .texts = {},
+             .cooking = {.detail_bands = detail_bands}});
   const MappedFile file(folder / "cooked.mcpk");
   const AlignedBytes memory(file.bytes().size());
   std::memcpy(memory.data(), file.bytes().data(), file.bytes().size());
@@ -204,6 +208,8 @@ int main(int count, char** arguments) {
       cold.pieces = static_cast<std::size_t>(number());
     else if (word == "--clips")
       cold.copies = static_cast<std::size_t>(number());
+    else if (word == "--detail-bands")
+      cold.detail_bands = static_cast<std::uint32_t>(number());
     else if (word == "--rounds")
       cold.rounds = number();
     else
@@ -211,7 +217,9 @@ int main(int count, char** arguments) {
   }
   if (cold.clips.empty() || cold.rounds < 1 || cold.pieces < 1 ||
       cold.copies < std::max(cold.pieces, mocapress::kWarmClips)) {
-    std::fprintf(stderr, "mocapress-cold CLIP|FOLDER... [--pieces N] [--clips N] [--rounds N]\n");
+    std::fprintf(
+        stderr,
+        "mocapress-cold CLIP|FOLDER... [--pieces N] [--clips N] [--rounds N] [--detail-bands N]\n");
     return 2;
   }
   try {

@@ -10,7 +10,9 @@
 // a few turns. It prints the bytes of our cooked form without the skeleton's part.
 // sse2_...: ours by SSE2, for which ACL is compiled too, except in mocapress-peer-study-avx.
 // --times: prints times only. --game: uses game-like rigs (tests/support/game_like.h).
+// --detail-bands: how many our cooked form keeps, as in mcpr_cook_options.
 // Usage: mocapress-peer-study CLIP|FOLDER... [--every N] [--game] [--json] [--no-max] [--times]
+//          [--detail-bands N]
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -138,13 +140,13 @@ Json encoding_speeds(const Motion& motion, double precision, double shell_rms) {
 /// (ours with a cursor), and for every frame of the clip (ours with a cursor, and by
 /// mcpr_decode_frames from the resident form); and of opening a clip in memory. ACL at one
 /// precision, ours at equal shell RMS.
-Json times_of(const Encoder& encoder, AclClip& acl, double shell_rms) {
+Json times_of(const Encoder& encoder, AclClip& acl, double shell_rms, std::uint32_t detail_bands) {
   constexpr int kInstants = 500;
   const Encoding encoding = encode(encoder, Weighting::Shell, {Target::Kind::Error, shell_rms});
   const test::OpenedClip opened(write_container(encoding.compressed));
   if (opened.clip == nullptr) throw Error(opened.result.message);
   const mcpr_clip_info info = mcpr::describe(opened.clip);
-  const test::CookedClip cooked(opened.clip);
+  const test::CookedClip cooked(opened.clip, {.detail_bands = detail_bands});
   if (cooked.clip == nullptr) throw Error(cooked.result.message);
   const mcpr_sample_request request{.unit = MCPR_SECONDS};
   std::vector<float> out(mcpr_sample_values(cooked.clip, &request));
@@ -220,7 +222,7 @@ Json times_of(const Encoder& encoder, AclClip& acl, double shell_rms) {
 }
 
 Json row_of(const Motion& motion, const Encoder& encoder, double precision, bool with_max,
-            bool only_times) {
+            bool only_times, std::uint32_t detail_bands) {
   AclClip acl(motion, precision);
   const Distortion theirs =
       measure(motion.skeleton, encoder.original_body(), acl.tracks(motion.skeleton));
@@ -231,7 +233,7 @@ Json row_of(const Motion& motion, const Encoder& encoder, double precision, bool
               {"acl_shell_p99", theirs.shell.p99},
               {"acl_shell_max", theirs.shell.max.cm}};
   if (precision == kTimedPrecision) {
-    row.update(times_of(encoder, acl, theirs.shell.rms));
+    row.update(times_of(encoder, acl, theirs.shell.rms, detail_bands));
     row.update(encoding_speeds(motion, precision, theirs.shell.rms));
   }
   if (only_times) return row;
@@ -308,6 +310,7 @@ int run(int count, char** arguments) {
   bool json = false;
   bool with_max = true;
   bool only_times = false;
+  std::uint32_t detail_bands = 0;
   for (int i = 1; i < count; ++i) {
     const std::string_view word = arguments[i];
     if (word == "--json")
@@ -318,6 +321,8 @@ int run(int count, char** arguments) {
       with_max = false;
     else if (word == "--times")
       only_times = true;
+    else if (word == "--detail-bands" && i + 1 < count)
+      detail_bands = static_cast<std::uint32_t>(std::atoi(arguments[++i]));
     else if (word == "--every" && i + 1 < count)
       every = std::max(1, std::atoi(arguments[++i]));
     else
@@ -326,7 +331,7 @@ int run(int count, char** arguments) {
   if (clips.empty()) {
     std::cerr
         << "usage: mocapress-peer-study CLIP|FOLDER... [--every N] [--game] [--json] [--no-max] "
-           "[--times]\n";
+           "[--times] [--detail-bands N]\n";
     return 2;
   }
   constexpr std::array kMeasures = {"bytes_at_eps", "bytes_at_shell_rms", "bytes_at_shell_p99",
@@ -343,7 +348,7 @@ int run(int count, char** arguments) {
     const Encoder encoder(motion);
     for (const double precision : kPrecisions) {
       if (only_times && precision != kTimedPrecision) continue;
-      const Json row = row_of(motion, encoder, precision, with_max, only_times);
+      const Json row = row_of(motion, encoder, precision, with_max, only_times, detail_bands);
       times.add(row);
       Json line = {{"clip", path.stem().string()}};
       line.update(row);

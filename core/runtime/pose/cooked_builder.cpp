@@ -53,6 +53,12 @@ void put_quaternions(const Matrix3& before, const Matrix3& after, float* to) {
     }
 }
 
+CookedColumns::BandRange bands_of(const mcpr_cook_options& options) {
+  if (options.detail_bands == 0) return {};
+  const auto bands = static_cast<int>(options.detail_bands);
+  return {bands, bands};
+}
+
 }  // namespace
 
 CookedBuilder::CookedBuilder(Memory& memory, const mcpr_clip& clip,
@@ -60,7 +66,7 @@ CookedBuilder::CookedBuilder(Memory& memory, const mcpr_clip& clip,
     : clip_(clip.block),
       has_skeleton_(options.skeleton != 0),
       coefficients_(memory, clip.block, options),
-      columns_(memory, clip.block, coefficients_) {}
+      columns_(memory, clip.block, coefficients_, bands_of(options)) {}
 
 mcpr_result CookedBuilder::prepare() {
   coefficients_.prepare();
@@ -73,11 +79,13 @@ mcpr_result CookedBuilder::prepare() {
 /// larger.
 void CookedBuilder::choose_bands() {
   constexpr std::uint64_t kMostPercent = 101;
-  columns_.keep_bands(CookedColumns::kFewestBands);
+  const auto [fewest, most] = columns_.bands();
+  if (fewest == most) return;
+  columns_.keep_bands(fewest);
   const std::uint64_t fewer = lay_out(nullptr);
-  columns_.keep_bands(CookedColumns::kMostBands);
+  columns_.keep_bands(most);
   const std::uint64_t more = lay_out(nullptr);
-  if (100 * fewer <= kMostPercent * more) columns_.keep_bands(CookedColumns::kFewestBands);
+  if (100 * fewer <= kMostPercent * more) columns_.keep_bands(fewest);
 }
 
 std::uint64_t CookedBuilder::lay_out(std::byte* memory) {

@@ -8,8 +8,8 @@
 namespace mocapress::runtime {
 
 CookedColumns::CookedColumns(Memory& memory, const ClipBlock& clip,
-                             CookedCoefficients& coefficients)
-    : clip_(clip), coefficients_(coefficients) {
+                             CookedCoefficients& coefficients, BandRange bands)
+    : clip_(clip), coefficients_(coefficients), bands_(bands), wide_bands_(bands.fewest) {
   const auto channels = std::uint64_t{clip_.channel_count};
   channels_ = memory.take<Channel>(channels);
   rotors_ = memory.take<Rotor>(clip_.joint_count);
@@ -52,7 +52,7 @@ void CookedColumns::analyse_segment(int segment) {
   const Bands& bands = coefficients_.bands();
   for (int c = 0; c < channel_count(); ++c) {
     Channel& channel = channels_[c];
-    const std::span<double> samples = coefficients_.samples_of(c, kFewestBands);
+    const std::span<double> samples = coefficients_.samples_of(c, bands_.fewest);
     const auto [least, most] = std::minmax_element(samples.begin(), samples.end());
     channel.least = std::min(channel.least, *least);
     channel.most = std::max(channel.most, *most);
@@ -99,7 +99,7 @@ void CookedColumns::choose_wide() {
     channel.constant = 0.5 * (channel.least + channel.most);
     channel.is_wide |=
         channel.changes && (channel.most - channel.least > kMostRange ||
-                            *std::max_element(largest, largest + kMostBands) > kMostValue);
+                            *std::max_element(largest, largest + bands_.most) > kMostValue);
     if (!channel.is_wide) continue;
     for (int b = 0; b < wide_bands_; ++b)
       if (largest[b] > kMostValue) wide_bands_ = b;
@@ -111,8 +111,8 @@ void CookedColumns::choose_wide() {
 void CookedColumns::fill_wide() {
   int wide = 0;
   for (int c = 0; c < channel_count(); ++c) wide += channels_[c].is_wide ? 1 : 0;
-  const auto size_of = [](const Channel& channel) {
-    return *std::max_element(channel.largest, channel.largest + kMostBands);
+  const auto size_of = [this](const Channel& channel) {
+    return *std::max_element(channel.largest, channel.largest + bands_.most);
   };
   for (; wide % kGroup != 0; ++wide) {
     Channel* largest = nullptr;
@@ -276,7 +276,7 @@ mcpr_result CookedColumns::place_columns() {
       parts_[part_count_++] = {
           .first_group = static_cast<std::uint16_t>(first),
           .groups = static_cast<std::uint16_t>(std::min(end - first, kMostGroupsOfPart)),
-          .kept_bands = static_cast<std::uint8_t>(wide ? wide_bands_ : kMostBands),
+          .kept_bands = static_cast<std::uint8_t>(wide ? wide_bands_ : bands_.most),
           .wide_samples = static_cast<std::uint8_t>(wide ? 1 : 0)};
   };
   add_parts(0, normal_groups_, false);

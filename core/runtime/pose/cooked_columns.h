@@ -18,9 +18,6 @@ namespace mocapress::runtime {
 /// kernel for eight joints reads them, and lists how columns make poses.
 class CookedColumns {
  public:
-  static constexpr int kFewestBands = 4;  // detail bands kept: at least, and at most
-  static constexpr int kMostBands = 5;
-
   struct Channel {
     double factor = 1;    // from the channel's value to the column's: 1/2 for angles
     double constant = 0;  // the value, if it never changes
@@ -56,12 +53,20 @@ class CookedColumns {
     bool is_after = false;      // the constant rotation after the angles, not the one before
   };
 
+  /// Numbers of detail bands that may be kept.
+  struct BandRange {
+    int fewest = 4;
+    int most = 5;
+  };
+
   /// If `memory` only measures, this counts bytes and does nothing else.
-  CookedColumns(Memory& memory, const ClipBlock& clip, CookedCoefficients& coefficients);
+  CookedColumns(Memory& memory, const ClipBlock& clip, CookedCoefficients& coefficients,
+                BandRange bands);
 
   /// Finds the needs of each channel, and assigns the columns.
   mcpr_result place();
 
+  BandRange bands() const { return bands_; }
   /// Sets the number of detail bands kept in parts that are not wide.
   void keep_bands(int bands);
 
@@ -104,7 +109,8 @@ class CookedColumns {
 
   const ClipBlock& clip_;
   CookedCoefficients& coefficients_;
-  int wide_bands_ = kFewestBands;
+  const BandRange bands_;
+  int wide_bands_;
   Channel* channels_;
   Rotor* rotors_;
   int rotor_count_ = 0;

@@ -278,9 +278,10 @@ TEST_F(BankTest, TellsSkeletonsByNumberAndHash) {
 }
 
 TEST_F(BankTest, CooksIkAsAskedAndSaysWhatItTakes) {
-  const auto bytes_with = [&](const CookedIk& ik, std::uint64_t& ik_bytes) {
+  const auto bytes_with = [&](const Cooking& cooking, std::uint64_t& ik_bytes) {
     make_bank(bank(), {{"long", folder_ / "clips/long.mcpr", {}}},
-              {.form = runtime::BankForm::Cooked, .ik = ik}, [&](const BankProgress& progress) {
+              {.form = runtime::BankForm::Cooked, .cooking = cooking},
+              [&](const BankProgress& progress) {
                 ik_bytes = progress.ik_bytes;
                 return true;
               });
@@ -289,9 +290,9 @@ TEST_F(BankTest, CooksIkAsAskedAndSaysWhatItTakes) {
   std::uint64_t with_none = 0;
   std::uint64_t with_some = 0;
   std::uint64_t with_all = 0;
-  const std::uint64_t none = bytes_with({.apply = false}, with_none);
-  const std::uint64_t some = bytes_with({.error = 0.5F}, with_some);
-  const std::uint64_t all = bytes_with({.error = 0.0F}, with_all);
+  const std::uint64_t none = bytes_with({.apply_ik = false}, with_none);
+  const std::uint64_t some = bytes_with({.ik_error = 0.5F}, with_some);
+  const std::uint64_t all = bytes_with({.ik_error = 0.0F}, with_all);
   EXPECT_EQ(with_none, 0U);
   EXPECT_LT(with_some, with_all);
   EXPECT_NEAR(static_cast<double>(some - none), static_cast<double>(with_some), 256);

@@ -147,7 +147,7 @@ TEST_F(BankTiersTest, AStrippedBankIsCookedAsFarAsItGoes) {
   for (int tiers = 1; tiers <= kTiers; ++tiers) {
     const fs::path path = folder_ / "cooked.mcpk";
     make_bank(path, find_bank_sources({stripped(tiers)}),
-              {.form = runtime::BankForm::Cooked, .ik = {.apply = false}});
+              {.form = runtime::BankForm::Cooked, .cooking = {.apply_ik = false}});
     EXPECT_GT(fs::file_size(path), smaller);
     smaller = fs::file_size(path);
     const BankFile cooked(path);

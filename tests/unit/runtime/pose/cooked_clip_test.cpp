@@ -66,10 +66,12 @@ void compare(const OpenedClip& opened, const std::vector<float>& made, mcpr_wrap
 }
 
 /// Samples frames and instants between them, the ends included.
-void expect_as_decoded(const CompressedClip& clip, bool apply_ik = false) {
+void expect_as_decoded(const CompressedClip& clip, bool apply_ik = false,
+                       std::uint32_t detail_bands = 0) {
   const OpenedClip opened(write_container(clip));
   ASSERT_NE(opened.clip, nullptr) << opened.result.message;
-  const CookedClip cooked(opened.clip, {.apply_ik = apply_ik ? 1 : 0});
+  const CookedClip cooked(opened.clip,
+                          {.apply_ik = apply_ik ? 1 : 0, .detail_bands = detail_bands});
   ASSERT_NE(cooked.clip, nullptr) << cooked.result.message;
   const mcpr_cooked* checked = nullptr;
   mcpr_result check;
@@ -106,6 +108,34 @@ TEST(CookedClip, MatchesTheDecoder) {
     expect_as_decoded(
         compressed_of(test::smooth_motion(frames, static_cast<unsigned>(frames)),
                       {.target = {Target::Kind::Error, frames % 2 == 0 ? 0.05 : 0.4}}));
+}
+
+TEST(CookedClip, MatchesTheDecoderWithAnyNumberOfDetailBands) {
+  for (const std::uint32_t bands : {1U, 2U, 3U, 4U, 5U})
+    for (const int frames : {1, 3, 7, 16, 150}) {
+      SCOPED_TRACE(bands);
+      expect_as_decoded(compressed_of(test::smooth_motion(frames, static_cast<unsigned>(frames)),
+                                      {.target = {Target::Kind::Error, 0.05}}),
+                        false, bands);
+    }
+}
+
+TEST(CookedClip, TakesMoreBytesWithFewerDetailBands) {
+  const OpenedClip opened(write_container(
+      compressed_of(test::smooth_motion(700), {.target = {Target::Kind::Error, 0.05}})));
+  std::size_t least = CookedClip(opened.clip).bytes->size();
+  for (const std::uint32_t bands : {3U, 2U, 1U}) {
+    const std::size_t bytes = CookedClip(opened.clip, {.detail_bands = bands}).bytes->size();
+    EXPECT_GT(bytes, least) << bands;
+    least = bytes;
+  }
+}
+
+TEST(CookedClip, MoreDetailBandsThanThereAreIsRefused) {
+  const OpenedClip opened(write_container(
+      compressed_of(test::smooth_motion(20), {.target = {Target::Kind::Error, 1}})));
+  const CookedClip cooked(opened.clip, {.detail_bands = MCPR_MOST_DETAIL_BANDS + 1});
+  EXPECT_EQ(cooked.result.status, MCPR_ARGUMENT);
 }
 
 TEST(CookedClip, MatchesTheDecoderForEveryBasisAndEnds) {
