@@ -56,6 +56,25 @@ const page = {
     return { names: bank.names, poses: seconds.flatMap((second) => [...clip.sample(second)]) };
   },
 
+  /** Poses of a file of which only the first tiers are there, and the refusal of one byte less. */
+  async posesOfTiers(url, seconds) {
+    const mocapress = await createMocapress();
+    const bytes = new Uint8Array(await bytesOf(url));
+    const tiers = mocapress.tiersOf(bytes.subarray(0, 133));
+    return tiers.map((tier, t) => {
+      const clip = mocapress.openClip(bytes.subarray(0, tier.bytes), 'clip', t + 1);
+      const poses = seconds.flatMap((second) => [...clip.sample(second)]);
+      clip.dispose();
+      let refusal = '';
+      try {
+        mocapress.openClip(bytes.subarray(0, tier.bytes - 1), 'clip', t + 1);
+      } catch (error) {
+        refusal = `${error.name}: ${error.message}`;
+      }
+      return { tier, poses, refusal };
+    });
+  },
+
   async posesOfStream(url, name, seconds, twice = true) {
     const bank = await (await createMocapress()).streamBank(url, { cache: 'no-store' });
     const loads = !bank.isLoaded(name);

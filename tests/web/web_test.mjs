@@ -38,7 +38,7 @@ const server = createServer((request, response) => {
   const bytes = readFileSync(file);
   const range = knowsRanges && /^bytes=(\d+)-(\d+)$/.exec(request.headers.range);
   const sent = range ? bytes.subarray(Number(range[1]), Number(range[2]) + 1) : bytes;
-  if (extname(file) === '.mcpk') bytesSent += sent.length;
+  if (['.mcpk', '.mcpr'].includes(extname(file))) bytesSent += sent.length;
   response.writeHead(range ? 206 : 200, range ? { ...type, 'content-range': `bytes ${range[1]}-${range[2]}/${bytes.length}` } : type);
   response.end(sent);
 });
@@ -207,25 +207,73 @@ test('a bank on a server is loaded clip by clip, or whole where ranges are not k
   }
 });
 
-test('a bank with tiers is loaded tier by tier, and a finer one is blended in', async () => {
-  const { joints } = native('character.mcpr', 2);
-  const names = joints.map((joint) => joint.name);
-  const frames = 30;
-  const poses = await inPage('refined', 'files/character.glb', 'files/tiers.mcpk', 'character', names, frames, 0.2);
-  const apart = poses.map(([coarse, all]) => largestDifference(coarse, all));
-  const off = poses.map(([, all, shown]) => shown.map((value, i) => value - all[i]));
-  assert.ok(Math.max(...apart) > 0.1, 'the first tier is coarse');
-  assert.ok(largestDifference(poses[0][0], poses[0][2]) < 1e-4, 'it is shown first');
-  for (let frame = 14; frame < frames; ++frame)
-    assert.ok(largestDifference(poses[frame][1], poses[frame][2]) < 1e-4, 'all tiers are shown at last');
-  for (let frame = 1; frame < 14; ++frame) {
-    const step = largestDifference(off[frame], off[frame - 1]);
-    const motionOfError = largestDifference(
-      poses[frame][0].map((value, i) => value - poses[frame][1][i]),
-      poses[frame - 1][0].map((value, i) => value - poses[frame - 1][1][i]),
-    );
-    assert.ok(step < Math.max(...apart) / 12 + motionOfError + 0.01, `nothing jumps at frame ${frame}: ${step} cm`);
+for (const file of ['tiers.mcpk', 'tiers/character.mcpr'])
+  test(`${file} is loaded tier by tier, and a finer one is blended in`, async () => {
+    const { joints } = native('character.mcpr', 2);
+    const names = joints.map((joint) => joint.name);
+    const frames = 30;
+    const poses = await inPage('refined', 'files/character.glb', `files/${file}`, 'character', names, frames, 0.2);
+    const apart = poses.map(([coarse, all]) => largestDifference(coarse, all));
+    const off = poses.map(([, all, shown]) => shown.map((value, i) => value - all[i]));
+    assert.ok(Math.max(...apart) > 0.1, 'the first tier is coarse');
+    assert.ok(largestDifference(poses[0][0], poses[0][2]) < 1e-4, 'it is shown first');
+    for (let frame = 14; frame < frames; ++frame)
+      assert.ok(largestDifference(poses[frame][1], poses[frame][2]) < 1e-4, 'all tiers are shown at last');
+    for (let frame = 1; frame < 14; ++frame) {
+      const step = largestDifference(off[frame], off[frame - 1]);
+      const motionOfError = largestDifference(
+        poses[frame][0].map((value, i) => value - poses[frame][1][i]),
+        poses[frame - 1][0].map((value, i) => value - poses[frame - 1][1][i]),
+      );
+      assert.ok(step < Math.max(...apart) / 12 + motionOfError + 0.01, `nothing jumps at frame ${frame}: ${step} cm`);
+    }
+  });
+
+test('the first bytes of a file with tiers are a clip', async () => {
+  const expected = native('tiers/human_walk.mcpr', 60);
+  const file = readFileSync(join(files, 'tiers/human_walk.mcpr'));
+  const opened = await inPage('posesOfTiers', 'files/tiers/human_walk.mcpr', expected.seconds);
+  assert.equal(opened.length, 3);
+  assert.equal(opened[2].tier.bytes, file.length);
+  opened.forEach(({ tier, poses, refusal }, t) => {
+    const off = largestDifference(poses, expected.poses);
+    console.log(`tier ${t + 1}: ${tier.bytes} bytes, ${tier.error.toFixed(3)} cm RMS; quaternions and cm up to ${off.toFixed(3)} off`);
+    assert.equal(off < 1e-3, t === 2);
+    assert.match(refusal, /^MocapressError: [^.]+$/);
+    assert.equal(tier.error > 0 && tier.maxError > tier.error, t < 2, 'the last one is that of the file');
+    if (t > 0) assert.ok(tier.bytes > opened[t - 1].tier.bytes);
+  });
+});
+
+test('a file on a server comes tier by tier where it has some, else as a whole', async () => {
+  const mocapress = await createMocapress();
+  const address = (path) => `http://127.0.0.1:${server.address().port}/files/${path}`;
+  const size = readFileSync(join(files, 'tiers/human_walk.mcpr')).length;
+  const expected = native('tiers/human_walk.mcpr', 60);
+  const posesOf = (clip) => expected.seconds.flatMap((second) => [...clip.sample(second)]);
+  bytesSent = 0;
+  const streamed = await mocapress.streamClip(address('tiers/human_walk.mcpr'));
+  assert.deepEqual([streamed.names, streamed.tiers], [['human_walk'], 3]);
+  assert.throws(() => streamed.openClip(), /is not there yet/);
+  for (let tiers = 1; tiers <= 3; ++tiers) {
+    await Promise.all([streamed.load('human_walk', tiers), streamed.load('human_walk', tiers)]);
+    assert.equal(bytesSent, streamed.tier(tiers - 1).bytes, 'each byte once');
+    assert.equal(largestDifference(posesOf(streamed.openClip()), expected.poses) < 1e-3, tiers === 3);
   }
+  assert.equal(bytesSent, size);
+  await assert.rejects(streamed.load('human_run'), /no clip human_run/);
+  for (const [path, ranges] of [
+    ['human_walk.mcpr', true],
+    ['tiers/human_walk.mcpr', false],
+  ]) {
+    knowsRanges = ranges;
+    const whole = await mocapress.streamClip(address(path));
+    knowsRanges = true;
+    assert.equal(whole.tiersLoaded(), whole.tiers);
+    const native60 = native(path, 60);
+    assert.ok(largestDifference(native60.seconds.flatMap((second) => [...whole.openClip().sample(second)]), native60.poses) < 1e-3);
+  }
+  await assert.rejects(mocapress.streamClip(address('tiers.mcpk')), /not a Mocapress file/);
 });
 
 test('each tier of a streamed bank is one more range, and all of them give the poses of the file', async () => {
@@ -266,6 +314,18 @@ test('the example streams a bank of a hundred clips', () => {
   assert.equal(errors[11], 0);
   const [, atOnce, blended] = /jump by up to ([0-9.]+) cm; blended in within 0.2 s, by up to ([0-9.]+) cm/.exec(printed).map(Number);
   assert.ok(blended < atOnce / 3, `${blended} cm after ${atOnce}`);
+});
+
+test('the example streams a file, too', () => {
+  const example = join(source, 'core/runtime/web/example/stream.mjs');
+  const printed = execFileSync(process.execPath, [example, WEB_PACKAGE, join(files, 'tiers/human_walk.mcpr')]).toString();
+  console.log(printed);
+  const rows = printed.split('\n').filter((line) => line.includes('of 1 in tier'));
+  const [bytes, errors] = [2, 5].map((column) => rows.map((row) => parseFloat(row.split('|')[column])));
+  assert.equal(rows.length, 3);
+  assert.equal(bytes[2], readFileSync(join(files, 'tiers/human_walk.mcpr')).length);
+  assert.ok(errors[0] > errors[1] && errors[1] > errors[2]);
+  assert.equal(errors[2], 0);
 });
 
 test('a mixer goes on after the end as its wrap says', async () => {

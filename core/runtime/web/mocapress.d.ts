@@ -17,8 +17,18 @@ export function createMocapress(
 
 export class Mocapress {
   private constructor();
-  /** Opens the bytes of a .mcpr file, which are not needed afterwards. */
-  openClip(bytes: ArrayBuffer | ArrayBufferView, name?: string): Clip;
+  /**
+   * Opens the bytes of a .mcpr file, which are not needed afterwards; or only its first tiers, after which the bytes may
+   * end.
+   */
+  openClip(bytes: ArrayBuffer | ArrayBufferView, name?: string, tiers?: number): Clip;
+  /** The tiers of a .mcpr file, of which the first 133 bytes are enough. Empty if it was made without `--tiers`. */
+  tiersOf(bytes: ArrayBuffer | ArrayBufferView): Tier[];
+  /**
+   * Opens a .mcpr file on a server: StreamedClip.load() gets its tiers by HTTP ranges. A file without tiers, or from a
+   * server without ranges, comes as a whole. `options` are those of fetch().
+   */
+  streamClip(url: string | URL, options?: RequestInit): Promise<StreamedClip>;
   /** Opens the bytes of a .mcpk bank, and checks all of them. */
   openBank(bytes: ArrayBuffer | ArrayBufferView): Bank;
   /**
@@ -26,6 +36,15 @@ export class Mocapress {
    * sends the whole bank. `options` are those of fetch().
    */
   streamBank(url: string | URL, options?: RequestInit): Promise<Bank>;
+}
+
+/** A part of a .mcpr file, from its start, that holds a coarser motion. The last tier is the whole motion. */
+export interface Tier {
+  /** The file's first bytes, which are enough for this tier. */
+  bytes: number;
+  /** Centimetres, RMS and largest, against the original when encoded; 0: not known, and in the last tier. */
+  error: number;
+  maxError: number;
 }
 
 export class Bank {
@@ -48,6 +67,26 @@ export class Bank {
   openClip(name: string, tiers?: number): Clip;
   tags(name: string): string[];
   /** Frees the bank. Dispose of clips of a cooked bank before it. */
+  dispose(): void;
+}
+
+/** A .mcpr file on a server, loaded tier by tier. It is used as a bank with one clip is. */
+export class StreamedClip {
+  private constructor();
+  /** The name of the file, without its extension. */
+  readonly names: [string];
+  readonly isCooked: false;
+  /** The tiers of the file; 1: it comes as a whole. */
+  readonly tiers: number;
+  tier(number: number): Tier;
+  /** Loads the first tiers that are not there yet, all by default. */
+  load(name?: string, tiers?: number): Promise<void>;
+  tiersLoaded(name?: string): number;
+  isLoaded(name?: string): boolean;
+  /** Opens the clip by its first tiers, which were loaded before; by default all of these. */
+  openClip(name?: string, tiers?: number): Clip;
+  tags(name: string): string[];
+  /** Frees the bytes that have come. Clips stay. */
   dispose(): void;
 }
 
@@ -136,6 +175,9 @@ export class Clip {
  * Rotations go the shorter way.
  */
 export function blendPose(pose: Float32Array, other: Float32Array, share: number): Float32Array;
+
+/** The name that a clip of this address gets: without folders and extension. */
+export function stem(url: string | URL): string;
 
 /** World positions of a pose with `stride` floats a joint. */
 export function worldPositions(joints: Joint[], pose: Float32Array, stride?: number): Float32Array;

@@ -8,6 +8,8 @@ const simdProbe = new Uint8Array([
 
 const headBytes = 104; // MCPK_HEAD_BYTES
 
+const tiersHeadBytes = 133; // MCPR_TIERS_HEAD_BYTES
+
 const wraps = ['clamp', 'loop', 'pingPong', 'loopJump', 'loopBlend', 'loopHold']; // mcpr_wrap
 
 const trackKinds = ['property', 'morphWeight', 'scaleX', 'scaleY', 'scaleZ'];
@@ -50,13 +52,38 @@ export class Mocapress {
     this.#exports = exports;
   }
 
-  openClip(bytes, name = '') {
+  openClip(bytes, name = '', tiers = 0) {
     const memory = this.#copy(bytes);
     try {
-      return new Clip(this.#exports, this.#decoder('web_open')(memory, bytes.byteLength), name);
+      return new Clip(this.#exports, this.#decoder('web_open')(memory, bytes.byteLength, tiers), name);
     } finally {
       this.#exports.web_free(memory);
     }
+  }
+
+  tiersOf(bytes) {
+    const memory = this.#copy(bytes);
+    try {
+      const count = this.#decoder('web_tiers')(memory, bytes.byteLength);
+      if (count < 0) throw lastError(this.#exports);
+      return Array.from({ length: count }, (_, tier) => {
+        const numbers = this.#exports.web_tier(memory, bytes.byteLength, tier);
+        const [bytesOfTier, error, maxError] = new Float64Array(this.#exports.memory.buffer, numbers, 3);
+        return { bytes: bytesOfTier, error, maxError };
+      });
+    } finally {
+      this.#exports.web_free(memory);
+    }
+  }
+
+  async streamClip(url, options) {
+    const fetchRange = rangesOf(url, options);
+    const start = await fetchRange(0, tiersHeadBytes);
+    const tiers = this.tiersOf(start);
+    if (tiers.length > 0 || start.length !== tiersHeadBytes) return new StreamedClip(this, stem(url), tiers, start, fetchRange);
+    const response = await fetch(url, options); // without tiers it comes as a whole
+    if (!response.ok) throw new MocapressError(`${url}: the server answers ${response.status}`);
+    return new StreamedClip(this, stem(url), tiers, new Uint8Array(await response.arrayBuffer()), fetchRange);
   }
 
   openBank(bytes) {
@@ -188,6 +215,77 @@ export class Bank {
     const number = this.#numbers.get(name);
     if (number === undefined) throw new MocapressError(`the bank has no clip ${name}`);
     return number;
+  }
+}
+
+export class StreamedClip {
+  #mocapress;
+  #fetchRange;
+  #bytes; // of the file's start, as far as they have come
+  #loading;
+  #tierInfo;
+
+  constructor(mocapress, name, tiers, bytes, fetchRange) {
+    this.#mocapress = mocapress;
+    this.#bytes = bytes;
+    this.#fetchRange = fetchRange;
+    this.#tierInfo = tiers.length > 0 ? tiers : [{ bytes: bytes.length, error: 0, maxError: 0 }];
+    this.names = [name];
+    this.isCooked = false;
+    this.tiers = this.#tierInfo.length;
+  }
+
+  tier(number) {
+    return this.#tierInfo[number];
+  }
+
+  async load(name = this.names[0], tiers = this.tiers) {
+    this.#check(name);
+    while (this.tiersLoaded() < Math.min(tiers, this.tiers)) {
+      this.#loading ??= this.#loadNext().finally(() => (this.#loading = undefined));
+      await this.#loading;
+    }
+  }
+
+  tiersLoaded(name = this.names[0]) {
+    this.#check(name);
+    return this.#tierInfo.filter((tier) => tier.bytes <= this.#bytes.length).length;
+  }
+
+  isLoaded(name) {
+    return this.tiersLoaded(name) > 0;
+  }
+
+  openClip(name = this.names[0], tiers = this.tiersLoaded(name)) {
+    if (!(tiers > 0 && tiers <= this.tiersLoaded(name)))
+      throw new MocapressError(`the clip ${name} is not there yet: load() gets it`);
+    return this.#mocapress.openClip(this.#bytes.subarray(0, this.tier(tiers - 1).bytes), name, tiers);
+  }
+
+  tags(name) {
+    this.#check(name);
+    return [];
+  }
+
+  dispose() {
+    this.#bytes = undefined;
+  }
+
+  async #loadNext() {
+    const { length } = this.#bytes;
+    const end = this.tier(this.tiersLoaded()).bytes;
+    const part = await this.#fetchRange(length, end - length);
+    if (this.#bytes === undefined) throw new MocapressError('the clip was disposed of');
+    if (part.length !== end - length) throw new MocapressError('the file on the server is not the same any more');
+    const bytes = new Uint8Array(end);
+    bytes.set(this.#bytes);
+    bytes.set(part, length);
+    this.#bytes = bytes;
+  }
+
+  #check(name) {
+    if (this.#bytes === undefined) throw new MocapressError('the clip was disposed of');
+    if (name !== this.names[0]) throw new MocapressError(`the file has no clip ${name}`);
   }
 }
 
@@ -386,6 +484,11 @@ function rangesOf(url, { headers, ...options } = {}) {
     if (!response.ok) throw new MocapressError(`${url}: the server answers ${response.status}`);
     return new Uint8Array(await response.arrayBuffer());
   };
+}
+
+/** The name of a file without its folders and extension. */
+export function stem(url) {
+  return decodeURIComponent(String(url).split(/[?#]/)[0].split('/').pop()).replace(/\.[^.]*$/, '');
 }
 
 function placeIn(exports, bank, number, tier = 0) {

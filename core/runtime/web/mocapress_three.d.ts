@@ -20,10 +20,13 @@ export class MocapressLoader extends Loader<MocapressMotion> {
     onProgress?: (event: ProgressEvent) => void,
     onError?: (error: unknown) => void,
   ): void;
-  /** Opens a bank on a server without its clips, which MocapressMotion.load() gets one by one. */
+  /**
+   * Opens a file on a server without its clips, which MocapressMotion.load() gets one by one: a bank, or a .mcpr whose
+   * tiers come one after the other.
+   */
   streamAsync(url: string): Promise<MocapressMotion>;
   /** WebAssembly is compiled in the background, so the first call takes a moment. */
-  parse(bytes: ArrayBuffer, name?: string): Promise<MocapressMotion>;
+  parse(bytes: ArrayBuffer, name?: string, tiers?: number): Promise<MocapressMotion>;
 }
 
 /** The clips of a file or a bank. Clips are opened when first asked for; no name is the first clip's. */
@@ -32,7 +35,7 @@ export class MocapressMotion {
   readonly names: string[];
   clip(name?: string): Clip;
   /**
-   * The clip, after it was loaded from the server if the bank is streamed: all of it, or its first tiers. The clip of
+   * The clip, after it was loaded from the server if the file is streamed: all of it, or its first tiers. The clip of
    * finer tiers is another one, for MocapressMixer.refine().
    */
   load(name?: string, tiers?: number): Promise<Clip>;

@@ -14,7 +14,7 @@ import {
   Vector3,
   VectorKeyframeTrack,
 } from 'three';
-import { blendPose, createMocapress, MocapressError } from './mocapress.js';
+import { blendPose, createMocapress, MocapressError, stem } from './mocapress.js';
 
 const metresPerCm = 0.01;
 
@@ -43,17 +43,17 @@ export class MocapressLoader extends Loader {
   }
 
   async streamAsync(url) {
-    const bank = await (await this.#start()).streamBank(this.manager.resolveURL(this.path + url), {
-      headers: this.requestHeader,
-      credentials: this.withCredentials ? 'include' : 'same-origin',
-    });
-    return new MocapressMotion(bank, true);
+    const mocapress = await this.#start();
+    const address = this.manager.resolveURL(this.path + url);
+    const options = { headers: this.requestHeader, credentials: this.withCredentials ? 'include' : 'same-origin' };
+    const isClip = /\.mcpr$/i.test(address.split(/[?#]/)[0]);
+    return new MocapressMotion(await (isClip ? mocapress.streamClip(address, options) : mocapress.streamBank(address, options)), true);
   }
 
-  async parse(bytes, name = '') {
+  async parse(bytes, name = '', tiers = 0) {
     const mocapress = await this.#start();
     const isBank = String.fromCharCode(...new Uint8Array(bytes, 0, Math.min(4, bytes.byteLength))) === 'MCPK';
-    return new MocapressMotion(isBank ? mocapress.openBank(bytes) : mocapress.openClip(bytes, name), isBank);
+    return new MocapressMotion(isBank ? mocapress.openBank(bytes) : mocapress.openClip(bytes, name, tiers), isBank);
   }
 
   #start() {
@@ -284,8 +284,4 @@ function withoutScale(matrix) {
   const rotation = new Quaternion();
   matrix.decompose(position, rotation, new Vector3());
   return matrix.compose(position, rotation, new Vector3(1, 1, 1));
-}
-
-function stem(url) {
-  return decodeURIComponent(url.split(/[?#]/)[0].split('/').pop()).replace(/\.[^.]*$/, '');
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Streams a bank tier by tier over HTTP ranges, from a server on this machine. Prints how many bytes have come after how
+// Streams a bank, or one file, tier by tier over HTTP ranges, from a server on this machine. Prints how many bytes have come after how
 // many seconds, and how far joints then are from where all tiers place them.
-// Usage: node stream.mjs PACKAGE BANK.mcpk [KB_A_SECOND]
+// Usage: node stream.mjs PACKAGE BANK.mcpk|FILE.mcpr [KB_A_SECOND]
 // PACKAGE is what core/runtime/web/build makes (build/web/package). A bank with tiers is made of files that have some:
 // mocapress compress CLIP -o FILE.mcpr --tiers 3, then mocapress bank make BANK.mcpk FILES.
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
-import { resolve } from 'node:path';
+import { basename, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
 const [folder, path, kbASecond = '0'] = process.argv.slice(2);
@@ -29,7 +29,7 @@ async function serve(bytesASecond) {
     });
   });
   await new Promise((ready) => server.listen(0, '127.0.0.1', ready));
-  return { counted, server, url: `http://127.0.0.1:${server.address().port}/bank.mcpk` };
+  return { counted, server, url: `http://127.0.0.1:${server.address().port}/${encodeURIComponent(basename(path))}` };
 }
 
 /** Positions of all joints at some instants of a clip. */
@@ -90,13 +90,14 @@ function largestJump(bank, name, fade) {
 }
 
 const mocapress = await createMocapress();
-const whole = mocapress.openBank(file);
+const isClip = path.endsWith('.mcpr');
+const whole = isClip ? { openClip: () => mocapress.openClip(file) } : mocapress.openBank(file);
 const { counted, server, url } = await serve(1000 * Number(kbASecond));
 const start = performance.now();
-const bank = await mocapress.streamBank(url);
+const bank = await (isClip ? mocapress.streamClip(url) : mocapress.streamBank(url));
 const { names } = bank;
 const errors = new Map(); // of the clips that have come
-console.log('| seconds | bytes | of the bank | clips | RMS cm | largest cm |\n| --- | --- | --- | --- | --- | --- |');
+console.log('| seconds | bytes | of the file | clips | RMS cm | largest cm |\n| --- | --- | --- | --- | --- | --- |');
 const print = (clips, seconds) => {
   const all = [...errors.values()];
   const sum = (value) => all.reduce((total, error) => total + value(error), 0);
@@ -107,8 +108,8 @@ const print = (clips, seconds) => {
 };
 let measuring = 0; // milliseconds that are not the line's
 for (let tier = 1; tier <= bank.tiers; ++tier)
-  for (let quarter = 0; quarter < 4; ++quarter) {
-    const [first, end] = [quarter, quarter + 1].map((part) => Math.floor((part * names.length) / 4));
+  for (let part = 0, parts = Math.min(names.length, 4); part < parts; ++part) {
+    const [first, end] = [part, part + 1].map((before) => Math.floor((before * names.length) / parts));
     const some = names.slice(first, end);
     await Promise.all(some.map((name) => bank.load(name, tier)));
     const come = performance.now();
