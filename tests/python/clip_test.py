@@ -208,5 +208,18 @@ def test_a_coarse_clip_is_seen_and_a_fine_one_is_not(walk):
     assert (coarse.verdict, fine.verdict) == ("visible", "not-visible")
     assert coarse.times_noticed == pytest.approx(float(coarse.table.max()), rel=1e-5)
     assert coarse.reason and 0 < coarse.visible_share <= 1
+    assert coarse.distance_m == 5
     assert coarse.table.shape[1] == len(walk.names) and not coarse.table.flags.writeable
     assert abs(coarse.table.shape[0] * coarse.window_frames - walk.frames) < 2 * coarse.window_frames
+
+
+def test_viewers_who_are_further_away_notice_less(walk):
+    clip = mocapress.encode(walk, error=0.5)
+    far = mocapress.visibility(walk, clip.decode(), limits={"distance_m": 40})
+    near = mocapress.visibility(walk, clip.decode())
+    assert far.distance_m == 40 and far.times_noticed < near.times_noticed
+    assert far.unnoticed_from_m == pytest.approx(near.unnoticed_from_m)
+    measured = clip.measure(walk, limits={"distance_m": 40, "head": {"least": 1}})
+    assert (measured["distance_m"], measured["own_limits"]) == (40, {"head": {"least": 1}})
+    with pytest.raises(mocapress.InputError, match="hands"):
+        mocapress.visibility(walk, clip.decode(), limits={"hands": {"least": 1}})

@@ -60,11 +60,12 @@ py::object to_dict(const Measurement& measurement, Weighting weighting) {
   return to_object(json);
 }
 
-py::object measured(const CodedClip& clip, const MotionFile& original) {
+py::object measured(const CodedClip& clip, const MotionFile& original, const py::object& by) {
+  const SightLimits limits = to_limits(by);
   Measurement measurement;
   {
     const py::gil_scoped_release without_gil;
-    measurement = measure(original.motion, clip.file());
+    measurement = measure(original.motion, clip.file(), limits);
   }
   return to_dict(measurement, clip.weighting());
 }
@@ -159,9 +160,10 @@ void bind_clip(py::module_& module) {
            "Places of joints in the world at any instants: float32, (joints, 3) or (instants, "
            "joints, 3), cm.")
       .def(
-          "measure", &measured, "original"_a,
+          "measure", &measured, "original"_a, py::kw_only(), "limits"_a = py::none(),
           "A dict with the keys of `mocapress measure --json`: errors in cm, bytes, ratio, how far "
-          "feet slide. Raises Error where the original has another shape.")
+          "feet slide, and what viewers notice by limits, as visibility() takes them. Raises Error "
+          "where the original has another shape.")
       .def(
           "save",
           [](const CodedClip& clip, const std::filesystem::path& path) {

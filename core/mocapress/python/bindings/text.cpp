@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/mocapress/python/bindings/text.h"
 
+#include "core/metrics/sight_limits_json.h"
+
 namespace mocapress::python {
 
 py::str to_str(std::string_view text) {
@@ -20,6 +22,11 @@ std::string from_str(py::handle text) {
 
 py::object to_object(const Json& json) {
   return py::module_::import("json").attr("loads")(to_str(dumped(json)));
+}
+
+SightLimits to_limits(const py::object& limits) {
+  if (limits.is_none()) return {};
+  return limits_from_text("limits", from_str(py::module_::import("json").attr("dumps")(limits)));
 }
 
 }  // namespace mocapress::python

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/base/json_text.h"
+#include "core/metrics/sight_limits.h"
 
 namespace mocapress::python {
 
@@ -20,5 +21,9 @@ std::string from_str(py::handle text);
 
 /// A JSON value as Python has it: dict, list, str, float, int, bool, None.
 py::object to_object(const Json& json);
+
+/// Limits of visibility from a dict, as settings have them; the built-in ones from None. Throws
+/// InputError.
+SightLimits to_limits(const py::object& limits);
 
 }  // namespace mocapress::python

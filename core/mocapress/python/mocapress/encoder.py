@@ -55,7 +55,7 @@ class Encoder:
         error of 0.5 cm. It takes the place of the preset's target and of its promises.
         preset: "gameplay", "hero-close-up", "planted-feet", "crowd", "archive", or a file of one.
         Other settings have the names and values of the library's JSON: method, coding, weighting,
-        seed, effort, importance, promises, ends, loop, track_error, ik, contacts,
+        seed, effort, importance, promises, limits, ends, loop, track_error, ik, contacts,
         importance_ranges.
         progress: called now and then with a Progress. An exception from it stops the encoding, and comes
         out of encode(), as does KeyboardInterrupt.
