@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The time in which the studio takes a folder of many short clips into its library: pieces of 1 to 4 s, cut at
-// random from the clips named, as BVH. Prints how long it takes until all are listed and until all
-// have their picture, and for how long the window did not answer meanwhile: a timer that is due
-// every few milliseconds tells. Then the list, with results that are made up for every row, is
-// scrolled, filtered, sorted, grouped and selected: the longest of each kind is printed, with the
-// picture that follows. At last clips are opened one after the other, and the memory that the
-// program holds is printed on the way. Needs a screen, such as Xvfb's.
+// The time in which the studio takes a folder of many short clips into its library: pieces of 1 to
+// 4 s, cut at random from the clips named, as BVH. Prints how long it takes until all are listed
+// and until all have their picture, and for how long the window did not answer meanwhile: a timer
+// that is due every few milliseconds tells. Then the list, with results that are made up for every
+// row, is scrolled, filtered, sorted, grouped and selected: the longest of each kind is printed,
+// with the picture that follows. At last clips are opened one after the other, and the memory that
+// the program holds is printed on the way. Needs a screen, such as Xvfb's.
 //
 //   mocapress-library-study CLIP|FOLDER... [--clips 3000] [--seed 16] [--openings 2000]
 #include <time.h>
@@ -65,6 +65,13 @@ void cutClips(const QStringList& sources, int count, unsigned seed, const QStrin
   }
 }
 
+/// Processor time of this thread: the clock would also count what else the machine does.
+double processorMilliseconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return 1e3 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) / 1e6;
+}
+
 /// Quits the application once all clips have a picture.
 class Watch : public QObject {
  public:
@@ -76,6 +83,7 @@ class Watch : public QObject {
   void start() {
     since_start_.start();
     since_beat_.start();
+    worked_ = processorMilliseconds();
     beat_.start(kBeat);
   }
 
@@ -83,15 +91,22 @@ class Watch : public QObject {
     std::sort(pauses_.begin(), pauses_.end());
     std::printf(
         "{\"clips\":%d,\"listed_seconds\":%.2f,\"drawn_seconds\":%.2f,\"unreadable\":%d,"
-        "\"longest_pause_ms\":%lld,\"pauses_above_50_ms\":%d}\n",
+        "\"longest_pause_ms\":%lld,\"pauses_above_50_ms\":%d,\"longest_processor_ms\":%.1f,"
+        "\"above_50_processor_ms\":%d}\n",
         clips_, listed_, drawn_, troubled_, static_cast<long long>(pauses_.back()),
-        static_cast<int>(std::count_if(pauses_.begin(), pauses_.end(),
-                                       [](qint64 pause) { return pause > 50; })));
+        static_cast<int>(
+            std::count_if(pauses_.begin(), pauses_.end(), [](qint64 pause) { return pause > 50; })),
+        longest_work_, long_works_);
+    std::fflush(stdout);
   }
 
  private:
   void look() {
     pauses_.push_back(since_beat_.restart());
+    const double worked = processorMilliseconds();
+    longest_work_ = std::max(longest_work_, worked - worked_);
+    long_works_ += worked - worked_ > 50 ? 1 : 0;
+    worked_ = worked;
     const double now = static_cast<double>(since_start_.elapsed()) / 1000;
     if (model_.rowCount() < clips_) return;
     if (listed_ == 0) listed_ = now;
@@ -110,6 +125,9 @@ class Watch : public QObject {
   QElapsedTimer since_start_;
   QElapsedTimer since_beat_;
   std::vector<qint64> pauses_;  // ms from one beat to the next
+  double worked_ = 0;           // ms of processor time at the last beat
+  double longest_work_ = 0;     // ms of processor time between two beats
+  int long_works_ = 0;          // of more than 50 ms
   int read_ = 0;
   int troubled_ = 0;
   double listed_ = 0;  // seconds
@@ -132,13 +150,6 @@ void makeUpResults(LibraryModel& model, Random& random) {
     entries.emplace(row, entry);
   }
   model.replace(entries);
-}
-
-/// Processor time of this thread: the clock would also count what else the machine does.
-double processorMilliseconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return 1e3 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) / 1e6;
 }
 
 /// Does what a user does to the list, and measures each until its picture is drawn.
@@ -194,6 +205,7 @@ class ListWork {
     for (const auto& [kind, longest] : longest_)
       std::printf("{\"work\":\"%s\",\"longest_ms\":%.1f,\"longest_processor_ms\":%.1f}\n",
                   kind.c_str(), longest.first, longest.second);
+    std::fflush(stdout);
   }
 
  private:
