@@ -6658,6 +6658,10 @@
         <source>is not pictured in the report: %1</source>
         <translation>no aparece dibujado en el informe: %1</translation>
     </message>
+    <message>
+        <source>opens a record without a name</source>
+        <translation>abre un registro sin nombre</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::Session</name>

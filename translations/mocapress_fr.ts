@@ -6686,6 +6686,10 @@
         <source>is not pictured in the report: %1</source>
         <translation>n&apos;est pas illustré dans le rapport : %1</translation>
     </message>
+    <message>
+        <source>opens a record without a name</source>
+        <translation>ouvre un enregistrement sans nom</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::Session</name>

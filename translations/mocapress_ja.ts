@@ -6645,6 +6645,10 @@
         <source>is not pictured in the report: %1</source>
         <translation>レポートに図がありません：%1</translation>
     </message>
+    <message>
+        <source>opens a record without a name</source>
+        <translation>名前のないレコードを開いています</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::Session</name>

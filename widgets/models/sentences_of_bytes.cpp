@@ -182,6 +182,7 @@ struct TextsOfBytes {
       QT_TR_NOOP("ends within a text"),
       QT_TR_NOOP("has a value of an unknown type"),
       QT_TR_NOOP("has a value outside of records"),
+      QT_TR_NOOP("opens a record without a name"),
       QT_TR_NOOP("closes a record that is not open"),
       // glTF.
       QT_TR_NOOP("is no glTF: its JSON is not an object"),
