@@ -43,6 +43,8 @@ const server = createServer((request, response) => {
   response.end(sent);
 });
 
+server.keepAliveTimeout = 60_000; // else a request may meet a connection that is just being closed
+
 let browser;
 let page;
 const pageErrors = [];

@@ -50,7 +50,11 @@ inline Kernels kernels_of(mcpr_path path) {
 #else
   constexpr Kernels kFour = Kernels::None;
 #endif
+#ifdef MOCAPRESS_FOUR_ALONE  // a build that leaves the plain kernels out, to be smaller
+  static_assert(kFour != Kernels::None);
+#else
   if (path == MCPR_PATH_PLAIN) return Kernels::Plain;
+#endif
   if (path == MCPR_PATH_AVX2) return has_avx2() ? Kernels::Avx2 : Kernels::None;
   if (path == kPathOfFour) return kFour;
   if (path != MCPR_PATH_BEST) return Kernels::None;

@@ -225,12 +225,14 @@ TEST(Tiers, DamageIsToldWhereItIs) {
     for (std::uint32_t t = 0; t + 1 < kTiers; ++t) {
       const std::size_t first = tier_of(cut, t).bytes;
       const std::size_t end = tier_of(cut, t + 1).bytes;
-      for (std::size_t at = first; at < end; ++at) {
+      for (const std::size_t at : {first, (first + end) / 2, end - 1}) {
         std::vector<std::byte> damaged = cut;
         damaged[at] ^= std::byte{0x55};
         const mcpr_result told = test::OpenedClip(damaged).result;
         EXPECT_EQ(told.status, MCPR_DAMAGED);
         EXPECT_EQ(told.offset, first) << "where the tier begins";
+      }
+      for (std::size_t at = first; at < end; ++at) {
         const test::OpenedClip opened(with_byte_of_tier(cut, at));
         if (opened.clip != nullptr) continue;  // it has other values
         ++refused;
