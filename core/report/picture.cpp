@@ -17,10 +17,16 @@ namespace {
 constexpr double kThickness = 0.42;   // radius (cm) per square root of carried length
 constexpr double kLeastRadius = 0.9;  // cm
 constexpr double kShortest = 0.1;     // cm: shorter limbs are not drawn
+constexpr double kHeadWithoutTop =
+    7;  // radius (cm) around a head's joint at which the file's bones end
 
 std::string lower(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
+}
+
+bool is_head(const Skeleton& skeleton, int joint) {
+  return lower(skeleton.joint(joint).name).find("head") != std::string::npos;
 }
 
 double radius(double carried_length) {
@@ -53,9 +59,13 @@ std::vector<DrawnBone> figure_shape(const Skeleton& skeleton) {
     const double beyond = leaf ? 0 : carried[static_cast<std::size_t>(segment.child)];
     DrawnBone bone{segment.joint, to, radius(beyond + segment.length), 0};
     bone.to_radius = std::max(radius(beyond), 0.55 * bone.from_radius);
-    if (leaf && lower(skeleton.joint(segment.joint).name).find("head") != std::string::npos) {
-      bone.from_radius = std::clamp(0.6 * segment.length, 5.5, 7.5);
-      bone.to_radius = 1.1 * bone.from_radius;
+    if (beyond < kShortest) {
+      if (is_head(skeleton, segment.joint)) {
+        bone.from_radius = std::clamp(0.6 * segment.length, 5.5, 7.5);
+        bone.to_radius = 1.1 * bone.from_radius;
+      } else if (!leaf && is_head(skeleton, segment.child)) {
+        bone.to_radius = kHeadWithoutTop;
+      }
     }
     bones.push_back(bone);
   }

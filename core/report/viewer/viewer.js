@@ -42,6 +42,16 @@ function element(name, properties = {}, ...children) {
   return made;
 }
 
+/** A grid of metres. Each of its lines is a metre long: software renderers drop lines that begin behind the camera. */
+function floorOf(reach) {
+  const ends = [];
+  for (let a = -reach; a <= reach; ++a)
+    for (let b = -reach; b < reach; ++b) ends.push(a, 0, b, a, 0, b + 1, b, 0, a, b + 1, 0, a);
+  const lines = new THREE.BufferGeometry();
+  lines.setAttribute('position', new THREE.Float32BufferAttribute(ends, 3));
+  return new THREE.LineSegments(lines, new THREE.LineBasicMaterial({ color: 0xbac0c5 }));
+}
+
 class Viewer {
   #original;
   #compressed;
@@ -80,7 +90,7 @@ class Viewer {
     this.scene.add(new THREE.HemisphereLight(0xffffff, 0x8a8378, 2.2));
     const sun = new THREE.DirectionalLight(0xffffff, 1.8);
     sun.position.set(3, 6, 4);
-    this.floor = new THREE.GridHelper(40, 40, 0xbac0c5, 0xbac0c5);
+    this.floor = floorOf(20);
     this.scene.add(sun, this.floor);
 
     this.#addButtons();
@@ -98,8 +108,9 @@ class Viewer {
     this.status.textContent = 'Loading';
     [this.#original, this.#compressed] = await Promise.all([load(original), load(compressed)]);
     for (const figure of [this.before, this.after]) figure?.remove();
-    this.before = new Figure(this.scene, this.#original.points);
-    this.after = new Figure(this.scene, this.#compressed.points);
+    const { points, positions } = this.#original; // both bodies have the shape of the original
+    this.before = new Figure(this.scene, points, positions[0]);
+    this.after = new Figure(this.scene, points, positions[0]);
     this.#errors = measure(this.#original, this.#compressed);
     this.#worst = findWorstFrames(this.#errors.ofFrames, this.#original.sampleRate);
     this.time.max = this.#original.frames - 1;
