@@ -30,5 +30,18 @@ TEST(FigureShape, HasNoBoneFromARootOnTheFloorToTheHipsThatMoveAwayFromIt) {
   EXPECT_EQ(figure_shape(above_root(false)).front().from, 0) << "that one is part of the body";
 }
 
+TEST(FigureShape, AHeadWithoutATopIsDrawnAroundItsJoint) {
+  const Skeleton skeleton =
+      read_bvh("neck.bvh",
+               "HIERARCHY ROOT neck { OFFSET 0 0 0 CHANNELS 3 Zrotation Xrotation Yrotation JOINT "
+               "Head { OFFSET 0 8 0 CHANNELS 3 Zrotation Xrotation Yrotation End Site { OFFSET 0 0 "
+               "0 } } } MOTION Frames: 1 Frame Time: 0.01 0 0 0 0 0 0")
+          .motion.skeleton;
+  const std::vector<DrawnBone> body = figure_shape(skeleton);
+  ASSERT_EQ(body.size(), 1u);
+  EXPECT_EQ(body[0].to, skeleton.find("Head"));
+  EXPECT_GT(body[0].to_radius, body[0].from_radius) << "a neck gets thinner";
+}
+
 }  // namespace
 }  // namespace mocapress
