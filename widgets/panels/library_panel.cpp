@@ -240,12 +240,6 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 8);
   column->setSpacing(6);
-  auto* above = new QVBoxLayout;
-  above->setContentsMargins(8, 0, 8, 0);
-  above->addWidget(filter_);
-  auto* choices = new QHBoxLayout;
-  choices->addWidget(shown_, 1);
-  choices->addWidget(grouping_, 1);
   auto* order = new QToolButton(this);
   order->setText(QStringLiteral("⋯"));
   order->setAccessibleName(tr("Order and columns"));
@@ -253,7 +247,15 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
   connect(order, &QToolButton::clicked, this, [this, order] {
     makeColumnMenu()->popup(order->mapToGlobal(QPoint(0, order->height())));
   });
-  choices->addWidget(order);
+  auto* above = new QVBoxLayout;
+  above->setContentsMargins(8, 0, 8, 0);
+  auto* first = new QHBoxLayout;
+  first->addWidget(filter_, 1);
+  first->addWidget(order);
+  above->addLayout(first);
+  auto* choices = new QHBoxLayout;
+  choices->addWidget(shown_, 1);
+  choices->addWidget(grouping_, 1);
   above->addLayout(choices);
   column->addLayout(above);
   column->addWidget(view_, 1);
