@@ -35,7 +35,8 @@ struct TextsOfWork {
       QT_TR_NOOP("%1 has a value that is not finite"),
       QT_TR_NOOP("the motion to be written is not coded yet"),
       QT_TR_NOOP("the motion to be written lacks its finest bands"),
-      QT_TR_NOOP("an .amc holds one figure with one root, but this clip has %1 roots: .bvh and .glb can hold it"),
+      QT_TR_NOOP("an .amc holds one figure with one root, but this clip has %1 roots: .bvh and "
+                 ".glb can hold it"),
       QT_TR_NOOP("a bone's name would be too long for an .asf: %1"),
       QT_TR_NOOP("in an .asf bones of this skeleton would be nested deeper than %1"),
       QT_TR_NOOP("a joint is scaled to nothing: what hangs from it has no place"),
@@ -43,7 +44,8 @@ struct TextsOfWork {
       QT_TR_NOOP("scales %1 to nothing: it cannot follow a motion"),
       QT_TR_NOOP("no feet were found on this skeleton: name the joints to be corrected"),
       QT_TR_NOOP("no joint above %1 can turn to move it"),
-      QT_TR_NOOP("a chain of joints that ends at %1 does not begin at a joint above it that can turn"),
+      QT_TR_NOOP(
+          "a chain of joints that ends at %1 does not begin at a joint above it that can turn"),
       QT_TR_NOOP("more than %1 effectors"),
       QT_TR_NOOP("these effectors are not one limb"),
       QT_TR_NOOP("the importance of frames %1 to %2 is not a number from 1 to %3"),
@@ -100,13 +102,15 @@ struct TextsOfWork {
       QT_TR_NOOP("is no file of notes"),
       QT_TR_NOOP("has notes of another form: %1"),
       QT_TR_NOOP("holds the notes of a clip in another format"),
-      QT_TR_NOOP("the link is refused, for it names no clip by an absolute path on this computer: %1"),
+      QT_TR_NOOP(
+          "the link is refused, for it names no clip by an absolute path on this computer: %1"),
       QT_TR_NOOP("is not a list of blind tests"),
       QT_TR_NOOP("a blind test has an unknown cue: %1"),
       QT_TR_NOOP("a blind test has a level that is not above 0"),
       QT_TR_NOOP("a blind test lacks a value, or has one of another type"),
       // Batches.
-      QT_TR_NOOP("{%1} means nothing in a name: there are {folder}, {stem}, {type}, {preset} and {method}"),
+      QT_TR_NOOP("{%1} means nothing in a name: there are {folder}, {stem}, {type}, {preset} and "
+                 "{method}"),
       QT_TR_NOOP("the name pattern has a { without its }: %1"),
       QT_TR_NOOP("is not a file name below the batch's folder: %1"),
       QT_TR_NOOP("a bank is made of .mcpr files, which are not among the formats"),
