@@ -2810,7 +2810,7 @@
     <name>mocapress::LibraryFilter</name>
     <message>
         <source>All clips</source>
-        <translation>Todos los clips</translation>
+        <translation>Todos</translation>
     </message>
     <message>
         <source>Not reviewed</source>
@@ -3433,7 +3433,7 @@
     </message>
     <message>
         <source>Footskate</source>
-        <translation>Deslizamiento de pies</translation>
+        <translation>Deslizamiento</translation>
     </message>
     <message>
         <source>Error over time</source>
@@ -3461,7 +3461,7 @@
     </message>
     <message>
         <source>All clips</source>
-        <translation>Todos los clips</translation>
+        <translation>Todos</translation>
     </message>
     <message>
         <source>Bytes</source>

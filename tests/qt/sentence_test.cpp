@@ -228,10 +228,15 @@ Warnings warningsOf(const fs::path& path, const std::string& bytes) {
 
 /// The messages about a file, and about copies that are cut short or have some bytes replaced.
 void collectFrom(const fs::path& path, Said& said) {
-  constexpr std::size_t kLargest = 60'000;
+  constexpr std::size_t kLargest = 30'000;
   constexpr std::size_t kCuts = 12;
-  constexpr int kReplaced = 40;
-  const std::string bytes = read_text(path);
+  constexpr int kReplaced = 20;
+  std::string bytes;
+  said.collect([&] {
+    bytes = read_text(path);
+    return Warnings();
+  });
+  if (bytes.empty()) return;
   said.collect([&] { return warningsOf(path, bytes); });
   if (bytes.size() > kLargest) return;
   for (std::size_t cut = 0; cut < kCuts; ++cut)
