@@ -278,13 +278,16 @@ class CookedPaths : public testing::Test {
   CookedClip cooked_;
 };
 
-TEST_F(CookedPaths, GiveTheSameBits) {
-  Random random(7);
-  for (int i = 0; i < 500; ++i) {
-    const double frame = 332 * random.unit();
-    for (const mcpr_path path : existing_paths())
-      EXPECT_EQ(cooked_.sample({.path = MCPR_PATH_PLAIN}, frame),
-                cooked_.sample({.path = path}, frame));
+TEST_F(CookedPaths, GiveTheSameBitsWithAnyNumberOfDetailBands) {
+  for (const std::uint32_t bands : {0U, 1U, 2U, 3U}) {
+    const CookedClip cooked(opened_.clip, {.detail_bands = bands});
+    Random random(7);
+    for (int i = 0; i < 300; ++i) {
+      const double frame = 332 * random.unit();
+      for (const mcpr_path path : existing_paths())
+        EXPECT_EQ(cooked.sample({.path = MCPR_PATH_PLAIN}, frame),
+                  cooked.sample({.path = path}, frame));
+    }
   }
 }
 
