@@ -383,6 +383,22 @@
         <source>Compress the clip track by track, with key frames, to the same number of bytes, and show it beside this result</source>
         <translation>Comprimir el clip pista por pista, con fotogramas clave, al mismo número de bytes y mostrarlo junto a este resultado</translation>
     </message>
+    <message>
+        <source>Compare in the Ran&amp;ge</source>
+        <translation>Comparar en el intervalo</translation>
+    </message>
+    <message>
+        <source>Loop the chosen range with both figures side by side, and show its errors alone</source>
+        <translation>Reproducir el intervalo elegido en bucle, con las dos figuras lado a lado, y mostrar solo sus errores</translation>
+    </message>
+    <message>
+        <source>Fold Panels Below</source>
+        <translation>Plegar los paneles de abajo</translation>
+    </message>
+    <message>
+        <source>Fold the panels below the timeline to their tabs, or unfold them</source>
+        <translation>Plegar en sus pestañas los paneles bajo la línea de tiempo, o desplegarlos</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::AnnealingPanel</name>
@@ -1192,16 +1208,16 @@
 <context>
     <name>mocapress::ByteView</name>
     <message>
-        <source>%1 at twice the error</source>
-        <translation>%1 con el doble de error</translation>
-    </message>
-    <message>
         <source>10 % more bytes</source>
         <translation>10 % más de bytes</translation>
     </message>
     <message>
         <source>10 % fewer bytes</source>
         <translation>10 % menos de bytes</translation>
+    </message>
+    <message>
+        <source>%1: error × 2</source>
+        <translation>%1: error × 2</translation>
     </message>
 </context>
 <context>
@@ -1954,10 +1970,6 @@
         <source>Errors of all joints in the frames of the chosen range: root mean square, 95th percentile and largest. A double click on the ruler chooses the whole clip again.</source>
         <translation>Errores de todas las articulaciones en los fotogramas del intervalo elegido: valor cuadrático medio, percentil 95 y mayor. Un doble clic en la regla vuelve a elegir todo el clip.</translation>
     </message>
-    <message>
-        <source>%L1 : 1</source>
-        <translation>%L1 : 1</translation>
-    </message>
 </context>
 <context>
     <name>mocapress::FilmRecorder</name>
@@ -2368,8 +2380,8 @@
         <translation>La curva de este clip aparece cuando está comprimido.</translation>
     </message>
     <message>
-        <source>Frames %L1–%L2: RMS %3, p95 %4, max %5</source>
-        <translation>Fotogramas %L1–%L2: RMS %3, p95 %4, máx. %5</translation>
+        <source>Frames %L1–%L2: RMS %3, p95 %4, max %5 (%6, frame %L7)</source>
+        <translation>Fotogramas %L1–%L2: RMS %3, p95 %4, máx. %5 (%6, fotograma %L7)</translation>
     </message>
 </context>
 <context>
@@ -2571,6 +2583,10 @@
     <message>
         <source>&lt; %1 mm</source>
         <translation>&lt; %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 : 1</source>
+        <translation>%1 : 1</translation>
     </message>
 </context>
 <context>
@@ -2798,10 +2814,6 @@
         <translation>Preajuste de los ajustes del clip</translation>
     </message>
     <message>
-        <source>%L1 : 1</source>
-        <translation>%L1 : 1</translation>
-    </message>
-    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
@@ -2887,10 +2899,6 @@
         <translation>! objetivo fallado</translation>
     </message>
     <message>
-        <source>%L1 : 1, %2</source>
-        <translation>%L1 : 1, %2</translation>
-    </message>
-    <message>
         <source>! file missing</source>
         <translation>! falta el archivo</translation>
     </message>
@@ -2969,6 +2977,10 @@
         <source>%1: %2</source>
         <comment>take of a file</comment>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -3097,6 +3109,26 @@
         <source>Take the Character Off</source>
         <translation>Quitar el personaje</translation>
     </message>
+    <message>
+        <source>Order and columns</source>
+        <translation>Orden y columnas</translation>
+    </message>
+    <message>
+        <source>What clips are sorted by, and the columns beside them</source>
+        <translation>Por qué se ordenan los clips, y las columnas a su lado</translation>
+    </message>
+    <message>
+        <source>Sort By</source>
+        <translation>Ordenar por</translation>
+    </message>
+    <message>
+        <source>Order of the Library</source>
+        <translation>Orden de la biblioteca</translation>
+    </message>
+    <message>
+        <source>Notes on Reading</source>
+        <translation>Notas de lectura</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryPlot</name>
@@ -3174,10 +3206,6 @@
         <translation>Añadir carpeta</translation>
     </message>
     <message>
-        <source>%L1 : 1, %2</source>
-        <translation>%L1 : 1, %2</translation>
-    </message>
-    <message>
         <source>Find Missing Clips</source>
         <translation>Encontrar clips que faltan</translation>
     </message>
@@ -3196,6 +3224,10 @@
     <message>
         <source>No clip that is shown waits for a verdict.</source>
         <translation>Ninguno de los clips mostrados espera un veredicto.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -3553,10 +3585,6 @@
 <context>
     <name>mocapress::PinnedResults</name>
     <message>
-        <source>%L1 : 1</source>
-        <translation>%L1 : 1</translation>
-    </message>
-    <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
@@ -3579,6 +3607,10 @@
     <message>
         <source>The result is not final yet, or four are pinned.</source>
         <translation>El resultado aún no es definitivo, o ya hay cuatro fijados.</translation>
+    </message>
+    <message>
+        <source>Four results are pinned already.</source>
+        <translation>Ya hay cuatro resultados fijados.</translation>
     </message>
 </context>
 <context>
@@ -3922,6 +3954,10 @@
             <numerusform>%Ln intervalos con más cuidado.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Watched from %L1 m.</source>
+        <translation>Se observa desde %L1 m.</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ProjectFiles</name>
@@ -4212,13 +4248,21 @@
         <source>A verdict or note is stale if the clip&apos;s file or its settings have changed since; stale verdicts do not count as reviewed. Links open the clip in Mocapress on this computer.</source>
         <translation>Un veredicto o una nota ha caducado si el archivo del clip o sus ajustes han cambiado desde entonces; los veredictos caducados no cuentan como revisados. Los enlaces abren el clip en Mocapress en este ordenador.</translation>
     </message>
+    <message>
+        <source>%1 from %2 m</source>
+        <translation>%1 a %2 m</translation>
+    </message>
+    <message>
+        <source>built-in limits</source>
+        <translation>los límites incorporados</translation>
+    </message>
+    <message>
+        <source>The eye judges from the viewing distance that is named, by %1.</source>
+        <translation>El ojo juzga desde la distancia de observación que se indica, por %1.</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ResultPanel</name>
-    <message>
-        <source>%1, %L2 : 1</source>
-        <translation>%1, %L2 : 1</translation>
-    </message>
     <message>
         <source>%L1 / %L2 °/s</source>
         <translation>%L1 / %L2 °/s</translation>
@@ -4306,10 +4350,6 @@
     <message>
         <source>Highest speed of a held leg&apos;s knee, and that of the original. A much higher speed means that the correction makes the knee snap.</source>
         <translation>Mayor velocidad de la rodilla de una pierna sujeta, y la del original. Una velocidad mucho mayor significa que la corrección da un tirón a la rodilla.</translation>
-    </message>
-    <message>
-        <source>%L1 : 1</source>
-        <translation>%L1 : 1</translation>
     </message>
     <message>
         <source>eps_x, %1</source>
@@ -4410,6 +4450,10 @@
     <message>
         <source>All figures</source>
         <translation>Todas las cifras</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -6736,6 +6780,10 @@
         <source>Loop</source>
         <translation>Bucle</translation>
     </message>
+    <message>
+        <source>Viewing Distance</source>
+        <translation>Distancia de observación</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::Sight</name>
@@ -6790,6 +6838,10 @@
     <message>
         <source>%1: %2 %3, noticed from %4</source>
         <translation>%1: %2 %3, se nota a partir de %4</translation>
+    </message>
+    <message>
+        <source>%1 from %L2 m</source>
+        <translation>%1 a %L2 m</translation>
     </message>
 </context>
 <context>
@@ -7836,43 +7888,9 @@ Haga clic para cargarlo en Studio.</translation>
         <source>The 3D view needs OpenGL 3.2, which is not available here.</source>
         <translation>La vista 3D necesita OpenGL 3.2, que no está disponible aquí.</translation>
     </message>
-</context>
-<context>
-    <name>mocapress::WarningsPanel</name>
     <message>
-        <source>Notes on reading</source>
-        <translation>Notas de lectura</translation>
-    </message>
-    <message>
-        <source>Show notes</source>
-        <translation>Mostrar notas</translation>
-    </message>
-    <message>
-        <source>Show what was repaired or guessed while reading</source>
-        <translation>Mostrar lo que se reparó o supuso al leer</translation>
-    </message>
-    <message>
-        <source>Dismiss notes</source>
-        <translation>Descartar notas</translation>
-    </message>
-    <message>
-        <source>Dismiss</source>
-        <translation>Descartar</translation>
-    </message>
-    <message>
-        <source>Notes</source>
-        <translation>Notas</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n note(s) on reading this clip</source>
-        <translation>
-            <numerusform>%n nota de lectura de este clip</numerusform>
-            <numerusform>%n notas de lectura de este clip</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>line %L1: %2</source>
-        <translation>línea %L1: %2</translation>
+        <source>3D view</source>
+        <translation>Vista 3D</translation>
     </message>
 </context>
 </TS>

@@ -3954,6 +3954,10 @@
             <numerusform>%Ln plages plus soignées.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Watched from %L1 m.</source>
+        <translation>Regardé à %L1 m.</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ProjectFiles</name>
@@ -4243,6 +4247,18 @@
     <message>
         <source>A verdict or note is stale if the clip&apos;s file or its settings have changed since; stale verdicts do not count as reviewed. Links open the clip in Mocapress on this computer.</source>
         <translation>Un verdict ou une note est périmé si le fichier du clip ou ses réglages ont changé depuis ; les verdicts périmés ne comptent pas comme relus. Les liens ouvrent le clip dans Mocapress sur cet ordinateur.</translation>
+    </message>
+    <message>
+        <source>%1 from %2 m</source>
+        <translation>%1 à %2 m</translation>
+    </message>
+    <message>
+        <source>built-in limits</source>
+        <translation>les limites intégrées</translation>
+    </message>
+    <message>
+        <source>The eye judges from the viewing distance that is named, by %1.</source>
+        <translation>L&apos;œil juge de la distance indiquée, selon %1.</translation>
     </message>
 </context>
 <context>
@@ -6764,6 +6780,10 @@
         <source>Loop</source>
         <translation>Boucle</translation>
     </message>
+    <message>
+        <source>Viewing Distance</source>
+        <translation>Distance de vue</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::Sight</name>
@@ -6818,6 +6838,10 @@
     <message>
         <source>%1: %2 %3, noticed from %4</source>
         <translation>%1 : %2 %3, remarqué à partir de %4</translation>
+    </message>
+    <message>
+        <source>%1 from %L2 m</source>
+        <translation>%1 à %L2 m</translation>
     </message>
 </context>
 <context>

@@ -3926,6 +3926,10 @@
             <numerusform>重視する範囲 %Ln 個。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Watched from %L1 m.</source>
+        <translation>%L1 m から見ます。</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ProjectFiles</name>
@@ -4213,6 +4217,18 @@
     <message>
         <source>A verdict or note is stale if the clip&apos;s file or its settings have changed since; stale verdicts do not count as reviewed. Links open the clip in Mocapress on this computer.</source>
         <translation>判定やメモは、その後にクリップのファイルや設定が変わると無効になります。無効な判定はレビュー済みに数えません。リンクはこのコンピューターの Mocapress でクリップを開きます。</translation>
+    </message>
+    <message>
+        <source>%1 from %2 m</source>
+        <translation>%2 m から%1</translation>
+    </message>
+    <message>
+        <source>built-in limits</source>
+        <translation>組み込みの限界値</translation>
+    </message>
+    <message>
+        <source>The eye judges from the viewing distance that is named, by %1.</source>
+        <translation>見え方は、示した視距離から、%1で判定します。</translation>
     </message>
 </context>
 <context>
@@ -6723,6 +6739,10 @@
         <source>Loop</source>
         <translation>ループ</translation>
     </message>
+    <message>
+        <source>Viewing Distance</source>
+        <translation>視距離</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::Sight</name>
@@ -6777,6 +6797,10 @@
     <message>
         <source>%1: %2 %3, noticed from %4</source>
         <translation>%1：%2 %3（%4 から気付く）</translation>
+    </message>
+    <message>
+        <source>%1 from %L2 m</source>
+        <translation>%L2 m から%1</translation>
     </message>
 </context>
 <context>
