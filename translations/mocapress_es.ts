@@ -5347,10 +5347,6 @@
         <translation>una sección que no se espera aquí</translation>
     </message>
     <message>
-        <source>a section after the first FINE</source>
-        <translation>una sección después del primer FINE</translation>
-    </message>
-    <message>
         <source>a second section loop</source>
         <translation>una segunda sección loop</translation>
     </message>
@@ -5399,16 +5395,8 @@
         <translation>TIER tiene niveles que no se siguen</translation>
     </message>
     <message>
-        <source>a tier does not end where TIER says</source>
-        <translation>un nivel no acaba donde dice TIER</translation>
-    </message>
-    <message>
         <source>a tier is missing</source>
         <translation>falta un nivel</translation>
-    </message>
-    <message>
-        <source>a tier that is not expected here</source>
-        <translation>un nivel que no se espera aquí</translation>
     </message>
     <message>
         <source>tiers of another coding</source>
@@ -5577,10 +5565,6 @@
     <message>
         <source>the segments have an impossible length</source>
         <translation>los segmentos tienen una longitud imposible</translation>
-    </message>
-    <message>
-        <source>the sizes of the segments do not add up to MOTN or FINE</source>
-        <translation>los tamaños de los segmentos no suman MOTN ni FINE</translation>
     </message>
     <message>
         <source>the skeleton has an impossible size</source>
@@ -6705,6 +6689,26 @@
     <message>
         <source>opens a record without a name</source>
         <translation>abre un registro sin nombre</translation>
+    </message>
+    <message>
+        <source>a finer tier without MOTN</source>
+        <translation>un nivel más fino sin MOTN</translation>
+    </message>
+    <message>
+        <source>the first tier does not end where TIER says</source>
+        <translation>el primer nivel no acaba donde dice TIER</translation>
+    </message>
+    <message>
+        <source>the file ends within a tier</source>
+        <translation>el archivo termina dentro de un nivel</translation>
+    </message>
+    <message>
+        <source>a tier is damaged: its checksum differs</source>
+        <translation>un nivel está dañado: su suma de comprobación difiere</translation>
+    </message>
+    <message>
+        <source>the sizes of the segments do not add up to MOTN or to a finer tier</source>
+        <translation>los tamaños de los segmentos no suman MOTN ni un nivel más fino</translation>
     </message>
 </context>
 <context>

@@ -5347,10 +5347,6 @@
         <translation>une section inattendue à cet endroit</translation>
     </message>
     <message>
-        <source>a section after the first FINE</source>
-        <translation>une section après le premier FINE</translation>
-    </message>
-    <message>
         <source>a second section loop</source>
         <translation>une seconde section loop</translation>
     </message>
@@ -5399,16 +5395,8 @@
         <translation>TIER a des niveaux qui ne se suivent pas</translation>
     </message>
     <message>
-        <source>a tier does not end where TIER says</source>
-        <translation>un niveau ne finit pas là où TIER le dit</translation>
-    </message>
-    <message>
         <source>a tier is missing</source>
         <translation>il manque un niveau</translation>
-    </message>
-    <message>
-        <source>a tier that is not expected here</source>
-        <translation>un niveau inattendu à cet endroit</translation>
     </message>
     <message>
         <source>tiers of another coding</source>
@@ -5577,10 +5565,6 @@
     <message>
         <source>the segments have an impossible length</source>
         <translation>les segments ont une longueur impossible</translation>
-    </message>
-    <message>
-        <source>the sizes of the segments do not add up to MOTN or FINE</source>
-        <translation>les tailles des segments ne font pas celle de MOTN ou FINE</translation>
     </message>
     <message>
         <source>the skeleton has an impossible size</source>
@@ -6705,6 +6689,26 @@
     <message>
         <source>opens a record without a name</source>
         <translation>ouvre un enregistrement sans nom</translation>
+    </message>
+    <message>
+        <source>a finer tier without MOTN</source>
+        <translation>un niveau plus fin sans MOTN</translation>
+    </message>
+    <message>
+        <source>the first tier does not end where TIER says</source>
+        <translation>le premier niveau ne finit pas là où TIER le dit</translation>
+    </message>
+    <message>
+        <source>the file ends within a tier</source>
+        <translation>le fichier se termine dans un niveau</translation>
+    </message>
+    <message>
+        <source>a tier is damaged: its checksum differs</source>
+        <translation>un niveau est abîmé : sa somme de contrôle diffère</translation>
+    </message>
+    <message>
+        <source>the sizes of the segments do not add up to MOTN or to a finer tier</source>
+        <translation>les tailles des segments ne font pas celle de MOTN ou d&apos;un niveau plus fin</translation>
     </message>
 </context>
 <context>

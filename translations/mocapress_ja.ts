@@ -5306,10 +5306,6 @@
         <translation>ここにあるはずのないセクションです</translation>
     </message>
     <message>
-        <source>a section after the first FINE</source>
-        <translation>最初の FINE の後にセクションがあります</translation>
-    </message>
-    <message>
         <source>a second section loop</source>
         <translation>loop セクションが 2 つあります</translation>
     </message>
@@ -5358,16 +5354,8 @@
         <translation>TIER の段が続いていません</translation>
     </message>
     <message>
-        <source>a tier does not end where TIER says</source>
-        <translation>段が TIER の示すところで終わっていません</translation>
-    </message>
-    <message>
         <source>a tier is missing</source>
         <translation>段が足りません</translation>
-    </message>
-    <message>
-        <source>a tier that is not expected here</source>
-        <translation>ここにあるはずのない段です</translation>
     </message>
     <message>
         <source>tiers of another coding</source>
@@ -5536,10 +5524,6 @@
     <message>
         <source>the segments have an impossible length</source>
         <translation>セグメントの長さがありえません</translation>
-    </message>
-    <message>
-        <source>the sizes of the segments do not add up to MOTN or FINE</source>
-        <translation>セグメントの大きさの合計が MOTN や FINE と合いません</translation>
     </message>
     <message>
         <source>the skeleton has an impossible size</source>
@@ -6664,6 +6648,26 @@
     <message>
         <source>opens a record without a name</source>
         <translation>名前のないレコードを開いています</translation>
+    </message>
+    <message>
+        <source>a finer tier without MOTN</source>
+        <translation>MOTN がないのに細かい段があります</translation>
+    </message>
+    <message>
+        <source>the first tier does not end where TIER says</source>
+        <translation>最初の段が TIER の示すところで終わっていません</translation>
+    </message>
+    <message>
+        <source>the file ends within a tier</source>
+        <translation>ファイルが段の途中で終わっています</translation>
+    </message>
+    <message>
+        <source>a tier is damaged: its checksum differs</source>
+        <translation>段が壊れています。チェックサムが合いません</translation>
+    </message>
+    <message>
+        <source>the sizes of the segments do not add up to MOTN or to a finer tier</source>
+        <translation>セグメントの大きさの合計が MOTN や細かい段と合いません</translation>
     </message>
 </context>
 <context>
