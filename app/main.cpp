@@ -90,6 +90,7 @@ void receiveLinks(MainWindow& window) {
   auto* receiver = new LinkReceiver(&window);
   QObject::connect(receiver, &LinkReceiver::received, &window, [&window](const QString& link) {
     window.open({link}, {});
+    window.setWindowState(window.windowState() & ~Qt::WindowMinimized);
     window.raise();
     window.activateWindow();
   });

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <QProgressBar>
 #include <QInputDialog>
+#include <QProgressBar>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -14,6 +14,7 @@
 
 #include "app/studio/document/session.h"
 #include "app/studio/library/library.h"
+#include "core/base/file.h"
 #include "core/formats/motion_file.h"
 #include "core/report/notes_file.h"
 #include "tests/qt/patience.h"
@@ -162,6 +163,20 @@ TEST_F(NotesOnAClip, TravelBesideTheClipAndKeepOtherPeoples) {
   Library other(&session, &rows);
   other.add({path});
   EXPECT_TRUE(QTest::qWaitFor([&] { return other.frameNotes(0).size() == 2; }, kPatience));
+}
+
+TEST_F(NotesOnAClip, AreReadThoughTheFileBesideAnotherClipIsDamaged) {
+  const QString path = session_.document().original()->path;
+  const QString other = directory_.filePath(QStringLiteral("a.bvh"));
+  write_motion(other.toStdU16String(), test::smooth_motion(20));
+  write_text(directory_.filePath(QStringLiteral("a.notes.json")).toStdU16String(), "{");
+  write_notes(path.toStdU16String(), {{"", {{.frame = 3, .text = "pops", .reviewer = "ann"}}}});
+  library_.add({other});
+  QSignalSpy failed(&library_, &Library::failed);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return failed.count() > 0; }, kPatience));
+  library_.readNotes();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return failed.count() == 2; }, kPatience));
+  EXPECT_EQ(library_.frameNotes(0).size(), 1u);
 }
 
 TEST_F(NotesOnAClip, ANoteThatWasDeletedLeavesTheFileBesideTheClip) {

@@ -492,16 +492,17 @@ TEST_F(StudioWithoutAScreen, TheViewKeepsNearlyHalfOfALowWindow) {
 TEST_F(StudioWithoutAScreen, AClickOnATabUnfoldsThePanelsBelowAndAnotherFoldsThem) {
   window_.resize(1280, 720);
   const QWidget* map = window_.inspection().heat_map;
-  const auto click = [&] {
+  const auto click = [&](Qt::MouseButton button) {
     for (auto* bar : window_.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
       for (int tab = 0; tab < bar->count(); ++tab)
         if (bar->tabText(tab) == QStringLiteral("Heat map"))
-          QTest::mouseClick(bar, Qt::LeftButton, {}, bar->tabRect(tab).center());
+          QTest::mouseClick(bar, button, {}, bar->tabRect(tab).center());
   };
   ASSERT_TRUE(QTest::qWaitFor([&] { return !unfolded(); }, kPatience));
-  click();
+  click(Qt::LeftButton);
   EXPECT_TRUE(QTest::qWaitFor([&] { return unfolded() && isInSight(map); }, kPatience));
-  click();
+  click(Qt::RightButton);  // else it would fold them, and the next unfold them
+  click(Qt::LeftButton);
   EXPECT_TRUE(QTest::qWaitFor([&] { return !unfolded(); }, kPatience));
 }
 
@@ -527,6 +528,8 @@ TEST_F(StudioWithoutAScreen, AWindowInAnotherLanguageTakesOverRangeSlotsAndView)
   window_.actions().view.mode[1]->trigger();
   window_.actions().view.in_place->trigger();
   window_.actions().view.follow->trigger();
+  window_.actions().view.side->trigger();
+  document_.setCurrentJoint(3);
   MainWindow next;
   next.takeOver(window_.state());
   next.show();
@@ -538,6 +541,9 @@ TEST_F(StudioWithoutAScreen, AWindowInAnotherLanguageTakesOverRangeSlotsAndView)
   EXPECT_TRUE(next.actions().view.mode[1]->isChecked());
   EXPECT_TRUE(next.actions().view.in_place->isChecked());
   EXPECT_FALSE(next.actions().view.follow->isChecked());
+  EXPECT_EQ(next.session().document().currentJoint(), 3);
+  EXPECT_FLOAT_EQ(next.views().viewport->cameraPlace().azimuth,
+                  window_.views().viewport->cameraPlace().azimuth);
 }
 
 TEST_F(StudioWithoutAScreen, AClickOnWhatIsSeenGoesThereAndSelectsTheJoint) {

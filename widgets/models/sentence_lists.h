@@ -10,7 +10,8 @@ namespace mocapress {
 /// Says what is wrong with the bytes of a file: .mcpr and its parts, FBX, glTF.
 std::span<const char* const> sentencesOfBytes();
 
-/// Says what cannot be compressed or written, and what is wrong with settings, projects and batches.
+/// Says what cannot be compressed or written, and what is wrong with settings, projects and
+/// batches.
 std::span<const char* const> sentencesOfWork();
 
 }  // namespace mocapress

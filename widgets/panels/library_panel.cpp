@@ -12,6 +12,7 @@
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <QStyledItemDelegate>
+#include <QTextDocument>
 #include <QToolButton>
 #include <QTreeView>
 #include <QVBoxLayout>
@@ -43,7 +44,8 @@ const QString kPen = QStringLiteral("✎");   // a reviewer has written somethin
 void showNotes(const LibraryEntry& entry, const QPoint& place) {
   QStringList lines;
   for (const QString& note : notesOf(entry)) lines << translatedSentence(note);
-  if (!lines.isEmpty()) QWhatsThis::showText(place, lines.join(QLatin1Char('\n')).toHtmlEscaped());
+  if (!lines.isEmpty())
+    QWhatsThis::showText(place, Qt::convertFromPlainText(lines.join(QLatin1Char('\n'))));
 }
 
 /// Draws a clip's pose, name, result and verdict, and a folder's summary.

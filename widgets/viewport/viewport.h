@@ -115,6 +115,9 @@ class Viewport : public QWidget {
 
   /// The camera's place, with its target relative to the root, so that it fits other clips.
   OrbitCamera::Place cameraPlace() const;
+
+  /// True while the camera frames the figure by itself, as resetCamera() does.
+  bool framesByItself() const { return camera_is_as_framed_; }
   void setCameraPlace(const OrbitCamera::Place& place);
 
   /// Turns the camera around its target, in degrees.

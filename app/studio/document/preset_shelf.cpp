@@ -13,7 +13,6 @@
 #include "core/base/file.h"
 #include "core/base/path_kind.h"
 #include "core/mocapress/settings_json.h"
-#include "widgets/models/sentence.h"
 
 namespace mocapress {
 namespace {
@@ -97,7 +96,7 @@ void PresetShelf::importFrom(const QString& path) {
     }
     if (!edits.empty()) change(tr("Import Presets"), edits);
   } catch (const Error& error) {
-    emit noted(translatedSentence(QString::fromStdString(error.what())));
+    emit noted(QString::fromStdString(error.what()));
   }
 }
 
@@ -106,7 +105,7 @@ void PresetShelf::exportTo(const QString& path, const Settings& preset) {
     write_text(pathOf(path), presets_text({&preset, 1}));
     emit noted(tr("Wrote %1.").arg(QDir::toNativeSeparators(path)));
   } catch (const Error& error) {
-    emit noted(translatedSentence(QString::fromStdString(error.what())));
+    emit noted(QString::fromStdString(error.what()));
   }
 }
 
@@ -168,8 +167,7 @@ void PresetShelf::write() {
     if (!setAside()) return;
     write_text(pathOf(file_), own_.empty() ? std::string("[]\n") : presets_text(own_));
   } catch (const Error& error) {
-    emit noted(tr("Presets could not be kept: %1")
-                   .arg(translatedSentence(QString::fromStdString(error.what()))));
+    emit noted(tr("Presets could not be kept: %1").arg(QString::fromStdString(error.what())));
   }
 }
 

@@ -88,7 +88,8 @@ SettingsField firstDifference(const ClipSettings& a, const ClipSettings& b) {
 QString dragOf(const ClipSettings& before, const ClipSettings& after) {
   const SettingsField field = firstDifference(before, after);
   const bool is_a_number = field == SettingsField::Target || field == SettingsField::Correction ||
-                           field == SettingsField::Importance || field == SettingsField::TrackError;
+                           field == SettingsField::Importance ||
+                           field == SettingsField::TrackError || field == SettingsField::Limits;
   const Target::Kind kind = before.encode.target.kind;
   if (!is_a_number || after.encode.target.kind != kind) return {};
   return QStringLiteral("%1 %2").arg(static_cast<int>(field)).arg(static_cast<int>(kind));

@@ -6,6 +6,7 @@
 #include "app/studio/document/edit_step.h"
 #include "app/studio/document/session.h"
 #include "app/studio/library/library.h"
+#include "core/base/error.h"
 #include "core/report/notes_file.h"
 
 namespace mocapress {
@@ -45,14 +46,23 @@ std::string takeKey(const ProjectClip& clip) {
   return clip.reading.take.value_or(std::string());
 }
 
-std::map<QString, NotesByTake> notesBeside(const std::vector<QString>& paths, const Job& job) {
+struct NotesBeside {
   std::map<QString, NotesByTake> found;
+  QString trouble;  // with the last file that cannot be read; the others are read all the same
+};
+
+NotesBeside notesBeside(const std::vector<QString>& paths, const Job& job) {
+  NotesBeside beside;
   for (const QString& path : paths) {
     if (job.stopRequested()) break;
-    NotesByTake notes = read_notes(path.toStdU16String());
-    if (!notes.empty()) found.emplace(path, std::move(notes));
+    try {
+      NotesByTake notes = read_notes(path.toStdU16String());
+      if (!notes.empty()) beside.found.emplace(path, std::move(notes));
+    } catch (const Error& error) {
+      beside.trouble = QString::fromStdString(error.what());
+    }
   }
-  return found;
+  return beside;
 }
 
 }  // namespace
@@ -94,15 +104,16 @@ void Library::readNotes() {
     if (!clip.missing && (paths.empty() || paths.back() != clip.path)) paths.push_back(clip.path);
   carrying_notes_.start(
       [paths = std::move(paths)](const Job& job) { return notesBeside(paths, job); },
-      [this](const NotesByFile& found) {
-        noteBeside(found);
-        const auto [before, after, added] = withNotes(found);
+      [this](const NotesBeside& beside) {
+        noteBeside(beside.found);
+        const auto [before, after, added] = withNotes(beside.found);
         if (!after.empty())
           history_.push(new EditStep(
               tr("Read Notes"), [this, after = after] { apply(after); },
               [this, before = before] { apply(before); }));
         emit noted(added > 0 ? tr("Read %Ln note(s).", nullptr, added)
                              : tr("The files beside the clips have no other notes."));
+        if (!beside.trouble.isEmpty()) emit failed(beside.trouble);
       },
       [this](const QString& message) { emit failed(message); });
 }
@@ -116,20 +127,17 @@ void Library::readNotesOfNew(const QString& path) {
 /// Reads the notes of all files that are new by now, unless it is reading.
 void Library::readNewNotes() {
   if (reading_new_notes_.busy() || new_.empty()) return;
-  // The runner is busy until its delivery has returned.
-  const auto go_on = [this] {
-    QMetaObject::invokeMethod(this, &Library::readNewNotes, Qt::QueuedConnection);
-  };
   reading_new_notes_.start(
       [paths = std::exchange(new_, {})](const Job& job) { return notesBeside(paths, job); },
-      [this, go_on](const NotesByFile& found) {
-        noteBeside(found);
-        if (const auto more = withNotes(found); !more.after.empty()) apply(more.after);
-        go_on();
+      [this](const NotesBeside& beside) {
+        noteBeside(beside.found);
+        if (const auto more = withNotes(beside.found); !more.after.empty()) apply(more.after);
+        if (!beside.trouble.isEmpty()) emit failed(beside.trouble);
+        readNewNotes();
       },
-      [this, go_on](const QString& message) {
+      [this](const QString& message) {
         emit failed(message);
-        go_on();
+        readNewNotes();
       });
 }
 

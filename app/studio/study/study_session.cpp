@@ -227,8 +227,11 @@ std::optional<ClipReview> StudySession::reviewOf(const QString& path) const {
 /// The rows with the library's current reviews.
 std::vector<StudyRow> StudySession::reviewedRows() const {
   std::vector<StudyRow> rows = rows_;
+  std::map<std::string, std::optional<ClipReview>> known;  // a clip has many rows
   for (StudyRow& row : rows) {
-    if (const auto review = reviewOf(QString::fromStdString(row.clip))) row.review = *review;
+    const auto [clip, is_new] = known.try_emplace(row.clip);
+    if (is_new) clip->second = reviewOf(QString::fromStdString(row.clip));
+    if (clip->second) row.review = *clip->second;
   }
   return rows;
 }

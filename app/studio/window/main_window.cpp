@@ -388,12 +388,15 @@ void MainWindow::updateCommands() {
 }
 
 WindowState MainWindow::state() const {
+  const Viewport& view = *panels_.views.viewport;
   return {session_->openKey(),
           playback_->frame(),
           playback_->range(),
           session_->document().tuning(),
-          panels_.views.viewport->options(),
-          actions_.view.follow->isChecked()};
+          view.options(),
+          actions_.view.follow->isChecked(),
+          view.framesByItself() ? std::nullopt : std::optional(view.cameraPlace()),
+          session_->document().currentJoint()};
 }
 
 void MainWindow::takeOver(const WindowState& state) {
@@ -404,6 +407,8 @@ void MainWindow::takeOver(const WindowState& state) {
     session_->recallTuning(state.tuning);
     playback_->setRange(state.range);
     playback_->seek(state.frame);
+    session_->document().setCurrentJoint(state.joint);
+    if (state.camera) panels_.views.viewport->setCameraPlace(*state.camera);
   };
   // Others answer the signal first: the library remembers the clip's settings.
   connect(session_, &Session::opened, this, take_over,

@@ -9,6 +9,7 @@
 #include <QTabBar>
 #include <QTimer>
 #include <algorithm>
+#include <utility>
 
 namespace mocapress {
 namespace {
@@ -22,7 +23,11 @@ const QString kWindowHeight = QStringLiteral("window/belowAt");
 }  // namespace
 
 PanelsBelow::PanelsBelow(QMainWindow* window, const QWidget* view)
-    : QObject(window), window_(window), view_(view), chosen_(kUsualHeight) {
+    : QObject(window),
+      window_(window),
+      view_(view),
+      chosen_(kUsualHeight),
+      unfolded_height_(kUsualHeight) {
   window->installEventFilter(this);
   for (QObject* child : window->children()) watch(child);
 }
@@ -71,13 +76,14 @@ void PanelsBelow::resize(int height) {
 }
 
 void PanelsBelow::choose(int height) {
+  if (height >= kLeastHeight) unfolded_height_ = height;
   chosen_ = height;
   chosen_at_ = window_->height();
 }
 
 void PanelsBelow::unfold() {
   if (unfolded()) return;
-  choose(chosen_ < kLeastHeight ? kUsualHeight : chosen_);
+  choose(unfolded_height_);
   resize(chosen_);
 }
 
@@ -91,6 +97,7 @@ void PanelsBelow::restore() {
   const QSettings settings;
   chosen_ = settings.value(kHeight, kUsualHeight).toInt();
   chosen_at_ = settings.value(kWindowHeight, 0).toInt();
+  if (chosen_ >= kLeastHeight) unfolded_height_ = chosen_;
 }
 
 void PanelsBelow::remember() const {
@@ -100,7 +107,7 @@ void PanelsBelow::remember() const {
 }
 
 void PanelsBelow::reset() {
-  chosen_ = kUsualHeight;
+  chosen_ = unfolded_height_ = kUsualHeight;
   chosen_at_ = 0;
   fit();
 }
@@ -110,8 +117,9 @@ void PanelsBelow::fit() {
   if (inFront().isEmpty()) return;
   const int view = static_cast<int>(kViewShare * window_->height());
   const int room = view_->height() + height() - view;
-  const int most = window_->height() == chosen_at_ ? chosen_ : std::min(chosen_, room);
-  resize(most < kLeastHeight ? kFolded : most);
+  const bool is_chosen_here = window_->height() == chosen_at_;
+  const int most = is_chosen_here ? chosen_ : std::min(chosen_, room);
+  resize(is_chosen_here || most >= kLeastHeight ? most : kFolded);
 }
 
 QList<QTabBar*> PanelsBelow::bars() const {
@@ -165,20 +173,22 @@ bool PanelsBelow::eventFilter(QObject* watched, QEvent* event) {
     }
   } else if (event->type() == QEvent::Resize) {
     const auto* dock = qobject_cast<QDockWidget*>(watched);
-    const bool is_dragged = QGuiApplication::mouseButtons() != Qt::NoButton;
+    // A press on a tab may show a dock in another size, which nobody chose.
+    const bool is_dragged = pressed_tab_ < 0 && QGuiApplication::mouseButtons() != Qt::NoButton;
     if (dock && is_dragged && inFront().contains(dock)) {
       choose(dock->height());
       showTitles(dock->height() > kFolded);
     }
   } else if (const auto* bar = qobject_cast<QTabBar*>(watched)) {
-    const int tab =
-        event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonRelease
-            ? bar->tabAt(static_cast<QMouseEvent*>(event)->pos())
-            : -1;
-    if (event->type() == QEvent::MouseButtonPress) {
+    const bool is_press = event->type() == QEvent::MouseButtonPress;
+    if (!is_press && event->type() != QEvent::MouseButtonRelease) return false;
+    const auto& mouse = static_cast<const QMouseEvent&>(*event);
+    if (mouse.button() != Qt::LeftButton) return false;
+    const int tab = bar->tabAt(mouse.pos());
+    if (is_press) {
       pressed_tab_ = tab;
       pressed_in_front_ = tab == bar->currentIndex();
-    } else if (event->type() == QEvent::MouseButtonRelease && tab == pressed_tab_) {
+    } else if (tab == std::exchange(pressed_tab_, -1)) {
       click(*bar, tab, pressed_in_front_);
     }
   }

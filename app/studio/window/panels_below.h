@@ -53,7 +53,8 @@ class PanelsBelow : public QObject {
   const QWidget* view_;
   int chosen_;            // height, by the user if they have chosen one
   int chosen_at_ = 0;     // height of the window then
-  int pressed_tab_ = -1;  // of the bar that the mouse is pressed on
+  int unfolded_height_;   // the last one chosen that is of use
+  int pressed_tab_ = -1;  // of the bar that the mouse is pressed on; -1: none
   bool pressed_in_front_ = false;
 };
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/studio/document/document.h"
+#include "widgets/viewport/orbit_camera.h"
 #include "widgets/viewport/view_arrangement.h"
 
 namespace mocapress {
@@ -18,6 +19,8 @@ struct WindowState {
   Tuning tuning;
   ViewOptions view;
   bool follows = true;
+  std::optional<OrbitCamera::Place> camera;  // unset: frames the figure by itself
+  int joint = -1;                            // the current one
 };
 
 }  // namespace mocapress
