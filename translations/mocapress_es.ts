@@ -4260,6 +4260,10 @@
         <source>The eye judges from the viewing distance that is named, by %1.</source>
         <translation>El ojo juzga desde la distancia de observación que se indica, por %1.</translation>
     </message>
+    <message>
+        <source>own limits: %1</source>
+        <translation>límites propios: %1</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ResultPanel</name>

@@ -4260,6 +4260,10 @@
         <source>The eye judges from the viewing distance that is named, by %1.</source>
         <translation>L&apos;œil juge de la distance indiquée, selon %1.</translation>
     </message>
+    <message>
+        <source>own limits: %1</source>
+        <translation>limites propres : %1</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ResultPanel</name>

@@ -4230,6 +4230,10 @@
         <source>The eye judges from the viewing distance that is named, by %1.</source>
         <translation>見え方は、示した視距離から、%1で判定します。</translation>
     </message>
+    <message>
+        <source>own limits: %1</source>
+        <translation>自分の限界値：%1</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ResultPanel</name>

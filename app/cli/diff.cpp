@@ -35,15 +35,23 @@ struct Diff {
     const BatchDifference difference =
         difference_of(rows_of(before), rows_of(after), percent / 100);
     json ? print(to_json(difference)) : print_lines(difference);
+    if (difference.judged_otherwise > 0)
+      std::fprintf(stderr,
+                   "%zu clips were judged from another distance or by other limits: their "
+                   "visibility is not compared\n",
+                   difference.judged_otherwise);
     refuse(difference);
     if (waiting > 0) throw EndedWith{kSomeFailed};  // of the later batch, which was read last
   }
 
-  /// Throws EndedWith if a clip changed in a way that --fail-on names.
+  /// Throws EndedWith if a clip changed in a way that --fail-on names, or if nobody can tell.
   void refuse(const BatchDifference& difference) const {
     bool refused = false;
     for (const std::string& word : fail_on) {
-      const std::size_t count = difference.count(*clip_change_named(word));
+      const ClipChange change = *clip_change_named(word);
+      if (change == ClipChange::NewlyVisible || change == ClipChange::NoLongerSeen)
+        refused |= difference.judged_otherwise > 0;
+      const std::size_t count = difference.count(change);
       if (count == 0) continue;
       std::fprintf(stderr, "%zu clips are %s (--fail-on)\n", count, word.c_str());
       refused = true;

@@ -123,6 +123,8 @@ BatchDifference difference_of(const BatchRows& before, const BatchRows& after, d
       ++difference.clips;
       difference.bytes_before += clip.before->bytes;
       difference.bytes_after += clip.after->bytes;
+      if (clip.before->sight && clip.after->sight && clip.before->limits != clip.after->limits)
+        ++difference.judged_otherwise;
     }
     clip.output = output;
     clip.changes = changes_of(clip.before, clip.after, share);
@@ -151,6 +153,7 @@ Json to_json(const BatchDifference& difference) {
   return {{"clips", difference.clips},
           {"motion_bytes_before", difference.bytes_before},
           {"motion_bytes_after", difference.bytes_after},
+          {"judged_otherwise", difference.judged_otherwise},
           {"counts", counts},
           {"changed", changed}};
 }

@@ -61,6 +61,7 @@ struct BatchDifference {
   std::size_t clips = 0;         // done in both
   std::size_t bytes_before = 0;  // of these
   std::size_t bytes_after = 0;
+  std::size_t judged_otherwise = 0;     // by other limits: their visibility is not compared
   std::vector<ClipDifference> changed;  // the gravest change first, then by output
 
   std::size_t count(ClipChange change) const;

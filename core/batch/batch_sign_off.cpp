@@ -30,7 +30,10 @@ SignOffClip signed_off(const BatchRow& row) {
                                 .worst_point = row.worst ? row.worst->landmark : "",
                                 .sight = {},
                                 .stale = {}};
-  if (measured.seen) clip.figures->sight = measured.seen->sight();
+  if (measured.seen) {
+    clip.figures->sight = measured.seen->sight();
+    clip.figures->limits = measured.seen->limits;
+  }
   return clip;
 }
 

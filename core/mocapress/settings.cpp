@@ -36,8 +36,9 @@ std::span<const Settings> built_in_presets() {
   };
   constexpr double kCloseUp = 1.0 / 3;
   constexpr double kCrowd = 3;
-  // On a screen 60 cm away a person is 26, 7 and 2.6 cm tall from these distances. Results of a
-  // preset are not visible from its distance, or borderline (FIGURES.md: Weightings and presets).
+  // On a screen 60 cm away a person is 26, 7 and 2.6 cm tall from these distances. Gameplay's
+  // results on the study clips are not visible from there, or borderline (FIGURES.md: What the eye
+  // sees).
   constexpr SightLimits kNearby{.distance_m = 4};
   constexpr SightLimits kInPlay{.distance_m = 15};
   constexpr SightLimits kInCrowds{.distance_m = 40};
@@ -52,7 +53,7 @@ std::span<const Settings> built_in_presets() {
        .importance = looks,
        .promises = promises(1),
        .limits = kInPlay},
-      // A seventh of the sliding is left in the mean of the study clips, for 9 % more bytes.
+      // A ninth of the sliding is left in the mean of the study clips, for 9 % more bytes.
       {.name = "Planted feet",
        .target = {Target::Kind::Error, 0.25},
        .importance = planted,

@@ -71,12 +71,19 @@ std::string sight_text(const ReportLanguage& say, const SignOffFigures& figures)
                               significant_text(figures.limits.distance_m, 3)});
 }
 
+/// Names of cues stay English.
+std::string translated(const ReportLanguage& say, const std::string& limits) {
+  constexpr std::string_view kOwn = "own limits: ";
+  return limits.starts_with(kOwn) ? say("own limits: %1", {limits.substr(kOwn.size())})
+                                  : say(limits);
+}
+
 /// "built-in limits"; several texts where clips were judged by different ones.
 std::string limits_text(const SignOff& report) {
   std::set<std::string> texts;
   for (const SignOffClip& clip : report.clips)
     if (clip.figures && clip.figures->sight)
-      texts.insert(report.language(mocapress::limits_text(clip.figures->limits)));
+      texts.insert(translated(report.language, mocapress::limits_text(clip.figures->limits)));
   std::string all;
   for (const std::string& text : texts) all += (all.empty() ? "" : "; ") + text;
   return all;

@@ -154,5 +154,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const int apply_ik : {0, 1}) cook(clip.clip, {.apply_ik = apply_ik});
   cook(clip.clip, {.apply_ik = 1, .ik_error = 0.5F});
   cook(clip.clip, {.skeleton = 1});
+  cook(clip.clip, {.detail_bands = 2});
   return 0;
 }

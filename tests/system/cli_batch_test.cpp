@@ -197,6 +197,17 @@ TEST_F(CliBatch, TellsWhatChangedSinceAnEarlierOne) {
   EXPECT_EQ(mocapress({"diff", file("old"), file("nowhere")}).exit_code, 3);
 }
 
+TEST_F(CliBatch, ADifferenceOfVisibilityFromOtherDistancesIsNotPassed) {
+  write_clips(1);
+  mocapress(batch("far", {"--target-error", "1", "--distance", "40"}));
+  mocapress(batch("near", {"--target-error", "1", "--distance", "1"}));
+  const Outcome silent = mocapress({"diff", file("far"), file("near"), "--fail-on", "worse"});
+  EXPECT_EQ(silent.exit_code, 0);
+  EXPECT_THAT(silent.err, HasSubstr("1 clips were judged from another distance"));
+  EXPECT_EQ(mocapress({"diff", file("far"), file("near"), "--fail-on", "newly-visible"}).exit_code,
+            4);
+}
+
 TEST_F(CliBatch, ADifferenceFromABatchThatWasCutOffIsNotPassed) {
   write_clips(2);
   mocapress(batch("old", {"--target-error", "1"}));
@@ -219,7 +230,9 @@ TEST_F(CliBatch, SignsOffWhatAProjectsReviewersSaid) {
   const Outcome done = mocapress({"signoff", file("out"), "-o", file("sign-off.csv")});
   EXPECT_EQ(done.exit_code, 0) << done.err;
   EXPECT_THAT(done.out, HasSubstr("2 clips: 0 approved, 0 rejected, 1 stale, 1 without a verdict"));
-  EXPECT_THAT(read_text(file("sign-off.csv")), HasSubstr(",approved,ann,"));
+  const std::string table = read_text(file("sign-off.csv"));
+  EXPECT_THAT(table, HasSubstr(",approved,ann,"));
+  EXPECT_THAT(table, HasSubstr(" from 40 m"));  // the preset's distance
   EXPECT_EQ(
       mocapress({"signoff", file("out"), "-o", file("sign-off.html"), "--all-approved"}).exit_code,
       4);

@@ -35,6 +35,10 @@ TEST_F(ManPage, NamesEveryCommandAndEveryOptionOfIt) {
     for (const std::string& option : matches(mocapress({name, "--help"}).out, R"((--[a-z-]+))"))
       EXPECT_THAT(page_, testing::HasSubstr(option)) << "of " << name;
   }
+  for (const std::string& name : matches(mocapress({"bank", "--help"}).out, R"(\n  ([a-z]+) )"))
+    for (const std::string& option :
+         matches(mocapress({"bank", name, "--help"}).out, R"((--[a-z-]+))"))
+      EXPECT_THAT(page_, testing::HasSubstr(option)) << "of bank " << name;
 }
 
 TEST_F(ManPage, HasTheVersionOfTheProgram) {

@@ -27,6 +27,7 @@ struct ReportTexts {
       QT_TR_NOOP("visible"),
       QT_TR_NOOP("%1 from %2 m"),
       QT_TR_NOOP("built-in limits"),
+      QT_TR_NOOP("own limits: %1"),
       QT_TR_NOOP("The eye judges from the viewing distance that is named, by %1."),
       // Sign-offs.
       QT_TR_NOOP("Sign-off"),

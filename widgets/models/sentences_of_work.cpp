@@ -11,7 +11,7 @@ struct TextsOfWork {
   Q_DECLARE_TR_FUNCTIONS(mocapress::Sentence)
  public:
   static constexpr const char* kAll[] = {
-      // What a message is about.
+      // Subjects of messages.
       QT_TR_NOOP("verification: %1"),
       QT_TR_NOOP("no project: %1"),
       QT_TR_NOOP("the preset \"%1\" %2"),

@@ -42,7 +42,7 @@ class JointStrip : public QWidget {
   virtual void paintColumns(QPainter& painter, const QRectF& area, const TimeAxis& time) const = 0;
   virtual int jointAt(int frame) const = 0;
 
-  /// What the columns mean, and what stands at a frame.
+  /// Texts that say what the columns mean, and what stands at a frame.
   virtual QString meaning() const = 0;
   virtual QString describe(int frame) const = 0;
 

@@ -681,7 +681,7 @@ void Viewport::release(const QMouseEvent& event) {
     emit placePointed(-1, body->camera.beside(body->place, body->in_pane));
 }
 
-/// What the picture shows, for a moment.
+/// The contents of the picture, for a moment.
 PictureSpace Viewport::picture() const {
   return {arrangement_, QSizeF(scene_->size()), camera_, offset()};
 }

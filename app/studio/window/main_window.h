@@ -89,7 +89,7 @@ class MainWindow : public QMainWindow {
   Trace& trace() { return *trace_; }
   ViewPictures& pictures() { return *pictures_; }
 
-  /// What a window in another language takes over.
+  /// State that a window in another language takes over.
   WindowState state() const;
 
   /// Takes it over once the clip is open that it belongs to.

@@ -11,7 +11,7 @@
 
 namespace mocapress {
 
-/// What a window hands on to the next one, which is made in another language.
+/// State that a window hands on to the next one, which is made in another language.
 struct WindowState {
   QString clip;  // its clipKey()
   int frame = 0;

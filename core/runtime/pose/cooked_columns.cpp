@@ -57,10 +57,17 @@ void CookedColumns::analyse_segment(int segment) {
     channel.least = std::min(channel.least, *least);
     channel.most = std::max(channel.most, *most);
     if (is_rotation(channel.kind)) see_angles(c, segment);
-    for (int depth = 1; depth <= kMostKeptBands && depth < bands.count; ++depth)
-      for (int i = 0; i < bands[bands.count - depth].size; ++i)
-        channel.largest[depth - 1] = std::max(
-            channel.largest[depth - 1], std::abs(coefficients_.value(c, bands.count - depth, i)));
+    for (int depth = 1; depth <= kMostKeptBands && depth < bands.count; ++depth) {
+      const int band = bands.count - depth;
+      std::int32_t largest = 0;
+      for (int i = 0; i < bands[band].size; ++i)
+        largest = std::max(largest, std::abs(coefficients_.value(c, band, i)));
+      channel.largest[depth - 1] = std::max(channel.largest[depth - 1], largest);
+      const double unit = is_rotation(channel.kind) ? 0.25 : 1;
+      channel.reach[depth - 1] =
+          std::max(channel.reach[depth - 1],
+                   coefficients_.step(c) / unit * power_of_root_two(-bands.depth(band)) * largest);
+    }
   }
 }
 
@@ -87,22 +94,22 @@ bool CookedColumns::is_near(const Channel& channel) const {
 }
 
 /// Finds the channels whose range is too large for 16-bit samples, or whose details are too large
-/// for integer weights.
+/// for integer weights. Such bands become samples.
 void CookedColumns::choose_wide() {
   constexpr double kStill = 1e-7;  // cm or radians
   for (int c = 0; c < channel_count(); ++c) {
     Channel& channel = channels_[c];
-    const std::int32_t* const largest = channel.largest;
-    const bool has_details =
-        std::any_of(largest, largest + kMostKeptBands, [](std::int32_t v) { return v != 0; });
+    bool has_details = false;
+    int kept = bands_.most;  // bands that are small enough
+    for (int b = kMostKeptBands - 1; b >= 0; --b) {
+      has_details |= channel.largest[b] != 0;
+      if (b < kept && (channel.largest[b] > kMostValue || channel.reach[b] > kMostReach)) kept = b;
+    }
     channel.changes |= has_details || channel.most - channel.least > kStill;
     channel.constant = 0.5 * (channel.least + channel.most);
     channel.is_wide |=
-        channel.changes && (channel.most - channel.least > kMostRange ||
-                            *std::max_element(largest, largest + bands_.most) > kMostValue);
-    if (!channel.is_wide) continue;
-    for (int b = 0; b < wide_bands_; ++b)
-      if (largest[b] > kMostValue) wide_bands_ = b;
+        channel.changes && (channel.most - channel.least > kMostRange || kept < bands_.most);
+    if (channel.is_wide) wide_bands_ = std::min(wide_bands_, kept);
   }
 }
 

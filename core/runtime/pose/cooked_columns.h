@@ -25,6 +25,8 @@ class CookedColumns {
     double most = 0;
     double furthest = 0;  // largest magnitude at any frame, end corrections included; for angles
     std::int32_t largest[kMostKeptBands] = {};  // largest magnitude in each of the finest bands
+    double reach[kMostKeptBands] = {};  // the same in cm, or in quarters of radians, which are
+                                        // promised alike
     std::uint16_t joint = 0;
     std::uint8_t kind = 0;
     bool changes = false;
@@ -106,6 +108,9 @@ class CookedColumns {
   static constexpr std::int32_t kMostValue = 2047;  // largest kept coefficient; beyond it a band
                                                     // becomes samples
   static constexpr double kMostRange = 3.9;         // range of 16-bit samples, in radians or cm
+  // Largest kept coefficient in the channel's unit: weights of 16 bits are 1.5e-5 off, and a sample
+  // takes several coefficients.
+  static constexpr double kMostReach = 20;
 
   const ClipBlock& clip_;
   CookedCoefficients& coefficients_;
