@@ -3469,7 +3469,7 @@
     </message>
     <message>
         <source>Error over time</source>
-        <translation>Erreur au cours du temps</translation>
+        <translation>Courbe d&apos;erreur</translation>
     </message>
     <message>
         <source>Heat map</source>
@@ -3493,7 +3493,7 @@
     </message>
     <message>
         <source>All clips</source>
-        <translation>Tous les clips</translation>
+        <translation>Tous</translation>
     </message>
     <message>
         <source>Bytes</source>

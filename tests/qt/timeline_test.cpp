@@ -501,7 +501,7 @@ TEST(FiguresBar, NamesTheWeightingAndShowsEveryFigure) {
   QString all;
   for (const QLabel* label : bar.findChildren<QLabel*>()) all += label->text() + QLatin1Char('|');
   for (const char* text :
-       {"joint origins", "1.2 mm", "3.4 mm", "5.6 mm", "7.8 mm", "7.1 kB", "25.0 : 1", "2.50"})
+       {"joint origins", "1.2 mm", "3.4 mm", "5.6 mm", "7.8 mm", "7.10 kB", "25.0 : 1", "2.50"})
     EXPECT_TRUE(all.contains(QString::fromLatin1(text))) << text << " in " << qPrintable(all);
   bar.setFigures({});
   for (const QLabel* label : bar.findChildren<QLabel*>())

@@ -46,7 +46,7 @@ const std::map<std::string, RoomRules> kRooms = {
     // The header for C++ lies beside the C header wherever it is installed.
     {"core/runtime", {{"core/runtime", "mocapress_runtime.h"}, false, true}},
     // A program that uses the interface, as an engine does.
-    {"core/runtime/web", {{kCInterface}, false, true}},
+    {"core/runtime/web", {{kCInterface, "core/runtime/mocapress_runtime.hpp"}, false, true}},
     {"core/motion", {{"core/base", "core/runtime"}}},
     {"core/formats", {{"core/base", "core/motion", "core/runtime"}}},
     {"core/wavelet", {{"core/base", "core/runtime"}}},

@@ -364,9 +364,9 @@ TEST(Decoder, RefusesNullForRequiredArguments) {
 TEST(Decoder, BuildTakesScratchMemoryAsWritable) {
   // Read-only memory may be passed as const, so work space must not be.
   EXPECT_TRUE((std::is_invocable_v<decltype(mcpr_build), void*, std::size_t, void*, std::size_t,
-                                   const mcpr_clip**>));
+                                   const mcpr_clip**, mcpr_result*>));
   EXPECT_FALSE((std::is_invocable_v<decltype(mcpr_build), const void*, std::size_t, void*,
-                                    std::size_t, const mcpr_clip**>));
+                                    std::size_t, const mcpr_clip**, mcpr_result*>));
 }
 
 TEST(Decoder, RefusesTooLittleMemory) {
