@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/base/file.h"
+#include "core/base/utf8_path.h"
 #include "core/batch/batch_folder.h"
 #include "tests/support/test_motion.h"
 
@@ -28,7 +29,7 @@ class BatchTest : public testing::Test {
 
   Batch batch() const {
     Batch all{.presets = {{.name = "rough", .target = {Target::Kind::Error, 2}}}};
-    add_items(all, find_sources({folder_ / "in"}), 0, kUsualNames);
+    add_items(all, find_sources({utf8(folder_ / "in")}), 0, kUsualNames);
     mark_collisions(all);
     return all;
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/batch/batch.h"
+#include "core/base/utf8_path.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -99,16 +100,16 @@ class Sources : public testing::Test {
 TEST_F(Sources, AreTheClipsBelowAFolderEachOnceWithTheFoldersBetween) {
   for (const std::string& spelt : {folder_.string(), folder_.string() + "/"})
     EXPECT_EQ(find_sources({spelt})[1].folder, folder_.filename());
-  const auto sources = find_sources({folder_, folder_ / "b.bvh"});
-  const std::string folder = folder_.filename();
+  const auto sources = find_sources({utf8(folder_), utf8(folder_ / "b.bvh")});
+  const std::string folder = utf8(folder_.filename());
   ASSERT_EQ(sources.size(), 3u);
-  EXPECT_EQ(sources[0], (SourceClip{folder_ / "a.AMC", folder, {}}));
-  EXPECT_EQ(sources[1], (SourceClip{folder_ / "b.bvh", folder, {}}));
-  EXPECT_EQ(sources[2], (SourceClip{folder_ / "deep/er/c.bvh", folder + "/deep/er", {}}));
+  EXPECT_EQ(sources[0], (SourceClip{utf8(folder_ / "a.AMC"), folder, {}}));
+  EXPECT_EQ(sources[1], (SourceClip{utf8(folder_ / "b.bvh"), folder, {}}));
+  EXPECT_EQ(sources[2], (SourceClip{utf8(folder_ / "deep/er/c.bvh"), folder + "/deep/er", {}}));
 }
 
 TEST_F(Sources, AMissingInputIsAClipWithAProblem) {
-  const auto sources = find_sources({folder_ / "none.bvh", folder_ / "b.bvh"});
+  const auto sources = find_sources({utf8(folder_ / "none.bvh"), utf8(folder_ / "b.bvh")});
   ASSERT_EQ(sources.size(), 2u);
   EXPECT_THAT(sources[0].problem, HasSubstr("No such file"));
   EXPECT_EQ(sources[1].problem, "");
@@ -117,10 +118,10 @@ TEST_F(Sources, AMissingInputIsAClipWithAProblem) {
 TEST_F(Sources, BelowAFolderLeaveTheOutputsOut) {
   fs::create_directories(folder_ / "out");
   write_text(folder_ / "out/made.bvh", "");
-  const std::string outputs = folder_ / "deep/../out";
-  EXPECT_EQ(find_sources({folder_}).size(), 4u);
-  EXPECT_EQ(find_sources({folder_}, outputs).size(), 3u);
-  EXPECT_EQ(find_sources({folder_ / "out"}, outputs).size(), 1u) << "asked for by name";
+  const std::string outputs = utf8(folder_ / "deep/../out");
+  EXPECT_EQ(find_sources({utf8(folder_)}).size(), 4u);
+  EXPECT_EQ(find_sources({utf8(folder_)}, outputs).size(), 3u);
+  EXPECT_EQ(find_sources({utf8(folder_ / "out")}, outputs).size(), 1u) << "asked for by name";
 }
 
 TEST_F(Sources, ImpossibleNamesMakeItemsWithAProblem) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/batch/journal.h"
+#include "core/base/utf8_path.h"
 
 #include <gmock/gmock.h>
 
@@ -186,8 +187,9 @@ TEST_F(JournalTest, ResumedForgetsNoClipOfAFolderThatCannotBeListed) {
   }
   Batch unlisted;
   unlisted.presets = all.presets;
-  unlisted.items = {
-      {.input = fs::path(all.items[0].input).parent_path(), .output = "in", .problem = "no"}};
+  unlisted.items = {{.input = utf8(utf8_path(all.items[0].input).parent_path()),
+                     .output = "in",
+                     .problem = "no"}};
   EXPECT_THROW(Journal(path_, unlisted, {}, Journal::Start::Resume), InputError);
   std::size_t rows = 0;
   JournalReader(path_).for_each([&](const BatchRow&) { ++rows; });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/batch/run.h"
+#include "core/base/utf8_path.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -128,8 +129,8 @@ TEST_F(BatchRun, NeverWritesOverTheSourceOfAnotherClip) {
   write_motion(folder_ / "in/more/one.bvh", test::smooth_motion(60, 4));
   const std::string before = read_text(folder_ / "in/one.bvh");
   Batch asked{.presets = batch().presets, .formats = {OutputFormat::Bvh}};
-  add_items(asked, find_sources({folder_ / "in/more"}), 0, "{stem}");
-  add_items(asked, find_sources({folder_ / "in/one.bvh"}), 0, "elsewhere");
+  add_items(asked, find_sources({utf8(folder_ / "in/more")}), 0, "{stem}");
+  add_items(asked, find_sources({utf8(folder_ / "in/one.bvh")}), 0, "elsewhere");
   BatchControl control;
   const auto outcome = run_batch_in(folder_ / "in", asked, {.overwrite = true}, control);
   EXPECT_EQ(outcome.counts.failed, 1u);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <cstdlib>
+#include <new>
 
 #include "core/codec/encode/encoder.h"
 #include "core/codec/format/container.h"
@@ -16,16 +16,18 @@ namespace {
 struct Heap {
   int live = 0;
   int left = 100;
+  std::align_val_t aligned_to{1};  // all of it
   mcpr_allocator allocator = {[](void* context, std::size_t size, std::size_t alignment) -> void* {
                                 auto* const heap = static_cast<Heap*>(context);
                                 if (heap->left-- <= 0) return nullptr;
                                 ++heap->live;
-                                return std::aligned_alloc(
-                                    alignment, (size + alignment) / alignment * alignment);
+                                heap->aligned_to = std::align_val_t{alignment};
+                                return ::operator new(size, heap->aligned_to, std::nothrow);
                               },
                               [](void* context, void* memory) {
-                                --static_cast<Heap*>(context)->live;
-                                std::free(memory);
+                                auto* const heap = static_cast<Heap*>(context);
+                                --heap->live;
+                                ::operator delete(memory, heap->aligned_to);
                               },
                               this};
 };
