@@ -39,12 +39,17 @@ class JoinedRuntime : public CommandLine {
     return outcome.out;
   }
 
-  /// The example's output with the decoder compiled by `compiler`.
-  std::string played_by(const std::string& compiler, const std::string& options) const {
-    run(compiler + " -std=c++20 -Wall -Wextra -Wpedantic -Werror -fno-exceptions -fno-rtti " +
-        options + " -c mocapress_runtime.cpp");
-    run("cc -std=c11 -Wall -Wextra -Werror -I. " + (example_ / "play.c").string() +
-        " mocapress_runtime.o -lm -o play");
+  /// The object that the build compiled from the two files alone; empty without that compiler.
+  static std::string object_of(const std::string& compiler) {
+    const fs::path object =
+        fs::path(MOCAPRESS_BINARY_DIR) / "tests/system/joined" / (compiler + ".o");
+    return fs::exists(object) ? object.string() : "";
+  }
+
+  /// The example's output with the decoder of an object file.
+  std::string played_with(const std::string& object) const {
+    run("cc -std=c11 -Wall -Wextra -Werror -I. " + (example_ / "play.c").string() + " " + object +
+        " -lm -o play");
     return run("./play " + (example_ / "walk.mcpr").string());
   }
 
@@ -64,11 +69,18 @@ class JoinedRuntime : public CommandLine {
 TEST_F(JoinedRuntime, CompilesAloneNeedsNothingOfCxxAndPlaysAsTheLibraryDoes) {
   const std::string expected = played_by_the_library();
   EXPECT_NE(expected.find('#'), std::string::npos) << "nobody is to be seen";
-  if (std::system("command -v clang++ > /dev/null") == 0) {
-    EXPECT_EQ(played_by("clang++", "-O1"), expected);
+  for (const char* name : {"mocapress_runtime.h", "mocapress_runtime.hpp", "mocapress_runtime.cpp"})
+    EXPECT_EQ(read_text(file("game") / name),
+              read_text(fs::path(MOCAPRESS_BINARY_DIR) / "runtime" / name))
+        << "installed as it was compiled";
+  const std::string object = object_of("g++");
+  ASSERT_NE(object, "");
+  EXPECT_EQ(played_with(object), expected);
+  if (is_installed("clang++")) {
+    ASSERT_NE(object_of("clang++"), "");
+    EXPECT_EQ(played_with(object_of("clang++")), expected);
   }
-  EXPECT_EQ(played_by("g++", "-O1"), expected);
-  const std::string missing = run("nm -C --undefined-only mocapress_runtime.o");
+  const std::string missing = run("nm -C --undefined-only " + object);
   EXPECT_EQ(missing.find("std::"), std::string::npos) << missing;
   EXPECT_EQ(missing.find("operator new"), std::string::npos) << missing;
   EXPECT_EQ(missing.find("mocapress"), std::string::npos) << missing;
@@ -82,13 +94,12 @@ TEST_F(JoinedRuntime, PlaysByTheExampleInCxxOfItsReadme) {
     if (!program.empty() || line == "    #include <mocapress_runtime.hpp>")
       program += line.substr(std::min<std::size_t>(line.size(), 4)) + "\n";
   write("game/example.cpp", program + "}\n");
-  std::string compiler = "g++";
-  if (std::system("command -v clang++ > /dev/null") == 0) compiler = "clang++";
-  run("g++ -std=c++20 -O1 -fno-exceptions -fno-rtti -c mocapress_runtime.cpp");
-  for (const std::string& by : {std::string("g++"), compiler}) {
-    run(by +
+  for (const std::string compiler : {"g++", "clang++"}) {
+    if (!is_installed(compiler)) continue;
+    run(compiler +
         " -std=c++20 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror "
-        "-fno-exceptions -fno-rtti -I. example.cpp mocapress_runtime.o -o example");
+        "-fno-exceptions -fno-rtti -I. example.cpp " +
+        object_of("g++") + " -o example");
     const std::string said = run("./example " + (example_ / "walk.mcpr").string());
     EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 4) << said;
     EXPECT_NE(said.find("1.5 s: the root is 9"), std::string::npos) << said;
@@ -101,8 +112,7 @@ TEST_F(JoinedRuntime, PlaysByTheExampleInCxxOfItsReadme) {
 
 /// A pragma for AVX2 would apply to all templates of a joined source, which must run without it.
 TEST_F(JoinedRuntime, HasAvx2InTheFunctionsThatAskForItAlone) {
-  run("g++ -std=c++20 -O2 -c mocapress_runtime.cpp");
-  std::istringstream lines(run("objdump -dC --no-show-raw-insn mocapress_runtime.o"));
+  std::istringstream lines(run("objdump -dC --no-show-raw-insn " + object_of("g++")));
   std::string function;
   for (std::string line; std::getline(lines, line);) {
     if (line.ends_with(">:")) function = line;
@@ -146,10 +156,9 @@ TEST_F(JoinedRuntime, TakesNoMoreStackThanItsReadmeTells) {
     functions.insert((*i)[1]);
   ASSERT_GT(functions.size(), 70U);
   for (const std::string compiler : {"g++", "clang++"}) {
-    if (std::system(("command -v " + compiler + " > /dev/null").c_str()) != 0) continue;
-    run(compiler + " -std=c++20 -O2 -fno-exceptions -fno-rtti -c mocapress_runtime.cpp");
-    run("g++ -std=c++20 -O2 -I. " + (tests / "system/stack_use.cpp").string() +
-        " mocapress_runtime.o -pthread -Wl,-z,now -o stack_use");
+    if (!is_installed(compiler)) continue;
+    run("g++ -std=c++20 -O1 -I. " + (tests / "system/stack_use.cpp").string() + " " +
+        object_of(compiler) + " -Wl,-z,now -o stack_use");
     std::istringstream lines(run("./stack_use" + inputs));
     std::set<std::string> measured;
     std::string call;
