@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/byte_cursor.h"
+#include "core/codec/decode/decoder.h"
 #include "core/codec/encode/mend/end_fit.h"
 #include "core/codec/encode/search/size_estimate.h"
 #include "core/codec/encode/search/split_search.h"
