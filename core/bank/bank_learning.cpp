@@ -11,8 +11,8 @@
 #include "core/base/error.h"
 #include "core/base/utf8_path.h"
 #include "core/codec/format/container.h"
-#include "core/codec/format/packed_clip_writer.h"
 #include "core/codec/format/prior_fit.h"
+#include "core/codec/format/varint.h"
 #include "core/runtime/format/learned_priors.h"
 
 namespace mocapress {

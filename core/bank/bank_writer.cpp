@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/utf8_path.h"
 #include "core/codec/format/packed_clip_writer.h"
+#include "core/codec/format/varint.h"
 #include "core/runtime/format/bank_tiers.h"
 #include "core/runtime/pose/cooked_clip.h"
 

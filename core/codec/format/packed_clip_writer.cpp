@@ -11,6 +11,7 @@
 #include "core/codec/format/section_writer.h"
 #include "core/codec/format/skeleton_section.h"
 #include "core/codec/format/tiers.h"
+#include "core/codec/format/varint.h"
 #include "core/runtime/format/coded_error.h"
 #include "core/runtime/format/joint_orders.h"
 #include "core/runtime/format/joint_records.h"
@@ -139,11 +140,6 @@ std::optional<std::vector<std::byte>> recoded(const runtime::FileSections& secti
 }
 
 }  // namespace
-
-void write_varint(std::vector<std::byte>& bytes, std::uint64_t value) {
-  for (; value >= 0x80; value >>= 7) bytes.push_back(static_cast<std::byte>(value | 0x80));
-  bytes.push_back(static_cast<std::byte>(value));
-}
 
 PackedClip pack_clip(std::span<const std::byte> file, std::span<const std::byte> learned) {
   const runtime::FileSections sections = sections_of(file);

@@ -47,6 +47,4 @@ std::vector<std::byte> unpack_clip(const mcpk_bank& bank, const runtime::BankEnt
 /// Copies an outline with its parts to another bank.
 std::uint32_t copy_outline(const mcpk_bank& bank, std::uint32_t outline, const InternItem& intern);
 
-void write_varint(std::vector<std::byte>& bytes, std::uint64_t value);
-
 }  // namespace mocapress

@@ -11,8 +11,8 @@
 
 #include "core/codec/format/container.h"
 #include "core/codec/format/format_error.h"
-#include "core/codec/format/packed_clip_writer.h"
 #include "core/codec/format/section_writer.h"
+#include "core/codec/format/varint.h"
 #include "core/runtime/format/coded_error.h"
 #include "core/runtime/format/format_limits.h"
 #include "core/runtime/format/packed_clip.h"

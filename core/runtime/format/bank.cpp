@@ -83,9 +83,9 @@ bool EntryWalk::next(BankEntry& entry) {
   std::memcpy(entry.name + kept, name, static_cast<std::size_t>(length));
   entry.name_length = static_cast<std::uint8_t>(kept + length);
   entry.name[entry.name_length] = 0;
-  const std::uint64_t size = read_varint(cursor_);
-  const std::uint64_t kind = (head & kHasKind) != 0 ? read_varint(cursor_) : entry.kind;
-  const std::uint64_t tag_set = (head & kHasTags) != 0 ? read_varint(cursor_) : entry.tag_set;
+  const std::uint64_t size = cursor_.read_varint();
+  const std::uint64_t kind = (head & kHasKind) != 0 ? cursor_.read_varint() : entry.kind;
+  const std::uint64_t tag_set = (head & kHasTags) != 0 ? cursor_.read_varint() : entry.tag_set;
   const bool is_possible =
       !cursor_.failed() && data_ >= sizeof bank_ && data_ <= bank_.bytes &&
       aligned_in(bank_, data_) == data_ && size <= bank_.bytes - data_ &&
@@ -104,7 +104,7 @@ bool EntryWalk::next(BankEntry& entry) {
 /// follows.
 std::uint64_t EntryWalk::name_part(unsigned told) {
   told &= kNameMask;
-  return told < kNameMask ? told : kNameMask + read_varint(cursor_);
+  return told < kNameMask ? told : kNameMask + cursor_.read_varint();
 }
 
 bool read_entry(const mcpk_bank& bank, std::uint32_t clip, BankEntry& entry) {
@@ -136,17 +136,6 @@ int compare_names(const char* a, std::size_t a_length, const char* b, std::size_
   const int order = std::memcmp(a, b, std::min(a_length, b_length));
   if (order != 0) return order;
   return a_length < b_length ? -1 : a_length > b_length ? 1 : 0;
-}
-
-std::uint64_t read_varint(Cursor& cursor) {
-  std::uint64_t value = 0;
-  for (int shift = 0; shift < 63; shift += 7) {
-    const auto byte = cursor.read<std::uint8_t>();
-    value |= std::uint64_t{byte & 0x7FU} << shift;
-    if (byte < 0x80) return value;
-  }
-  cursor.fail();
-  return 0;
 }
 
 }  // namespace mocapress::runtime

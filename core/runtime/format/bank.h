@@ -143,7 +143,4 @@ std::int64_t find_clip(const mcpk_bank& bank, const char* name, std::size_t leng
 /// Compares byte by byte: negative, zero or positive, as memcmp().
 int compare_names(const char* a, std::size_t a_length, const char* b, std::size_t b_length);
 
-/// Reads a varint: groups of 7 bits, lowest first; the eighth bit says that another follows.
-std::uint64_t read_varint(Cursor& cursor);
-
 }  // namespace mocapress::runtime

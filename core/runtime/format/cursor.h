@@ -23,6 +23,18 @@ class Cursor {
     return value;
   }
 
+  /// Reads groups of 7 bits, lowest first; the eighth bit says that another follows.
+  std::uint64_t read_varint() {
+    std::uint64_t value = 0;
+    for (int shift = 0; shift < 63; shift += 7) {
+      const auto byte = read<std::uint8_t>();
+      value |= std::uint64_t{byte & 0x7FU} << shift;
+      if (byte < 0x80) return value;
+    }
+    fail();
+    return 0;
+  }
+
   /// Returns the next `size` bytes in place; null if there are fewer.
   const std::uint8_t* take(std::size_t size) {
     if (failed_ || size > size_ - at_) {

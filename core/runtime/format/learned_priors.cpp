@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/runtime/format/learned_priors.h"
 
-#include "core/runtime/format/bank.h"
+#include "core/runtime/format/cursor.h"
 
 namespace mocapress::runtime {
 
@@ -17,7 +17,7 @@ mcpr_result visit(const Bytes& learned, const Weight& weight, const Context& con
     weight(i, cursor.read<std::int8_t>());
   std::uint64_t number = 0;
   while (!cursor.failed() && !cursor.at_end()) {
-    number += read_varint(cursor);
+    number += cursor.read_varint();
     const auto code = cursor.read<std::uint8_t>();
     if (number >= static_cast<std::uint64_t>(taught.end)) cursor.fail();
     if (!cursor.failed()) context(static_cast<std::size_t>(number), code, taught);

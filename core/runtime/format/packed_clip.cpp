@@ -36,7 +36,7 @@ mcpr_result PackedSections::begin(std::uint16_t& sections) {
   const bool are_whole = (order_bytes & kWholeErrors) != 0;
   for (float& error : errors_)
     error = are_whole ? left_.read<float>() : error_from(left_.read<std::uint16_t>());
-  const std::uint64_t frames = read_varint(left_);
+  const std::uint64_t frames = left_.read_varint();
   if (frames > 0xFFFFFFFFU) return refuse("more than 2^22 frames");
   frames_ = static_cast<std::uint32_t>(frames);
   sizes_ = left_;
@@ -44,7 +44,7 @@ mcpr_result PackedSections::begin(std::uint16_t& sections) {
   std::uint64_t told = 0;
   for (int s = 0; s < sections; ++s)
     if (has_told_size(section_at(s, part)) && part == kOwnPart)
-      told += read_varint(left_) & 0xFFFFFFFFU;
+      told += left_.read_varint() & 0xFFFFFFFFU;
   orders_ = {nullptr, order_bytes & (kWholeErrors - 1U), left_.offset()};
   orders_.data = left_.take(orders_.size);
   if (left_.failed() || told > left_.left()) return refuse("the clip ends within its head");
@@ -56,7 +56,7 @@ mcpr_result PackedSections::next(Section& section) {
   std::uint32_t part = 0;
   section = section_at(next_++, part);
   if (part == kOwnPart) {
-    const std::uint64_t size = has_told_size(section) ? read_varint(sizes_) : motion_bytes_;
+    const std::uint64_t size = has_told_size(section) ? sizes_.read_varint() : motion_bytes_;
     section.payload = {nullptr, static_cast<std::size_t>(size), left_.offset()};
     section.payload.data = size > left_.left() ? nullptr : left_.take(section.payload.size);
     return section.payload.data != nullptr ? kOk : refuse("the clip ends within a section");

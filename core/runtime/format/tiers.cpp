@@ -2,8 +2,8 @@
 #include "core/runtime/format/tiers.h"
 
 #include "core/runtime/format/bands.h"
-#include "core/runtime/format/bank.h"
 #include "core/runtime/format/coded_error.h"
+#include "core/runtime/format/cursor.h"
 
 namespace mocapress::runtime {
 namespace {
@@ -23,7 +23,7 @@ mcpr_result read_tiers(const Bytes& payload, TierTable& tiers, bool is_packed) {
     const std::size_t offset = cursor.offset();
     const bool is_last = t == count - 1;
     Tier& tier = tiers.tier[t];
-    const std::uint64_t bytes = is_packed ? 0 : read_varint(cursor);
+    const std::uint64_t bytes = is_packed ? 0 : cursor.read_varint();
     const bool is_long = cursor.offset() - offset > kMostBytesOfSize;
     if (!is_packed && t > 0) tier.checksum = cursor.read<std::uint32_t>();
     if (!is_last) {
