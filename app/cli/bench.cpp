@@ -6,6 +6,7 @@
 #include <cstring>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "app/cli/commands.h"
 #include "app/cli/motion_input.h"
@@ -63,31 +64,27 @@ class OpenClip {
     mcpr_inspect(file.data(), file.size(), nullptr, &info, &result);
     require(result);
     motion_bytes_ = info.motion_bytes;
-    const AlignedBytes scratch(info.read_bytes);
-    std::size_t size = 0;
-    mcpr_read(file.data(), file.size(), nullptr, scratch.data(), scratch.size(), &size, &result);
-    require(result);
-    resident_.emplace(size);
-    mcpr_build(scratch.data(), scratch.size(), resident_->data(), size, &clip_, &result);
-    require(result);
+    auto loaded = mcpr::load(file);
+    require(loaded.result);
+    clip_ = std::move(*loaded);
     scratch_.emplace(std::size_t{1} << 20);
     out_.resize(frames() * std::max(values({}), values({.output = MCPR_POSITIONS})));
   }
 
-  std::uint32_t frames() const { return mcpr::describe(clip_).frames; }
+  std::uint32_t frames() const { return mcpr::describe(clip_.get()).frames; }
   std::size_t values(const mcpr_request& request) const {
-    return mcpr_frame_values(clip_, &request);
+    return mcpr_frame_values(clip_.get(), &request);
   }
   std::size_t motion_bytes() const { return motion_bytes_; }
   std::size_t resident_bytes() const {
-    const mcpr_clip_info info = mcpr::describe(clip_);
+    const mcpr_clip_info info = mcpr::describe(clip_.get());
     return info.resident_bytes - info.skeleton_bytes;
   }
 
   /// Decodes into the same memory each time.
   void decode(const mcpr_request& request, std::uint32_t first, std::uint32_t count) {
     mcpr_result result;
-    mcpr_decode_frames(clip_, &request, first, count, out_.data(), scratch_->data(),
+    mcpr_decode_frames(clip_.get(), &request, first, count, out_.data(), scratch_->data(),
                        scratch_->size(), &result);
     require(result);
   }
@@ -98,10 +95,9 @@ class OpenClip {
   }
 
   std::size_t motion_bytes_ = 0;
-  std::optional<AlignedBytes> resident_;
   std::optional<AlignedBytes> scratch_;
   std::vector<float> out_;
-  const mcpr_clip* clip_ = nullptr;
+  mcpr::Owned<const mcpr_clip> clip_;
 };
 
 /// Seconds to decode windows of `count` frames at random places, one time for each.

@@ -5,15 +5,16 @@
 #include <cerrno>
 #include <cstring>
 #include <map>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/open_file.h"
 #include "core/base/utf8_path.h"
+#include "core/codec/format/format_error.h"
 #include "core/codec/format/packed_clip_writer.h"
 #include "core/runtime/bank/bank_check.h"
 #include "core/runtime/format/file_sections.h"
-#include "core/runtime/mocapress_runtime.hpp"
 
 namespace mocapress {
 
@@ -48,8 +49,11 @@ BankFile::BankFile(const std::filesystem::path& path)
 }
 
 void BankFile::require_of(const mcpr_result& result) const {
-  if (runtime::failed(result))
-    throw InputError(path_, 0, 0, FormatError(result.offset, result.message).what());
+  try {
+    require(result);
+  } catch (const FormatError& error) {
+    throw InputError(path_, 0, 0, error.what());
+  }
 }
 
 runtime::BankEntry BankFile::entry(std::uint32_t clip) const {
@@ -129,9 +133,9 @@ bool BankFile::play(std::uint32_t clip) const {
     }
     return true;
   }
-  const std::optional<BuiltClip> built = build(clip);
-  if (!built) return false;
-  const mcpr_clip* const played = built->clip;
+  const mcpr::Owned<const mcpr_clip> loaded = load(clip);
+  if (!loaded) return false;
+  const mcpr_clip* const played = loaded.get();
   const mcpr_request request{.output = MCPR_LOCAL};
   const AlignedBytes working(mcpr_scratch_bytes(played, &request));
   std::vector<float> pose(mcpr_frame_values(played, &request));
@@ -145,26 +149,15 @@ bool BankFile::play(std::uint32_t clip) const {
   return true;
 }
 
-std::optional<BankFile::BuiltClip> BankFile::build(std::uint32_t clip) const {
-  mcpr_info info{};
-  mcpr_result result;
-  mcpk_inspect(bank_, clip, nullptr, &info, &result);
-  if (result.status == MCPR_UNSUPPORTED) return {};
-  require_of(result);
-  const AlignedBytes scratch(info.read_bytes);
-  std::size_t bytes = 0;
-  mcpk_read(bank_, clip, nullptr, scratch.data(), scratch.size(), &bytes, &result);
-  require_of(result);
-  BuiltClip built{AlignedBytes(bytes), nullptr};
-  mcpr_build(scratch.data(), scratch.size(), built.bytes.data(), bytes, &built.clip, &result);
-  require_of(result);
-  return built;
+mcpr::Owned<const mcpr_clip> BankFile::load(std::uint32_t clip) const {
+  auto loaded = mcpr::load(bank_, clip);
+  if (loaded.result.status != MCPR_UNSUPPORTED) require_of(loaded.result);
+  return std::move(*loaded);
 }
 
 std::uint64_t BankFile::skeleton_hash(std::uint32_t clip) const {
   if (is_cooked()) return mcpk_skeleton_hash(bank_, clip);
-  const std::optional<BuiltClip> built = build(clip);
-  return built ? mcpr_skeleton_hash(built->clip) : 0;
+  return mcpr_skeleton_hash(load(clip).get());
 }
 
 SkeletonsInBank BankFile::skeletons() const {

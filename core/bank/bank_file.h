@@ -10,6 +10,7 @@
 
 #include "core/bank/bank_writer.h"
 #include "core/runtime/format/bank.h"
+#include "core/runtime/mocapress_runtime.hpp"
 #include "core/runtime/own_memory.h"
 
 namespace mocapress {
@@ -72,14 +73,9 @@ class BankFile {
   bool play(std::uint32_t clip) const;
 
  private:
-  struct BuiltClip {
-    AlignedBytes bytes;
-    const mcpr_clip* clip;
-  };
-
   void require_of(const mcpr_result& result) const;
-  /// Decodes a clip of a packed bank; unset if no engine plays it.
-  std::optional<BuiltClip> build(std::uint32_t clip) const;
+  /// Decodes a clip of a packed bank; null if no engine plays it.
+  mcpr::Owned<const mcpr_clip> load(std::uint32_t clip) const;
   std::uint64_t skeleton_hash(std::uint32_t clip) const;
 
   std::string path_;

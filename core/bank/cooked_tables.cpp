@@ -98,14 +98,9 @@ ClipForBank cook_for_bank(std::span<const std::byte> file, const Cooking& cookin
   mcpr_result result;
   mcpr_inspect(file.data(), file.size(), nullptr, &info, &result);
   require(result);
-  const AlignedBytes scratch(info.read_bytes);
-  std::size_t bytes = 0;
-  mcpr_read(file.data(), file.size(), nullptr, scratch.data(), scratch.size(), &bytes, &result);
-  require(result);
-  const AlignedBytes resident(bytes);
-  const mcpr_clip* clip = nullptr;
-  mcpr_build(scratch.data(), scratch.size(), resident.data(), resident.size(), &clip, &result);
-  require(result);
+  const auto loaded = mcpr::load(file);
+  require(loaded.result);
+  const mcpr_clip* const clip = loaded->get();
   const mcpr_cook_options options{.apply_ik = cooking.apply_ik ? 1 : 0,
                                   .ik_error = cooking.ik_error.value_or(info.error),
                                   .detail_bands = cooking.detail_bands};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The part of the C interface that opens a file in one call, with an allocator of the caller's.
+// The part of the C interface that opens a file, or a clip of a packed bank, in one call, with an
+// allocator of the caller's.
 #include "core/runtime/format/result.h"
 #include "core/runtime/mocapress_runtime.h"
 
@@ -29,44 +30,36 @@ class Allocated {
   void* memory_;
 };
 
-bool is_allocator(const mcpr_allocator* allocator) {
-  return allocator != nullptr && allocator->allocate != nullptr && allocator->release != nullptr;
-}
-
-}  // namespace
-}  // namespace mocapress::runtime
-
-mcpr_status mcpr_load(const void* file, size_t size, const mcpr_limits* limits,
-                      const mcpr_allocator* allocator, const mcpr_clip** clip,
-                      mcpr_result* report) {
-  using namespace mocapress::runtime;
-  if (!is_allocator(allocator) || clip == nullptr)
-    return tell(report,
-                failure(MCPR_ARGUMENT, 0, "no allocator, or no place was given for the clip"));
+/// Loads a clip by `inspect` and `read`, which know whether it is a file or in a packed bank.
+template <typename Inspect, typename Read>
+mcpr_result load_by(const Inspect& inspect, const Read& read, const mcpr_allocator* allocator,
+                    const mcpr_clip** clip) {
+  if (allocator == nullptr || allocator->allocate == nullptr || allocator->release == nullptr ||
+      clip == nullptr)
+    return failure(MCPR_ARGUMENT, 0, "no allocator, or no place was given for the clip");
   mcpr_info info;
   mcpr_result result;
-  mcpr_inspect(file, size, limits, &info, &result);
-  if (failed(result)) return tell(report, result);
+  inspect(&info, &result);
+  if (failed(result)) return result;
   const Allocated scratch(*allocator, info.read_bytes);
   std::size_t bytes = 0;
-  mcpr_read(file, size, limits, scratch.data(), scratch.size(), &bytes, &result);
-  if (failed(result)) return tell(report, result);
+  read(scratch.data(), scratch.size(), &bytes, &result);
+  if (failed(result)) return result;
   Allocated resident(*allocator, bytes);
   mcpr_build(scratch.data(), scratch.size(), resident.data(), bytes, clip, &result);
   if (!failed(result)) resident.keep();
-  return tell(report, result);
+  return result;
 }
 
-mcpr_status mcpr_load_cooked(const void* file, size_t size, const mcpr_limits* limits,
-                             const mcpr_cook_options* options, const mcpr_allocator* allocator,
-                             const mcpr_cooked** cooked, mcpr_result* report) {
-  using namespace mocapress::runtime;
-  if (cooked == nullptr)
-    return tell(report, failure(MCPR_ARGUMENT, 0, "no place was given for the clip"));
+/// Cooks the clip that `load` gives, and releases it.
+template <typename Load>
+mcpr_result load_cooked_by(const Load& load, const mcpr_cook_options* options,
+                           const mcpr_allocator* allocator, const mcpr_cooked** cooked) {
+  if (cooked == nullptr) return failure(MCPR_ARGUMENT, 0, "no place was given for the clip");
   const mcpr_clip* clip = nullptr;
   mcpr_result result;
-  mcpr_load(file, size, limits, allocator, &clip, &result);
-  if (failed(result)) return tell(report, result);
+  load(&clip, &result);
+  if (failed(result)) return result;
   const Allocated scratch(*allocator, mcpr_cook_scratch_bytes(clip, options));
   std::size_t bytes = 0;
   mcpr_cook_size(clip, options, scratch.data(), scratch.size(), &bytes, &result);
@@ -76,5 +69,54 @@ mcpr_status mcpr_load_cooked(const void* file, size_t size, const mcpr_limits* l
     if (!failed(result)) memory.keep();
   }
   allocator->release(allocator->context, const_cast<mcpr_clip*>(clip));
-  return tell(report, result);
+  return result;
+}
+
+}  // namespace
+}  // namespace mocapress::runtime
+
+mcpr_status mcpr_load(const void* file, size_t size, const mcpr_limits* limits,
+                      const mcpr_allocator* allocator, const mcpr_clip** clip,
+                      mcpr_result* report) {
+  using namespace mocapress::runtime;
+  const auto inspect = [&](mcpr_info* info, mcpr_result* result) {
+    mcpr_inspect(file, size, limits, info, result);
+  };
+  const auto read = [&](void* scratch, size_t bytes, size_t* resident, mcpr_result* result) {
+    mcpr_read(file, size, limits, scratch, bytes, resident, result);
+  };
+  return tell(report, load_by(inspect, read, allocator, clip));
+}
+
+mcpr_status mcpr_load_cooked(const void* file, size_t size, const mcpr_limits* limits,
+                             const mcpr_cook_options* options, const mcpr_allocator* allocator,
+                             const mcpr_cooked** cooked, mcpr_result* report) {
+  using namespace mocapress::runtime;
+  const auto load = [&](const mcpr_clip** clip, mcpr_result* result) {
+    mcpr_load(file, size, limits, allocator, clip, result);
+  };
+  return tell(report, load_cooked_by(load, options, allocator, cooked));
+}
+
+mcpr_status mcpk_load(const mcpk_bank* bank, uint32_t number, const mcpr_limits* limits,
+                      const mcpr_allocator* allocator, const mcpr_clip** clip,
+                      mcpr_result* report) {
+  using namespace mocapress::runtime;
+  const auto inspect = [&](mcpr_info* info, mcpr_result* result) {
+    mcpk_inspect(bank, number, limits, info, result);
+  };
+  const auto read = [&](void* scratch, size_t bytes, size_t* resident, mcpr_result* result) {
+    mcpk_read(bank, number, limits, scratch, bytes, resident, result);
+  };
+  return tell(report, load_by(inspect, read, allocator, clip));
+}
+
+mcpr_status mcpk_load_cooked(const mcpk_bank* bank, uint32_t number, const mcpr_limits* limits,
+                             const mcpr_cook_options* options, const mcpr_allocator* allocator,
+                             const mcpr_cooked** cooked, mcpr_result* report) {
+  using namespace mocapress::runtime;
+  const auto load = [&](const mcpr_clip** clip, mcpr_result* result) {
+    mcpk_load(bank, number, limits, allocator, clip, result);
+  };
+  return tell(report, load_cooked_by(load, options, allocator, cooked));
 }

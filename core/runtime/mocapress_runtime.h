@@ -6,6 +6,12 @@
  * motion. From that form the decoder gives any channels, any range of frames, any instant between
  * frames and any level of detail, without decoding the rest.
  *
+ * Contents, each part below a line of dashes: opening a file, or its first tiers while it is on its
+ * way; looking at a clip; decoding frames; poses at any instant (cooked clips, conventions,
+ * cursors); a crowd; root motion; skeletons; blending; tracks, for morphs and events; banks of many
+ * clips. A game that ships one cooked bank may begin with mcpk_open, mcpk_find, mcpk_cooked and
+ * mcpr_sample.
+ *
  * Memory and threads: the decoder allocates, throws and locks nothing and has no globals. The
  * caller provides all memory, aligned to MCPR_ALIGNMENT, but for 16 KiB of stack at most in any
  * call. A built clip is read-only. Any number of threads may decode from it, each with its own
@@ -859,6 +865,15 @@ MCPR_API mcpr_status mcpk_inspect(const mcpk_bank* bank, uint32_t clip, const mc
 MCPR_API mcpr_status mcpk_read(const mcpk_bank* bank, uint32_t clip, const mcpr_limits* limits,
                                void* scratch, size_t scratch_size, size_t* resident_bytes,
                                mcpr_result* report);
+
+/* As mcpr_load and mcpr_load_cooked, for a clip of a packed bank, or for its first tiers. */
+MCPR_API mcpr_status mcpk_load(const mcpk_bank* bank, uint32_t clip, const mcpr_limits* limits,
+                               const mcpr_allocator* allocator, const mcpr_clip** loaded,
+                               mcpr_result* report);
+MCPR_API mcpr_status mcpk_load_cooked(const mcpk_bank* bank, uint32_t clip,
+                                      const mcpr_limits* limits, const mcpr_cook_options* options,
+                                      const mcpr_allocator* allocator, const mcpr_cooked** cooked,
+                                      mcpr_result* report);
 
 /* Points *cooked to a clip of a cooked bank, in the bank's memory. */
 MCPR_API mcpr_status mcpk_cooked(const mcpk_bank* bank, uint32_t clip, const mcpr_cooked** cooked,

@@ -95,6 +95,25 @@ inline Expected<Owned<const mcpr_cooked>> load_cooked(std::span<const std::byte>
   return {Owned<const mcpr_cooked>(result.status == MCPR_OK ? clip : nullptr), result};
 }
 
+/// Decodes a clip of a packed bank, or its first tiers as `limits` say. Fails as mcpk_load does.
+inline Expected<Owned<const mcpr_clip>> load(const mcpk_bank* bank, std::uint32_t number,
+                                             const mcpr_limits* limits = nullptr) {
+  const mcpr_clip* clip = nullptr;
+  mcpr_result result;
+  mcpk_load(bank, number, limits, &kAllocator, &clip, &result);
+  return {Owned<const mcpr_clip>(result.status == MCPR_OK ? clip : nullptr), result};
+}
+
+/// Decodes and cooks a clip of a packed bank for a Player. Fails as mcpk_load_cooked does.
+inline Expected<Owned<const mcpr_cooked>> load_cooked(const mcpk_bank* bank, std::uint32_t number,
+                                                      const mcpr_cook_options& options = {},
+                                                      const mcpr_limits* limits = nullptr) {
+  const mcpr_cooked* clip = nullptr;
+  mcpr_result result;
+  mcpk_load_cooked(bank, number, limits, &options, &kAllocator, &clip, &result);
+  return {Owned<const mcpr_cooked>(result.status == MCPR_OK ? clip : nullptr), result};
+}
+
 /// The number of tiers that are whole in a file's first bytes: mcpr_limits.tiers for reading them.
 /// 0: none yet, or a file without tiers.
 inline std::uint32_t tiers_within(std::span<const std::byte> file) {
@@ -126,6 +145,14 @@ class Player {
     return sample_into(out.data(), request, time);
   }
 
+  /// The same for a request of MCPR_TRANSFORMS.
+  mcpr_result sample(const mcpr_sample_request& request, double time,
+                     std::span<mcpr_transform> pose) {
+    if (pose.empty()) return sample(request, time, std::span<float>());
+    constexpr std::size_t kValues = sizeof(mcpr_transform) / sizeof(float);
+    return sample(request, time, std::span(pose.data()->rotation, kValues * pose.size()));
+  }
+
   /// Gives one transform after the other to the writer.
   mcpr_result sample(mcpr_sample_request request, double time, mcpr_writer& writer) {
     request.layout = MCPR_WRITER;
@@ -138,9 +165,7 @@ class Player {
     mcpr_sample_request request = {};
     request.unit = MCPR_SECONDS;
     request.wrap = wrap;
-    if (pose.empty()) return sample(request, seconds, std::span<float>());
-    constexpr std::size_t kValues = sizeof(mcpr_transform) / sizeof(float);
-    return sample(request, seconds, {pose.data()->rotation, kValues * pose.size()});
+    return sample(request, seconds, pose);
   }
 
  private:

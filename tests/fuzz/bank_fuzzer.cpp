@@ -68,22 +68,14 @@ void read_packed(const mcpk_bank* bank, std::uint32_t clip, std::uint32_t tiers)
   limits.values = 1U << 16;
   limits.scratch_bytes = std::size_t{16} << 20;
   limits.resident_bytes = std::size_t{8} << 20;
-  mcpr_info info{};
-  if (mcpk_inspect(bank, clip, &limits, &info, nullptr) != MCPR_OK) return;
-  const AlignedBytes scratch(info.read_bytes);
-  std::size_t bytes = 0;
-  if (mcpk_read(bank, clip, &limits, scratch.data(), scratch.size(), &bytes, nullptr) != MCPR_OK)
-    return;
-  const AlignedBytes resident(bytes);
-  const mcpr_clip* made = nullptr;
-  if (mcpr_build(scratch.data(), scratch.size(), resident.data(), resident.size(), &made,
-                 nullptr) != MCPR_OK)
-    return;
+  const auto made = mcpr::load(bank, clip, &limits);
+  if (!made) return;
+  const mcpr_clip* const built = made->get();
   const mcpr_request request{.output = MCPR_LOCAL};
-  const AlignedBytes working(mcpr_scratch_bytes(made, &request));
-  std::vector<float> pose(mcpr_frame_values(made, &request));
-  mcpr_decode_moment(made, &request, 0.5 * info.frames, pose.data(), working.data(), working.size(),
-                     nullptr);
+  const AlignedBytes working(mcpr_scratch_bytes(built, &request));
+  std::vector<float> pose(mcpr_frame_values(built, &request));
+  mcpr_decode_moment(built, &request, 0.5 * mcpr::describe(built).frames, pose.data(),
+                     working.data(), working.size(), nullptr);
 }
 
 }  // namespace

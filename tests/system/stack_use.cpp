@@ -366,22 +366,24 @@ void use(Block& scratch, std::size_t bytes) {
   }
 }
 
+constexpr mcpr_allocator kAllocator{
+    [](void*, std::size_t size, std::size_t alignment) {
+      return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+    },
+    [](void*, void* memory) { std::free(memory); }, nullptr};
+
 /// The calls that allocate by themselves.
 void load(Block& file) {
-  const mcpr_allocator allocator{[](void*, std::size_t size, std::size_t alignment) {
-                                   return std::aligned_alloc(
-                                       alignment, (size + alignment - 1) / alignment * alignment);
-                                 },
-                                 [](void*, void* memory) { std::free(memory); }, nullptr};
   const mcpr_clip* clip = nullptr;
-  measure("mcpr_load",
-          [&] { return mcpr_load(file.data(), file.size(), nullptr, &allocator, &clip, nullptr); });
+  measure("mcpr_load", [&] {
+    return mcpr_load(file.data(), file.size(), nullptr, &kAllocator, &clip, nullptr);
+  });
   std::free(const_cast<mcpr_clip*>(clip));
   const mcpr_cooked* cooked = nullptr;
   mcpr_cook_options options{};
   options.apply_ik = 1;
   measure("mcpr_load_cooked", [&] {
-    return mcpr_load_cooked(file.data(), file.size(), nullptr, &options, &allocator, &cooked,
+    return mcpr_load_cooked(file.data(), file.size(), nullptr, &options, &kAllocator, &cooked,
                             nullptr);
   });
   std::free(const_cast<mcpr_cooked*>(cooked));
@@ -448,6 +450,15 @@ void use_bank(Block& file) {
       return mcpk_read(bank, clip, nullptr, scratch.data(), scratch.size(), &bytes, nullptr);
     });
     use(scratch, bytes);
+    const mcpr_clip* loaded = nullptr;
+    measure("mcpk_load",
+            [&] { return mcpk_load(bank, clip, nullptr, &kAllocator, &loaded, nullptr); });
+    std::free(const_cast<mcpr_clip*>(loaded));
+    const mcpr_cooked* cooked = nullptr;
+    measure("mcpk_load_cooked", [&] {
+      return mcpk_load_cooked(bank, clip, nullptr, nullptr, &kAllocator, &cooked, nullptr);
+    });
+    std::free(const_cast<mcpr_cooked*>(cooked));
   }
 }
 

@@ -3,18 +3,15 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 #include <vector>
 
-#include "core/base/error.h"
+#include "core/codec/format/format_error.h"
 
 namespace mocapress {
 namespace {
 
 constexpr mcpr_request kCorrected{.output = MCPR_CHANNELS, .apply_ik = 1};
-
-void require(const mcpr_result& result) {
-  if (result.status != MCPR_OK) throw FormatError(result.offset, result.message);
-}
 
 bool is_joint(const mcpr_joint& found, const Joint& joint) {
   const auto is_place = [](const float(&place)[3], const Eigen::Vector3d& expected) {
@@ -36,18 +33,10 @@ bool is_joint(const mcpr_joint& found, const Joint& joint) {
 RuntimeClip::RuntimeClip(std::span<const std::byte> file, int tiers) {
   mcpr_limits limits = mcpr::default_limits();
   limits.tiers = static_cast<std::uint32_t>(tiers);
-  mcpr_info info;
-  mcpr_result result;
-  mcpr_inspect(file.data(), file.size(), &limits, &info, &result);
-  require(result);
-  const AlignedBytes opening(info.read_bytes);
-  std::size_t size = 0;
-  mcpr_read(file.data(), file.size(), &limits, opening.data(), opening.size(), &size, &result);
-  require(result);
-  resident_.emplace(size);
-  mcpr_build(opening.data(), opening.size(), resident_->data(), size, &clip_, &result);
-  require(result);
-  scratch_.emplace(mcpr_scratch_bytes(clip_, &kCorrected));
+  auto loaded = mcpr::load(file, &limits);
+  require(loaded.result);
+  clip_ = std::move(*loaded);
+  scratch_.emplace(mcpr_scratch_bytes(get(), &kCorrected));
 }
 
 bool RuntimeClip::has_joints_of(const Skeleton& skeleton) const {
@@ -55,7 +44,7 @@ bool RuntimeClip::has_joints_of(const Skeleton& skeleton) const {
   for (int j = 0; j < skeleton.joint_count(); ++j) {
     mcpr_joint found;
     mcpr_result result;
-    mcpr_clip_joint(clip_, static_cast<std::uint32_t>(j), &found, &result);
+    mcpr_clip_joint(get(), static_cast<std::uint32_t>(j), &found, &result);
     require(result);
     if (!is_joint(found, skeleton.joint(j))) return false;
   }
@@ -63,10 +52,10 @@ bool RuntimeClip::has_joints_of(const Skeleton& skeleton) const {
 }
 
 Eigen::MatrixXd RuntimeClip::frames(int first, int count) const {
-  const std::size_t columns = mcpr_frame_values(clip_, &kCorrected);
+  const std::size_t columns = mcpr_frame_values(get(), &kCorrected);
   std::vector<float> rows(columns * static_cast<std::size_t>(count));
   mcpr_result result;
-  mcpr_decode_frames(clip_, &kCorrected, static_cast<std::uint32_t>(first),
+  mcpr_decode_frames(get(), &kCorrected, static_cast<std::uint32_t>(first),
                      static_cast<std::uint32_t>(count), rows.data(), scratch_->data(),
                      scratch_->size(), &result);
   require(result);

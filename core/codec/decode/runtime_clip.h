@@ -20,10 +20,10 @@ class RuntimeClip {
   /// message about the file.
   explicit RuntimeClip(std::span<const std::byte> file, int tiers = 0);
 
-  mcpr_clip_info info() const { return mcpr::describe(clip_); }
+  mcpr_clip_info info() const { return mcpr::describe(get()); }
 
   /// The handle for the C interface; lives as long as this.
-  const mcpr_clip* get() const { return clip_; }
+  const mcpr_clip* get() const { return clip_.get(); }
 
   /// Returns whether joints and channels equal the skeleton's, to the precision of the file's
   /// 32-bit floats. Turned axes of joints are not compared.
@@ -33,8 +33,7 @@ class RuntimeClip {
   Eigen::MatrixXd frames(int first, int count) const;
 
  private:
-  std::optional<AlignedBytes> resident_;
-  const mcpr_clip* clip_ = nullptr;
+  mcpr::Owned<const mcpr_clip> clip_;
   std::optional<AlignedBytes> scratch_;  // of frames()
 };
 

@@ -78,20 +78,13 @@ mcpr_limits limits_of(int tiers) {
 /// All frames of a clip that a bank gives; empty if it is refused.
 std::vector<float> frames_in(const mcpk_bank* bank, std::uint32_t clip, int tiers = 0) {
   const mcpr_limits limits = limits_of(tiers);
-  mcpr_info info;
-  if (mcpk_inspect(bank, clip, &limits, &info, nullptr) != MCPR_OK) return {};
-  const AlignedBytes scratch(info.read_bytes);
-  std::size_t size = 0;
-  if (mcpk_read(bank, clip, &limits, scratch.data(), scratch.size(), &size, nullptr) != MCPR_OK)
-    return {};
-  const AlignedBytes resident(size);
-  const mcpr_clip* built = nullptr;
-  mcpr_build(scratch.data(), scratch.size(), resident.data(), size, &built, nullptr);
+  const auto loaded = mcpr::load(bank, clip, &limits);
+  const std::uint32_t count = mcpr::describe(loaded->get()).frames;
   const mcpr_request request{};
-  const AlignedBytes working(mcpr_scratch_bytes(built, &request));
-  std::vector<float> frames(info.frames * mcpr_frame_values(built, &request));
-  mcpr_decode_frames(built, &request, 0, info.frames, frames.data(), working.data(), working.size(),
-                     nullptr);
+  const AlignedBytes working(mcpr_scratch_bytes(loaded->get(), &request));
+  std::vector<float> frames(count * mcpr_frame_values(loaded->get(), &request));
+  mcpr_decode_frames(loaded->get(), &request, 0, count, frames.data(), working.data(),
+                     working.size(), nullptr);
   return frames;
 }
 

@@ -127,6 +127,31 @@ TEST(RuntimeInCxx, CountsTheTiersThatHaveCome) {
   EXPECT_EQ(mcpr::tiers_within(bytes_of("runtime/segments.mcpr")), 0U);
 }
 
+TEST(RuntimeInCxx, LoadsAndCooksClipsOfAPackedBank) {
+  const std::vector<std::byte> file = bytes_of("bank/tiers.mcpk");
+  const AlignedBytes memory(file.size());
+  std::copy(file.begin(), file.end(), memory.data());
+  const auto bank = mcpr::open_bank({memory.data(), memory.size()});
+  ASSERT_TRUE(bank) << bank.result.message;
+  mcpr_limits limits = mcpr::default_limits();
+  std::vector<float> poses[2];
+  for (limits.tiers = 1; limits.tiers <= 2; ++limits.tiers) {
+    const auto clip = mcpr::load(bank.value, 0, &limits);
+    ASSERT_TRUE(clip) << clip.result.message;
+    const auto cooked = mcpr::load_cooked(bank.value, 0, {}, &limits);
+    ASSERT_TRUE(cooked) << cooked.result.message;
+    std::vector<mcpr_transform> pose(mcpr::describe(cooked->get()).joints);
+    ASSERT_EQ(mcpr::Player::of(cooked->get())->sample({}, 2.5, pose).status, MCPR_OK);
+    poses[limits.tiers - 1] = values_of(pose);
+    const test::CookedClip expected(clip->get());
+    ASSERT_EQ(mcpr::Player::of(expected.clip)->sample({}, 2.5, pose).status, MCPR_OK);
+    EXPECT_EQ(poses[limits.tiers - 1], values_of(pose));
+  }
+  EXPECT_NE(poses[0], poses[1]);
+  EXPECT_EQ(mcpr::load_cooked(bank.value, 1000).result.status, MCPR_ARGUMENT);
+  EXPECT_EQ(mcpr::load(nullptr, 0).result.status, MCPR_ARGUMENT);
+}
+
 TEST(RuntimeInCxx, FindsAndNamesClipsOfABank) {
   const std::vector<std::byte> file = bytes_of("bank/cooked_tracks.mcpk");
   const AlignedBytes memory(file.size());
