@@ -2,6 +2,7 @@
 #include "core/batch/item_list.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "core/batch/format_options_json.h"
 #include "core/report/verdict.h"
@@ -9,9 +10,12 @@
 namespace mocapress {
 namespace {
 
-/// The length of a path's folder, with the / at its end.
+namespace fs = std::filesystem;
+
+/// The length of a path's folder, with what ends it.
 std::size_t folder_length(const std::string& path) {
-  return path.rfind('/') + 1;  // npos + 1 is 0
+  constexpr const char* kSeparators = fs::path::preferred_separator == '/' ? "/" : "/\\";
+  return path.find_last_of(kSeparators) + 1;  // npos + 1 is 0
 }
 
 /// The options as JSON text; empty if unset.

@@ -83,11 +83,17 @@ std::string first_line(const fs::path& path) {
   return line;
 }
 
+/// Whether a file is below a folder, by their names.
+bool is_below(const std::string& file, const std::string& folder) {
+  const fs::path below = utf8_path(file).lexically_relative(utf8_path(folder));
+  return !below.empty() && *below.begin() != ".." && below != ".";
+}
+
 /// Throws if a row's clip is missing only because its folder cannot be listed now. Otherwise the
 /// clip has left the batch.
 void refuse_to_forget(const BatchRow& row, const Batch& batch) {
   for (const BatchItem item : batch.items)
-    if (!item.problem.empty() && row.input.starts_with(item.input + '/'))
+    if (!item.problem.empty() && is_below(row.input, item.input))
       throw InputError(item.input, 0, 0, "cannot be listed, but holds clips that are done");
 }
 

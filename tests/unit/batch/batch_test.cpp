@@ -98,14 +98,15 @@ class Sources : public testing::Test {
 };
 
 TEST_F(Sources, AreTheClipsBelowAFolderEachOnceWithTheFoldersBetween) {
-  for (const std::string& spelt : {folder_.string(), folder_.string() + "/"})
-    EXPECT_EQ(find_sources({spelt})[1].folder, folder_.filename());
+  for (const std::string& spelt : {utf8(folder_), utf8(folder_) + "/"})
+    EXPECT_EQ(find_sources({spelt})[1].folder, utf8(folder_.filename()));
   const auto sources = find_sources({utf8(folder_), utf8(folder_ / "b.bvh")});
   const std::string folder = utf8(folder_.filename());
   ASSERT_EQ(sources.size(), 3u);
   EXPECT_EQ(sources[0], (SourceClip{utf8(folder_ / "a.AMC"), folder, {}}));
   EXPECT_EQ(sources[1], (SourceClip{utf8(folder_ / "b.bvh"), folder, {}}));
-  EXPECT_EQ(sources[2], (SourceClip{utf8(folder_ / "deep/er/c.bvh"), folder + "/deep/er", {}}));
+  EXPECT_EQ(sources[2],
+            (SourceClip{utf8(folder_ / "deep" / "er" / "c.bvh"), folder + "/deep/er", {}}));
 }
 
 TEST_F(Sources, AMissingInputIsAClipWithAProblem) {

@@ -169,6 +169,7 @@ TEST_F(JournalTest, RowsThatCannotBeReadAnyMoreAreAnErrorAndNotFewerRows) {
   EXPECT_THROW(reader.for_each(visit), InputError);
 }
 
+#ifndef _WIN32  // has no file that opens and cannot be read
 TEST_F(JournalTest, AReadErrorIsNotTheEnd) {
   try {
     JournalReader reader("/proc/self/mem");  // opens, but its first page cannot be read
@@ -178,6 +179,7 @@ TEST_F(JournalTest, AReadErrorIsNotTheEnd) {
                 testing::HasSubstr(std::string("cannot be read: ") + std::strerror(EIO)));
   }
 }
+#endif
 
 TEST_F(JournalTest, ResumedForgetsNoClipOfAFolderThatCannotBeListed) {
   const Batch all = batch();
@@ -185,15 +187,16 @@ TEST_F(JournalTest, ResumedForgetsNoClipOfAFolderThatCannotBeListed) {
     Journal journal(path_, all, {}, Journal::Start::New);
     journal.append(row(all, 0));
   }
-  Batch unlisted;
-  unlisted.presets = all.presets;
-  unlisted.items = {{.input = utf8(utf8_path(all.items[0].input).parent_path()),
-                     .output = "in",
-                     .problem = "no"}};
-  EXPECT_THROW(Journal(path_, unlisted, {}, Journal::Start::Resume), InputError);
-  std::size_t rows = 0;
-  JournalReader(path_).for_each([&](const BatchRow&) { ++rows; });
-  EXPECT_EQ(rows, 1u);
+  const std::string folder = utf8(utf8_path(all.items[0].input).parent_path());
+  for (const std::string& spelt : {folder, folder + "/"}) {
+    Batch unlisted;
+    unlisted.presets = all.presets;
+    unlisted.items = {{.input = spelt, .output = "in", .problem = "no"}};
+    EXPECT_THROW(Journal(path_, unlisted, {}, Journal::Start::Resume), InputError) << spelt;
+    std::size_t rows = 0;
+    JournalReader(path_).for_each([&](const BatchRow&) { ++rows; });
+    EXPECT_EQ(rows, 1u);
+  }
 }
 
 TEST_F(JournalTest, ResumedNeverReplacesAFileThatIsNoJournal) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/base/utf8_path.h"
 
 namespace mocapress {
 namespace {
@@ -20,6 +21,11 @@ Batch batch_of(const std::string& text) {
 std::string project(const std::string& clips) {
   return R"({"format": "mocapress-project", "version": 1, "character": "hero.glb", "clips": [)" +
          clips + "]}";
+}
+
+/// Paths of clips have the system's separators.
+std::string preferred(const char* path) {
+  return utf8(std::filesystem::path(path).make_preferred());
 }
 
 std::string failure(const std::string& text) {
@@ -40,15 +46,15 @@ TEST(ProjectBatch, GivesEachClipItsOwnSettingsAndTheOthersThePreset) {
          {"path": "b.bvh"}, {"path": "../far/c.bvh", "settings": {"seed": 7}})"));
   ASSERT_EQ(batch.items.size(), 3u);
   const BatchItem tuned = batch.items[0];
-  EXPECT_EQ(tuned.input, "work/walks/a.amc");
+  EXPECT_EQ(tuned.input, preferred("work/walks/a.amc"));
   EXPECT_EQ(tuned.skeleton, "b.asf");
   EXPECT_EQ(tuned.output, "walks/a");
   EXPECT_EQ(batch.presets[tuned.preset].target.value, 2);
   EXPECT_EQ(tuned.review.reviewer, "ana");
   EXPECT_EQ(tuned.review.source_hash, "aa");
   EXPECT_EQ(tuned.reading->sample_rate_hz, 30);
-  EXPECT_EQ(tuned.reading->character, "work/hero.glb");
-  EXPECT_EQ(batch.items[1].reading->character, "work/hero.glb");
+  EXPECT_EQ(tuned.reading->character, preferred("work/hero.glb"));
+  EXPECT_EQ(batch.items[1].reading->character, preferred("work/hero.glb"));
   EXPECT_EQ(batch.items[1].preset, 0u);
   EXPECT_EQ(batch.items[1].output, "b");
   EXPECT_EQ(batch.items[2].output, "far/c");
@@ -61,17 +67,17 @@ TEST(ProjectBatch, PutsCharactersOnTheClipsOfTheirRigs) {
           "characters": {"aa": "xbot.glb", "bb": "", "": "all.glb"},
           "clips": [{"path": "a.bvh", "rig": "aa"}, {"path": "b.bvh", "rig": "bb"},
                     {"path": "c.bvh", "rig": "cc"}, {"path": "d.bvh"}]})");
-  EXPECT_EQ(batch.items[0].reading->character, "work/xbot.glb");
+  EXPECT_EQ(batch.items[0].reading->character, preferred("work/xbot.glb"));
   EXPECT_EQ(batch.items[1].reading, std::nullopt);
-  EXPECT_EQ(batch.items[2].reading->character, "work/all.glb");
-  EXPECT_EQ(batch.items[3].reading->character, "work/all.glb");
+  EXPECT_EQ(batch.items[2].reading->character, preferred("work/all.glb"));
+  EXPECT_EQ(batch.items[3].reading->character, preferred("work/all.glb"));
 }
 
 TEST(ProjectBatch, PutsTheOnlyCharacterOnClipsWhoseRigIsNotKnownYet) {
   const Batch batch = batch_of(
       R"({"format": "mocapress-project", "version": 1, "characters": {"aa": "xbot.glb"},
           "clips": [{"path": "a.bvh"}, {"path": "b.bvh", "rig": "bb"}]})");
-  EXPECT_EQ(batch.items[0].reading->character, "work/xbot.glb");
+  EXPECT_EQ(batch.items[0].reading->character, preferred("work/xbot.glb"));
   EXPECT_EQ(batch.items[1].reading, std::nullopt);
 }
 

@@ -3,7 +3,11 @@
 
 #include <gmock/gmock.h>
 
+#include <filesystem>
 #include <sstream>
+
+#include "core/base/utf8_path.h"
+#include "core/report/clip_link.h"
 
 namespace mocapress::batch_report_test {
 namespace {
@@ -55,12 +59,11 @@ TEST(BatchReport, NotesAreOneFieldOfItsTable) {
 
 TEST(BatchReport, NotesAreStaleAndLinked) {
   BatchRow row = noted_row();
-  row.input = "/motion/walk.bvh";
+  row.input = utf8(std::filesystem::absolute("/motion/walk.bvh"));  // on Windows with a drive
   row.review.notes.front().settings_hash = "other";
   const std::string page = page_of(row);
   EXPECT_THAT(page, HasSubstr("the settings changed"));
-  EXPECT_THAT(page,
-              HasSubstr("mocapress://open?clip=/motion/walk.bvh&amp;frame=12&amp;joint=lfoot"));
+  EXPECT_THAT(page, HasSubstr(link_text({.clip = row.input}) + "&amp;frame=12&amp;joint=lfoot"));
   EXPECT_THAT(to_csv_line(row), HasSubstr("ana, 2026-11-27; stale: the settings changed)"));
   EXPECT_THAT(to_report_line(row), HasSubstr("\"stale\":\"the settings changed\""));
 }
