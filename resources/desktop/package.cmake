@@ -14,8 +14,9 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "studio and command line that compress mot
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
     "Mocapress keeps the wavelet coefficients of a motion that matter in the world
 and shows the original and the compressed figure beside each other, with the
-error in centimetres at every joint and frame. Clips come from BVH, Acclaim
-and FBX files and become 40 to 150 times smaller at an error of a few millimetres.
+error in centimetres at every joint and frame. Clips come from BVH, Acclaim,
+FBX and glTF files and become 40 to 150 times smaller at an error of a few
+millimetres.
 
 This package has the studio, the command line for many clips at a time, the
 decoder that plays compressed clips in a game engine, and the C++ library.")
