@@ -24,6 +24,16 @@ def test_an_amass_file_is_read_in_centimetres_with_y_up(tmp_path):
     assert any("no offsets" in warning for warning in motion.warnings)
 
 
+def test_joints_of_smplx_have_the_face_between_body_and_fingers(tmp_path):
+    frames = 3
+    path = write_npz(tmp_path / "a.npz", poses=np.zeros((frames, 165)), trans=np.zeros((frames, 3)),
+                     mocap_framerate=None, mocap_frame_rate=60.0)
+    motion = mocapress.read(path)
+    assert (len(motion.names), motion.rate) == (55, 60.0)
+    assert motion.names[21:26] == ["right_wrist", "jaw", "left_eye", "right_eye", "left_index1"]
+    assert motion.parents[[22, 24, 25, 26, 40, 54]].tolist() == [15, 15, 20, 25, 21, 53]
+
+
 def test_the_body_stands_upright_when_its_root_is_turned_up(tmp_path):
     poses = np.zeros((2, 66))
     poses[:, 0] = np.pi / 2  # the body model has y up, the file z
@@ -71,7 +81,7 @@ def test_joints_that_move_are_named_when_they_cannot_be_kept(tmp_path):
     ({"poses": None}, "lacks poses"),
     ({"mocap_framerate": None}, "lacks poses"),
     ({"poses": np.zeros((40, 155))}, "poses are not frames x 3"),
-    ({"poses": np.zeros((40, 165))}, "has 55 joints"),
+    ({"poses": np.zeros((40, 171))}, "has 57 joints"),
     ({"poses": np.full((40, 156), np.nan)}, "a value is not finite"),
     ({"poses": np.full((40, 156), "a")}, "are not numbers"),
     ({"trans": np.zeros((3, 3))}, "trans is not frames x 3"),

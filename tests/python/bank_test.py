@@ -40,8 +40,9 @@ def test_a_cooked_bank_is_sampled_as_its_clips_are(files, clip, tmp_path):
     assert bank.sample("walk/fine", 0.51).shape == found[1].shape
     with pytest.raises(mocapress.InputError, match="cooked"):
         bank["walk/fine"]
-    with pytest.raises(mocapress.Error):
+    with pytest.raises(mocapress.Error, match="the clip is no loop, and stands after its last frame"):
         bank.sample("walk/fine", 0.5, loop=True)
+    assert repr(bank) == f"<mocapress.Bank: cooked, {len(files)} clips>"
 
 
 def test_files_that_are_no_bank_are_refused(files, tmp_path):

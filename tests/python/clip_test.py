@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 import gc
 import pathlib
+import re
 import signal
 import subprocess
 import threading
@@ -124,6 +125,7 @@ def test_progress_is_told_and_what_it_raises_stops_the_work(walk, clip):
     calls = []
 
     def stop(progress):
+        assert re.fullmatch(r"<mocapress.Progress: trial \d+, iteration \d+, [\d.]+ cm>", repr(progress))
         calls.append(progress)
         raise Enough("by the user")
 
@@ -190,7 +192,7 @@ def test_bytes_that_are_no_clip_are_refused(clip, tmp_path):
             mocapress.open(tmp_path / "bad.mcpr")
     with pytest.raises(mocapress.Error, match="not finite"):
         clip.sample(float("nan"))
-    with pytest.raises(mocapress.Error, match="loop"):
+    with pytest.raises(mocapress.Error, match="the clip is no loop, and stands after its last frame"):
         clip.sample(0.5, loop=True)
     with pytest.raises(ValueError, match="instants"):
         clip.sample([[0.5]])

@@ -13,6 +13,7 @@ from mocapress import _core
 
 
 EXAMPLE = ROOT / "core/mocapress/python/example/rate_distortion.py"
+USE = pathlib.Path(__file__).with_name("typed_use.py")
 
 
 def declared(body):
@@ -36,7 +37,7 @@ def test_types_name_all_that_there_is_and_nothing_else():
             assert found == offered(getattr(_core, one.name)), one.name
 
 
-def test_a_strict_type_checker_takes_the_package_and_the_example(tmp_path):
+def test_a_strict_type_checker_takes_the_package_and_scripts_that_use_it(tmp_path):
     mypy = shutil.which("mypy")
     if not mypy:
         pytest.skip("mypy is not installed")
@@ -44,7 +45,7 @@ def test_a_strict_type_checker_takes_the_package_and_the_example(tmp_path):
     shutil.copytree(pathlib.Path(mocapress.__file__).parent, tmp_path / "mocapress",
                     ignore=shutil.ignore_patterns("*.so"))
     (tmp_path / "mypy.ini").write_text("[mypy]\n[mypy-matplotlib.*]\nignore_missing_imports = true\n")
-    outcome = subprocess.run([mypy, "--strict", "--python-executable", "/usr/bin/python3", "mocapress", EXAMPLE],
+    outcome = subprocess.run([mypy, "--strict", "--python-executable", "/usr/bin/python3", "mocapress", EXAMPLE, USE],
                              cwd=tmp_path, capture_output=True, text=True)
     assert outcome.returncode == 0, outcome.stdout + outcome.stderr
 

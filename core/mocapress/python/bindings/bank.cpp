@@ -59,6 +59,7 @@ py::object sample(const BankFile& bank, const py::str& name, const Doubles& seco
   if (!bank.is_cooked())
     throw Error("the bank is packed: take the clip out of it, bank[name], and sample that");
   const mcpr_cooked* const clip = bank.cooked(bank.entry(find(bank, name)));
+  check_wrap(loop, mcpr::describe(clip).loop_frames > 0);
   mcpr_sample_request request{};
   request.unit = MCPR_SECONDS;
   request.wrap = loop ? MCPR_LOOP : MCPR_CLAMP;
@@ -110,6 +111,12 @@ void bind_bank(py::module_& module) {
            "gives them. Raises KeyError, and Error for a packed bank.")
       .def("__getitem__", &clip_of, "name"_a,
            "The Clip that was put in. Raises KeyError, and InputError for a cooked bank.")
+      .def("__repr__",
+           [](const BankFile& bank) {
+             return std::string("<mocapress.Bank: ") +
+                    (bank.is_cooked() ? "cooked, " : "packed, ") + std::to_string(bank.clips()) +
+                    " clips>";
+           })
       .def("__len__", &BankFile::clips)
       .def("__contains__", &contains, "name"_a)
       .def("__iter__", [](const BankFile& bank) { return py::iter(names(bank)); });

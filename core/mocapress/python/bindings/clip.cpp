@@ -81,6 +81,7 @@ const Player& player_without_gil(const CodedClip& clip) {
 
 py::array_t<float> sample(const CodedClip& clip, const Doubles& seconds, bool loop) {
   const Player& player = player_without_gil(clip);
+  check_wrap(loop, player.is_loop());
   return at_instants(seconds, clip.skeleton().joint_count(), 7, [&](double instant, float* out) {
     const LocalPose pose = player.sample(instant, at_ends(loop));
     std::copy_n(pose.joints.data(), pose.joints.size(), out);
@@ -89,6 +90,7 @@ py::array_t<float> sample(const CodedClip& clip, const Doubles& seconds, bool lo
 
 py::array_t<float> positions(const CodedClip& clip, const Doubles& seconds, bool loop) {
   const Player& player = player_without_gil(clip);
+  check_wrap(loop, player.is_loop());
   return at_instants(seconds, clip.skeleton().joint_count(), 3, [&](double instant, float* out) {
     const Eigen::Matrix3Xf places = player.positions(instant, at_ends(loop));
     std::copy_n(places.data(), places.size(), out);

@@ -60,7 +60,11 @@ void bind_encoder(py::module_& module) {
       .def_readonly("trial", &EncodeProgress::pass, "From 0: a target takes several trials.")
       .def_readonly("iteration", &EncodeProgress::iteration, "Within this trial.")
       .def_readonly("error_cm", &EncodeProgress::eps_cm,
-                    "The error by the encoder's model, in the chosen weighting.");
+                    "The error by the encoder's model, in the chosen weighting.")
+      .def("__repr__", [](const EncodeProgress& progress) {
+        return py::str("<mocapress.Progress: trial {}, iteration {}, {:.3f} cm>")
+            .format(progress.pass, progress.iteration, progress.eps_cm);
+      });
   py::class_<ClipEncoder>(module, "Encoder")
       .def(py::init([](const MotionFile& motion) {
              // A guard of the call would also hold where pybind11 registers the new object.

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/error.h"
 #include "core/mocapress/python/bindings/arrays.h"
 
 namespace mocapress::python {
+
+inline void check_wrap(bool loop, bool clip_is_loop) {
+  if (loop && !clip_is_loop) throw Error("the clip is no loop, and stands after its last frame");
+}
 
 /// Poses at instants: one of (points, values) for a number, else (instants, points, values). Calls
 /// sample(instant, out) without the interpreter's lock for each.

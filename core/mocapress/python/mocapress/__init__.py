@@ -25,7 +25,7 @@ from .encoder import Encoder, encode
 
 __all__ = ["Bank", "Clip", "Encoder", "Error", "FormatError", "InputError", "Motion", "Progress",
            "TargetMissed", "Track", "Visibility", "WriteError", "encode", "open", "read",
-           "read_amass", "visibility", "write", "write_amass"]
+           "__version__", "read_amass", "visibility", "write", "write_amass"]
 
 
 def _is_npz(path: str | os.PathLike[str]) -> bool:
@@ -45,11 +45,11 @@ def read(path: str | os.PathLike[str], **options: Any) -> Motion:
 
 
 def write(motion: Motion, path: str | os.PathLike[str], **options: Any) -> list[str]:
-    """Writes a .bvh, .amc, .gltf, .glb, .csv or AMASS-like .npz by its extension.
+    """Writes a .bvh, .amc, .fbx, .gltf, .glb, .csv or AMASS-like .npz by its extension.
 
     Without options, a file is in the axes and unit that its motion was read in. options: skeleton
     (where the .asf of an .amc goes), rate (only stated), cm_per_unit, up, bvh_root. Returns
-    sentences on what had no place in the file. Raises WriteError.
+    sentences on what had no place in the file. Raises WriteError, and Error for other extensions.
     """
     if _is_npz(path):
         return write_amass(motion, path, **options)

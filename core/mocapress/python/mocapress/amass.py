@@ -28,6 +28,7 @@ _BODY = (  # name, parent, offset in cm: an adult of some 1.7 m with arms held o
     ("right_shoulder", 14, (-10, 4, -1)), ("left_elbow", 16, (26, -1, -2)),
     ("right_elbow", 17, (-26, -1, -2)), ("left_wrist", 18, (25, 1, 0)),
     ("right_wrist", 19, (-25, 1, 0)))
+_SMPLX_FACE = (("jaw", 15, (0, 2, 1)), ("left_eye", 15, (3, 7, 6)), ("right_eye", 15, (-3, 7, 6)))
 _SMPL_HANDS = (("left_hand", 20, (8, -1, -1)), ("right_hand", 21, (-8, -1, -1)))
 
 
@@ -44,13 +45,14 @@ def _fingers(side: str, sign: int, wrist: int, first: int) -> list[tuple[str, in
 
 
 def _joints(count: int) -> list[tuple[str, int, Any]] | None:
-    """The skeleton of SMPL's body (22), SMPL (24) or SMPL-H (52)."""
+    """The skeleton of SMPL's body (22), SMPL (24), SMPL-H (52) or SMPL-X (55)."""
     if count == 22:
         return list(_BODY)
     if count == 24:
         return [*_BODY, *_SMPL_HANDS]
-    if count == 52:
-        return [*_BODY, *_fingers("left", 1, 20, 22), *_fingers("right", -1, 21, 37)]
+    if count in (52, 55):
+        head = [*_BODY, *_SMPLX_FACE] if count == 55 else [*_BODY]
+        return [*head, *_fingers("left", 1, 20, len(head)), *_fingers("right", -1, 21, len(head) + 15)]
     return None
 
 
@@ -81,7 +83,7 @@ def _turned(quaternions: NDArray[Any], half: float) -> NDArray[Any]:
 
 
 def read_amass(path: str | os.PathLike[str], *, offsets: ArrayLike | None = None) -> Motion:
-    """Reads an AMASS-like .npz: SMPL's body (22 joints), SMPL (24), SMPL-H (52), or ours.
+    """Reads an AMASS-like .npz: SMPL's body (22 joints), SMPL (24), SMPL-H (52), SMPL-X (55), or ours.
 
     offsets: (joints, 3), cm: each joint's place in its parent, the pelvis in the body model.
     AMASS has them in its body models alone. Left out, they are the file's, else those of an adult
@@ -126,8 +128,8 @@ def read_amass(path: str | os.PathLike[str], *, offsets: ArrayLike | None = None
     elif known:
         names, parents = [joint[0] for joint in known], [joint[1] for joint in known]
     else:
-        raise refuse(f"has {count} joints; SMPL's body has 22, SMPL 24, SMPL-H 52, and others need "
-                     "joint_names, parents and offsets")
+        raise refuse(f"has {count} joints; SMPL's body has 22, SMPL 24, SMPL-H 52, SMPL-X 55, and others "
+                     "need joint_names, parents and offsets")
     warnings = []
     if offsets is not None or "offsets" in held:
         try:
