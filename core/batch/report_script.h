@@ -20,6 +20,7 @@ const text = (row, name) => row.cells[column(name)].textContent;
 const number = (row, name) => parseFloat(text(row, name).replace(",", ""));
 const tests = [];
 const bar = document.createElement("p");
+bar.className = "filters";
 function add(field, test) {
   field.oninput = filter;
   tests.push(row => field.value === "" ? true : test(row, field.value));

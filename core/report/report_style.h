@@ -62,6 +62,11 @@ td.best { font-weight: 700; } tr.sum td, tr.sum th { border-top: 2px solid var(-
 td small { font-size: 12px; } td.wrap { white-space: normal; text-align: left; }
 #clips :is(th, td) { vertical-align: top; } #clips td.wrap { min-width: 8em; }
 #clips td[data-key] { min-width: 16em; }
+@media screen { section:has(#clips) {
+  margin-inline: min(0px, (1072px - min(100vw - 48px, 1800px)) / 2); } }
+.filters { display: flex; flex-wrap: wrap; align-items: center; gap: 6px 8px; max-width: none; }
+.filters :is(select, input, button) { font: inherit; font-size: 13px; padding: 3px 8px; color: var(--ink);
+  background: var(--card); border: 1px solid var(--rule); border-radius: 6px; }
 .legend { display: flex; flex-wrap: wrap; gap: 4px 20px; margin: 8px 0 4px; padding: 0;
   list-style: none; font-size: 13.5px; }
 .sign { width: 26px; height: 12px; margin-right: 7px; vertical-align: middle; }

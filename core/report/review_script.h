@@ -54,7 +54,8 @@ async function showClip(name, facts) {
 )";
 
 /// Adds a button to each row of the clips. It runs after kReportScript, which defines the rows and
-/// finds their columns. Facts from the row go with the clip.
+/// finds their columns. Facts from the row go with the clip. Buttons beside the clip that is shown, and
+/// the keys Q and Shift+Q, go to the next and previous clip of the table as it is sorted and filtered.
 inline constexpr const char* kReviewButtons = R"(
 const told = ["preset", "ratio", "max", "visibility", "verdict", "note"];
 for (const row of rows) {
@@ -71,6 +72,42 @@ for (const row of rows) {
   };
   row.cells[0].append(" ", button);
 }
+const section = document.getElementById("review");
+const neighbours = document.createElement("nav");
+neighbours.className = "neighbours";
+let viewed;
+function neighbour(step) {
+  const found = rows.filter(row => tests.every(test => test(row)));
+  return found[found.indexOf(viewed) + step];
+}
+function go(step) {
+  const row = neighbour(step);
+  if (row) row.cells[0].querySelector("button").click();
+}
+for (const [sign, step, key] of [["\u2039", -1, "Shift+Q"], ["\u203a", 1, "Q"]]) {
+  const button = document.createElement("button");
+  button.textContent = sign;
+  button.onclick = () => go(step);
+  button.tell = function () {
+    const row = neighbour(step);
+    button.disabled = !row;
+    button.title = row ? key + ": " + row.cells[0].firstChild.textContent : key;
+    button.setAttribute("aria-label", button.title);
+  };
+  neighbours.append(button);
+}
+for (const row of rows)
+  row.cells[0].querySelector("button").addEventListener("click", function () {
+    if (viewed) viewed.classList.remove("viewed");
+    viewed = row;
+    viewed.classList.add("viewed");
+    for (const button of neighbours.children) button.tell();
+    section.before(neighbours);
+  });
+section.addEventListener("keydown", function (event) {
+  if (event.key.toLowerCase() !== "q" || event.ctrlKey || event.metaKey || event.altKey) return;
+  go(event.shiftKey ? -1 : 1);
+});
 )";
 
 /// Style sheet of the viewer.
@@ -79,11 +116,15 @@ inline constexpr const char* kReviewStyle = R"css(
 .review canvas.strip { height: 44px; border-radius: 4px; margin-top: 8px; background: var(--page); cursor: pointer; }
 .review input { width: 100%; margin: 6px 0; accent-color: var(--accent); }
 .review .buttons { display: flex; flex-wrap: wrap; gap: 6px; }
-.review button, td button, th button, figcaption button { font: inherit; font-size: 13px; padding: 2px 10px; color: var(--ink);
+.review button, .neighbours button, td button, th button, figcaption button { font: inherit; font-size: 13px; padding: 2px 10px; color: var(--ink);
   background: var(--card); border: 1px solid var(--rule); border-radius: 6px; cursor: pointer; }
 .review button[aria-pressed="true"] { color: var(--card); background: var(--ink); }
 .review .status { margin: 8px 0 0; font-variant-numeric: tabular-nums; }
-@media print { .review { display: none; } }
+.neighbours { float: right; position: relative; margin: 44px 26px 0 10px; }
+.neighbours button { font-size: 18px; line-height: 24px; width: 34px; padding: 0; margin-left: 6px; }
+.neighbours button:disabled { opacity: 0.4; cursor: default; }
+#clips tr.viewed :is(th, td) { background: color-mix(in srgb, var(--accent) 12%, transparent); }
+@media print { .review, .neighbours { display: none; } }
 )css";
 
 }  // namespace mocapress
