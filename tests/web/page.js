@@ -104,6 +104,25 @@ const page = {
     }
   },
 
+  /** The refusal of a file by MocapressLoader, which loads or streams it. */
+  async refusalOfLoader(call, url) {
+    try {
+      const motion = await new MocapressLoader()[`${call}Async`](url);
+      await motion.load();
+      return 'nothing was refused';
+    } catch (error) {
+      return `${error.name}: ${error.message}`;
+    }
+  },
+
+  /** Refusals of files that are not WebAssembly. */
+  async refusalsOfModules(urls) {
+    const refusals = [];
+    for (const url of urls)
+      await new MocapressLoader().setModule(url).loadAsync('files/human_walk.mcpr').catch((error) => refusals.push(`${error.name}: ${error.message}`));
+    return refusals;
+  },
+
   async refusal(bytes) {
     const mocapress = await createMocapress();
     try {

@@ -21,6 +21,7 @@ let browser;
 /** A page from disk whose errors and requests to a server fail the test. */
 async function open(path, options = {}) {
   const page = await browser.newPage({ viewport: { width: 1200, height: 1000 }, ...options });
+  page.setDefaultTimeout(120_000); // drawing without a graphics card takes all processors
   page.wrong = [];
   page.on('pageerror', (error) => page.wrong.push(String(error)));
   page.on('request', (request) => /^https?:/.test(request.url()) && page.wrong.push(request.url()));

@@ -29,7 +29,9 @@ const roots = { package: WEB_PACKAGE, node_modules: join(WEB_NODE, 'node_modules
 
 let knowsRanges = true;
 let bytesSent = 0;
+const pageInsteadOfFile = '<!DOCTYPE html><title>Not found</title>' + ' '.repeat(1000);
 const server = createServer((request, response) => {
+  if (request.url.startsWith('/pages/')) return response.writeHead(200, { 'content-type': 'text/html' }).end(pageInsteadOfFile);
   const path = normalize(decodeURIComponent(new URL(request.url, 'http://localhost').pathname));
   const [, first, ...rest] = path.split('/');
   const file = roots[first] ? join(roots[first], ...rest) : join(import.meta.dirname, path);
@@ -37,6 +39,7 @@ const server = createServer((request, response) => {
   const type = { 'content-type': types[extname(file)] ?? 'application/octet-stream' };
   const bytes = readFileSync(file);
   const range = knowsRanges && /^bytes=(\d+)-(\d+)$/.exec(request.headers.range);
+  if (range && Number(range[1]) >= bytes.length) return response.writeHead(416).end();
   const sent = range ? bytes.subarray(Number(range[1]), Number(range[2]) + 1) : bytes;
   if (['.mcpk', '.mcpr'].includes(extname(file))) bytesSent += sent.length;
   response.writeHead(range ? 206 : 200, range ? { ...type, 'content-range': `bytes ${range[1]}-${range[2]}/${bytes.length}` } : type);
@@ -107,6 +110,7 @@ before(async () => {
     args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
   });
   page = await browser.newPage({ viewport: { width: 1280, height: 720 } });
+  page.setDefaultTimeout(120_000);
   page.on('pageerror', (error) => pageErrors.push(String(error)));
   await page.goto(`http://127.0.0.1:${server.address().port}/page.html`);
   await page.waitForFunction(() => window.page);
@@ -124,6 +128,7 @@ test('the package has all files, and the cooked player is below 60 KB', () => {
   assert.deepEqual(names, [
     'LICENSE',
     'README.md',
+    'fetching.js',
     'mocapress.d.ts',
     'mocapress.js',
     'mocapress.wasm',
@@ -274,7 +279,7 @@ test('a file on a server comes tier by tier where it has some, else as a whole',
     assert.equal(whole.tiersLoaded(), whole.tiers);
     assert.ok(largestDifference(native60.seconds.flatMap((second) => [...whole.openClip().sample(second)]), native60.poses) < 1e-3);
   }
-  await assert.rejects(mocapress.streamClip(address('tiers.mcpk')), /not a Mocapress file/);
+  await assert.rejects(mocapress.streamClip(address('tiers.mcpk')), /tiers.mcpk: not a Mocapress file/);
 });
 
 test('each tier of a streamed bank is one more range, and all of them give the poses of the file', async () => {
@@ -367,7 +372,7 @@ test('a streamed bank that is damaged is refused, and so is a damaged clip', asy
     const damaged = Buffer.from(bank);
     damaged[place] ^= 1;
     writeFileSync(join(files, 'damaged.mcpk'), damaged);
-    assert.match(await inPage('refusalOfStream', 'files/damaged.mcpk', 'human_walk'), new RegExp(`^${refused}: MocapressError: [^.]+$`));
+    assert.match(await inPage('refusalOfStream', 'files/damaged.mcpk', 'human_walk'), new RegExp(`^${refused}: MocapressError: files/damaged.mcpk: [^.]+$`));
   }
 });
 
@@ -383,6 +388,55 @@ test('damaged files are refused in one sentence', async () => {
   flipped[whole.length >> 1] ^= 1;
   for (const bytes of [[], [1, 2, 3], whole.subarray(0, 500), flipped])
     assert.match(await inPage('refusal', [...bytes]), /^MocapressError: [^.]+$/);
+});
+
+for (const call of ['load', 'stream'])
+  test(`a file that cannot be had from a server is refused in one sentence with its address: ${call}`, async () => {
+    const other = createServer((_, response) => response.end(readFileSync(join(files, 'packed.mcpk'))));
+    await new Promise((resolve) => other.listen(0, '127.0.0.1', resolve));
+    for (const name of ['tiers/human_walk.mcpr', 'packed.mcpk']) {
+      const cut = `cut_${basename(name)}`;
+      writeFileSync(join(files, cut), readFileSync(join(files, name)).subarray(0, 600));
+      writeFileSync(join(files, `empty_${basename(name)}`), '');
+      for (const [address, why] of [
+        [`files/${cut}`, /: (the file|the bank) [^.]*(cut short|ends)[^.]*$/],
+        [`files/empty_${basename(name)}`, /: (not a Mocapress file|the bank is cut short)$/],
+        [`files/none${extname(name)}`, /: the server answers 404$/],
+        [`pages/${basename(name)}`, /: the server sends a page \(HTML\), not this file$/],
+        [`http://127.0.0.1:${other.address().port}/${basename(name)}`, /: cannot be fetched: [^.]+ \(CORS\)$/],
+      ]) {
+        const refusal = await inPage('refusalOfLoader', call, address);
+        assert.ok(refusal.startsWith(`MocapressError: ${address}: `), refusal);
+        assert.match(refusal, why);
+      }
+    }
+    other.close();
+  });
+
+test('WebAssembly that a server lacks is refused in one sentence', async () => {
+  const refusals = await inPage('refusalsOfModules', ['pages/mocapress.wasm', 'files/none.wasm', 'files/human_walk.mcpr']);
+  assert.match(refusals[0], /^MocapressError: pages\/mocapress.wasm: the server sends a page \(HTML\), not this file$/);
+  assert.match(refusals[1], /^MocapressError: files\/none.wasm: the server answers 404$/);
+  assert.match(refusals[2], /^MocapressError: files\/human_walk.mcpr: is no WebAssembly that this machine knows: /);
+});
+
+test('the first example of the README shows a character', async () => {
+  const readme = readFileSync(join(WEB_PACKAGE, 'README.md'), 'utf8');
+  const [example] = /^    import \* as THREE[^]*?(?=\n\S)/m.exec(readme);
+  const [importMap] = /^    <script type="importmap">[^]*?<\/script>$/m.exec(readme);
+  copyFileSync(join(files, 'character.mcpr'), join(files, 'walk.mcpr'));
+  writeFileSync(join(files, 'readme.html'), `<!DOCTYPE html><body style="margin: 0">${importMap}<script type="module">${example}</script>`);
+  const reader = await browser.newPage({ viewport: { width: 800, height: 600 } });
+  const errors = [];
+  reader.on('pageerror', (error) => errors.push(String(error)));
+  await reader.goto(`http://127.0.0.1:${server.address().port}/files/readme.html`);
+  await reader.waitForSelector('canvas');
+  await reader.waitForTimeout(1000); // it shows some frames
+  const picture = join(WEB_PICTURES, 'readme.png');
+  await reader.screenshot({ path: picture });
+  await reader.close();
+  assert.deepEqual(errors, []);
+  assert.ok(readFileSync(picture).length > 4000, 'the picture is not empty');
 });
 
 const ofCorpus = (path) => [path.replace(/^.*\/|\.[^.]*$/g, ''), join(corpus, path)];

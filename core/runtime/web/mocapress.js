@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Plays .mcpr files and .mcpk banks of Mocapress in a page, a worker or Node. See mocapress.d.ts.
+import { fetchFile, MocapressError, named, partsOf, rangesOf, stem } from './fetching.js';
+
+export { MocapressError, stem };
 
 /** A module of one instruction that only machines with SIMD128 know. */
 const simdProbe = new Uint8Array([
@@ -14,10 +17,6 @@ const wraps = ['clamp', 'loop', 'pingPong', 'loopJump', 'loopBlend', 'loopHold']
 
 const trackKinds = ['property', 'morphWeight', 'scaleX', 'scaleY', 'scaleZ'];
 
-export class MocapressError extends Error {
-  name = 'MocapressError';
-}
-
 /** The file that plays everything here: with SIMD where the machine has it. */
 export function defaultModule() {
   return WebAssembly.validate(simdProbe)
@@ -31,14 +30,19 @@ async function moduleBytes(source) {
     const { readFile } = await import(/* webpackIgnore: true */ /* @vite-ignore */ 'node:fs/promises');
     return readFile(new URL(source, import.meta.url));
   }
-  const response = await fetch(source);
-  if (!response.ok) throw new MocapressError(`${source}: the server answers ${response.status}`);
-  return response.arrayBuffer();
+  return fetchFile(source);
+}
+
+async function compile(source) {
+  const bytes = await moduleBytes(source);
+  return WebAssembly.compile(bytes).catch((cause) => {
+    const name = bytes === source ? 'the module' : source;
+    throw new MocapressError(`${name}: is no WebAssembly that this machine knows: ${cause.message}`, { cause });
+  });
 }
 
 export async function createMocapress(source = defaultModule()) {
-  const module =
-    source instanceof WebAssembly.Module ? source : await WebAssembly.compile(await moduleBytes(source));
+  const module = source instanceof WebAssembly.Module ? source : await compile(source);
   const noticeOfGrowth = { emscripten_notify_memory_growth() {} };
   const instance = await WebAssembly.instantiate(module, { env: noticeOfGrowth });
   instance.exports._initialize?.();
@@ -77,13 +81,11 @@ export class Mocapress {
   }
 
   async streamClip(url, options) {
-    const fetchRange = rangesOf(url, options);
-    const start = await fetchRange(0, tiersHeadBytes);
-    const tiers = this.tiersOf(start);
-    if (tiers.length > 0 || start.length !== tiersHeadBytes) return new StreamedClip(this, stem(url), tiers, start, fetchRange);
-    const response = await fetch(url, options); // without tiers it comes as a whole
-    if (!response.ok) throw new MocapressError(`${url}: the server answers ${response.status}`);
-    return new StreamedClip(this, stem(url), tiers, new Uint8Array(await response.arrayBuffer()), fetchRange);
+    const start = await rangesOf(url, options)(0, tiersHeadBytes);
+    const tiers = named(url, () => this.tiersOf(start));
+    const isStart = tiers.length === 0 && start.length === tiersHeadBytes; // without tiers it comes as a whole
+    const bytes = isStart ? await fetchFile(url, options) : start;
+    return new StreamedClip(this, stem(url), tiers, bytes, partsOf(url, options));
   }
 
   openBank(bytes) {
@@ -98,23 +100,21 @@ export class Mocapress {
 
   async streamBank(url, options) {
     const exports = this.#exports;
-    const fetchRange = rangesOf(url, options);
-    const head = await fetchRange(0, headBytes);
-    if (head.byteLength !== headBytes) return this.openBank(head); // the whole bank
+    const fetchPart = partsOf(url, options);
+    const head = await rangesOf(url, options)(0, headBytes);
+    if (head.byteLength !== headBytes) return named(url, () => this.openBank(head)); // the whole bank
     const ofHead = this.#copy(head);
     let memory = 0;
     try {
-      const bank = exports.web_open_head(ofHead);
-      if (bank === 0) throw lastError(exports);
+      const bank = named(url, () => opened(exports, exports.web_open_head(ofHead)));
       const [offset, bytes] = placeIn(exports, bank, exports.web_bank_clips(bank));
       const size = exports.web_bank_bytes(bank);
-      const shared = await fetchRange(offset, bytes);
-      if (shared.length !== bytes) throw new MocapressError(`${url}: the server sends ${shared.length} bytes, not ${bytes}`);
+      const shared = await fetchPart(offset, bytes);
       memory = this.#allocate(size);
       write(exports, memory, head);
       write(exports, memory + offset, shared);
-      if (exports.web_open_shared(memory, size) === 0) throw lastError(exports);
-      return new Bank(exports, memory, fetchRange);
+      named(url, () => opened(exports, exports.web_open_shared(memory, size)));
+      return new Bank(exports, memory, url, fetchPart);
     } catch (error) {
       exports.web_free(memory);
       throw error;
@@ -143,14 +143,16 @@ export class Bank {
   #exports;
   #bank;
   #numbers = new Map();
-  #fetchRange;
+  #url;
+  #fetchPart;
   #loads = new Map();
   #tiersLoaded = new Map();
 
-  constructor(exports, bank, fetchRange) {
+  constructor(exports, bank, url, fetchPart) {
     this.#exports = exports;
     this.#bank = bank;
-    this.#fetchRange = fetchRange;
+    this.#url = url;
+    this.#fetchPart = fetchPart;
     for (let i = 0; i < exports.web_bank_clips(bank); ++i)
       this.#numbers.set(textAt(exports, exports.web_bank_name(bank, i)), i);
     this.names = [...this.#numbers.keys()];
@@ -169,7 +171,7 @@ export class Bank {
 
   tiersLoaded(name) {
     const number = this.#number(name);
-    return this.#fetchRange ? (this.#tiersLoaded.get(number) ?? 0) : this.tiers;
+    return this.#fetchPart ? (this.#tiersLoaded.get(number) ?? 0) : this.tiers;
   }
 
   isLoaded(name) {
@@ -201,12 +203,11 @@ export class Bank {
     const tier = this.#tiersLoaded.get(number) ?? 0;
     const [offset, bytes] = placeIn(this.#exports, this.#bank, number, tier);
     if (bytes > 0) {
-      const part = await this.#fetchRange(offset, bytes);
+      const part = await this.#fetchPart(offset, bytes);
       if (this.#bank === 0) throw new MocapressError('the bank was disposed of');
-      if (part.length !== bytes) throw new MocapressError('the bank on the server is not the same any more');
       write(this.#exports, this.#bank + offset, part);
     }
-    if (this.#exports.web_check(this.#bank, number) === 0) throw lastError(this.#exports);
+    named(this.#url, () => opened(this.#exports, this.#exports.web_check(this.#bank, number)));
     this.#tiersLoaded.set(number, tier + 1);
   }
 
@@ -220,15 +221,15 @@ export class Bank {
 
 export class StreamedClip {
   #mocapress;
-  #fetchRange;
+  #fetchPart;
   #bytes; // of the file's start, as far as they have come
   #loading;
   #tierInfo;
 
-  constructor(mocapress, name, tiers, bytes, fetchRange) {
+  constructor(mocapress, name, tiers, bytes, fetchPart) {
     this.#mocapress = mocapress;
     this.#bytes = bytes;
-    this.#fetchRange = fetchRange;
+    this.#fetchPart = fetchPart;
     this.#tierInfo = tiers.length > 0 ? tiers : [{ bytes: bytes.length, error: 0, maxError: 0 }];
     this.names = [name];
     this.isCooked = false;
@@ -274,9 +275,8 @@ export class StreamedClip {
   async #loadNext() {
     const { length } = this.#bytes;
     const end = this.tier(this.tiersLoaded()).bytes;
-    const part = await this.#fetchRange(length, end - length);
+    const part = await this.#fetchPart(length, end - length);
     if (this.#bytes === undefined) throw new MocapressError('the clip was disposed of');
-    if (part.length !== end - length) throw new MocapressError('the file on the server is not the same any more');
     const bytes = new Uint8Array(end);
     bytes.set(this.#bytes);
     bytes.set(part, length);
@@ -475,22 +475,6 @@ export function worldPositions(joints, pose, stride = 7) {
   return positions;
 }
 
-/** A function that fetches some bytes of a file. A server that knows no ranges sends all of it. */
-function rangesOf(url, { headers, ...options } = {}) {
-  return async (offset, bytes) => {
-    const ranged = new Headers(headers);
-    ranged.set('Range', `bytes=${offset}-${offset + bytes - 1}`);
-    const response = await fetch(url, { ...options, headers: ranged });
-    if (!response.ok) throw new MocapressError(`${url}: the server answers ${response.status}`);
-    return new Uint8Array(await response.arrayBuffer());
-  };
-}
-
-/** The name of a file without its folders and extension. */
-export function stem(url) {
-  return decodeURIComponent(String(url).split(/[?#]/)[0].split('/').pop()).replace(/\.[^.]*$/, '');
-}
-
 function placeIn(exports, bank, number, tier = 0) {
   const place = exports.web_place(bank, number, tier);
   if (place === 0) throw lastError(exports);
@@ -528,6 +512,12 @@ function decoderOf(exports, name) {
   if (exports[name] === undefined)
     throw new MocapressError('this module plays cooked banks only: mocapress.wasm plays the others');
   return exports[name];
+}
+
+/** What the module gives where it does not fail: an address, or 1. */
+function opened(exports, address) {
+  if (address === 0) throw lastError(exports);
+  return address;
 }
 
 function lastError(exports) {

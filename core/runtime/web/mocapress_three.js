@@ -14,7 +14,8 @@ import {
   Vector3,
   VectorKeyframeTrack,
 } from 'three';
-import { blendPose, createMocapress, MocapressError, stem } from './mocapress.js';
+import { MocapressError, named, refused, refusePage, stem, unreachable } from './fetching.js';
+import { blendPose, createMocapress } from './mocapress.js';
 
 const metresPerCm = 0.01;
 
@@ -34,12 +35,26 @@ export class MocapressLoader extends Loader {
       .setResponseType('arraybuffer')
       .setRequestHeader(this.requestHeader)
       .setWithCredentials(this.withCredentials);
+    const address = this.manager.resolveURL(this.path + url);
     const fail = (error) => {
       if (onError) onError(error);
       else console.error(error);
-      this.manager.itemError(url);
     };
-    loader.load(url, (bytes) => this.parse(bytes, stem(url)).then(onLoad).catch(fail), onProgress, onError);
+    const open = async (bytes) => {
+      const mocapress = await this.#start();
+      refusePage(address, new Uint8Array(bytes));
+      return named(address, () => opened(mocapress, bytes, stem(url)));
+    };
+    loader.load(
+      url,
+      (bytes) =>
+        open(bytes).then(onLoad, (error) => {
+          fail(error);
+          this.manager.itemError(url);
+        }),
+      onProgress,
+      (error) => fail(error.response ? refused(address, error.response.status) : unreachable(address, error)),
+    );
   }
 
   async streamAsync(url) {
@@ -51,15 +66,21 @@ export class MocapressLoader extends Loader {
   }
 
   async parse(bytes, name = '', tiers = 0) {
-    const mocapress = await this.#start();
-    const isBank = String.fromCharCode(...new Uint8Array(bytes, 0, Math.min(4, bytes.byteLength))) === 'MCPK';
-    return new MocapressMotion(isBank ? mocapress.openBank(bytes) : mocapress.openClip(bytes, name, tiers), isBank);
+    return opened(await this.#start(), bytes, name, tiers);
   }
 
   #start() {
-    this.#mocapress ??= createMocapress(this.#module);
+    this.#mocapress ??= createMocapress(this.#module).catch((error) => {
+      this.#mocapress = undefined; // the next file tries again
+      throw error;
+    });
     return this.#mocapress;
   }
+}
+
+function opened(mocapress, bytes, name, tiers) {
+  const isBank = String.fromCharCode(...new Uint8Array(bytes, 0, Math.min(4, bytes.byteLength))) === 'MCPK';
+  return new MocapressMotion(isBank ? mocapress.openBank(bytes) : mocapress.openClip(bytes, name, tiers), isBank);
 }
 
 export class MocapressMotion {
