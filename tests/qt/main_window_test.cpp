@@ -29,6 +29,7 @@
 #include <algorithm>
 
 #include "app/studio/batch/batch_session.h"
+#include "app/studio/window/tabs_below.h"
 #include "core/formats/motion_file.h"
 #include "tests/qt/patience.h"
 #include "tests/support/test_motion.h"
@@ -476,17 +477,11 @@ TEST_F(StudioWithoutAScreen, TheLibraryGetsItsWidthBackAfterASmallWindow) {
 
 TEST_F(StudioWithoutAScreen, TheViewKeepsNearlyHalfOfALowWindow) {
   const QWidget* view = window_.views().viewport;
-  const auto tabs_fit = [this] {
-    const auto bars = window_.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly);
-    return std::all_of(bars.begin(), bars.end(), [](const QTabBar* bar) {
-      return !bar->isVisible() || bar->width() >= bar->sizeHint().width();
-    });
-  };
   for (const QSize size : {QSize(1280, 720), QSize(1600, 1000), QSize(1280, 720)}) {
     window_.resize(size);
     const auto is_laid_out = [&] {
       return view->height() >= 0.45 * size.height() && (unfolded() || size.height() < 1000) &&
-             tabs_fit();
+             tabsFit(window_.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly));
     };
     EXPECT_TRUE(QTest::qWaitFor(is_laid_out, kPatience))
         << view->height() << " of " << size.height() << (unfolded() ? ", unfolded" : ", folded");

@@ -26,6 +26,7 @@
 #include "app/studio/batch/batch_window.h"
 #include "app/studio/study/study_window.h"
 #include "app/studio/window/main_window.h"
+#include "app/studio/window/tabs_below.h"
 #include "tests/qt/patience.h"
 #include "translations/languages.h"
 #include "widgets/viewport/viewport.h"
@@ -250,11 +251,8 @@ TEST(Translations, LayoutsHoldInEveryLanguage) {
       EXPECT_LE(window.minimumSizeHint().height(), 900) << qPrintable(language);
       window.resize(1280, 720);
       const auto is_laid_out = [&window] {
-        const auto bars = window.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly);
-        const bool tabs_fit = std::all_of(bars.begin(), bars.end(), [](const QTabBar* bar) {
-          return !bar->isVisible() || bar->width() >= bar->sizeHint().width();
-        });
-        return tabs_fit && window.views().viewport->height() >= 0.45 * 720;
+        return tabsFit(window.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly)) &&
+               window.views().viewport->height() >= 0.45 * 720;
       };
       EXPECT_TRUE(QTest::qWaitFor(is_laid_out, kPatience)) << qPrintable(language);
       StudyWindow* study = window.showStudy();

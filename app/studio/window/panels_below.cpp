@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/studio/window/tabs_below.h"
+
 namespace mocapress {
 namespace {
 
@@ -70,7 +72,7 @@ void PanelsBelow::showTitles(bool shown) {
 void PanelsBelow::resize(int height) {
   showTitles(height > kFolded);
   int tabs = 0;  // belong to the height of docks that are side by side
-  for (const QTabBar* bar : bars()) tabs = std::max(tabs, bar->height());
+  for (const QTabBar* bar : tabBarsBelow(window_)) tabs = std::max(tabs, bar->height());
   const QList<QDockWidget*> docks = inFront();
   window_->resizeDocks(docks, QList<int>(docks.size(), height + tabs), Qt::Vertical);
 }
@@ -113,7 +115,7 @@ void PanelsBelow::reset() {
 }
 
 void PanelsBelow::fit() {
-  fitTabs();
+  fitTabs(window_, inFront());
   if (inFront().isEmpty()) return;
   const int view = static_cast<int>(kViewShare * window_->height());
   const int room = view_->height() + height() - view;
@@ -122,39 +124,8 @@ void PanelsBelow::fit() {
   resize(is_chosen_here || most >= kLeastHeight ? most : kFolded);
 }
 
-QList<QTabBar*> PanelsBelow::bars() const {
-  QList<QTabBar*> below;
-  for (auto* bar : window_->findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
-    if (bar->isVisible() && bar->y() > window_->centralWidget()->geometry().bottom() &&
-        bar->x() < window_->centralWidget()->geometry().right())
-      below << bar;
-  return below;
-}
-
-void PanelsBelow::fitTabs() {
-  const QWidget* centre = window_->centralWidget();
-  const QList<QTabBar*> bars = this->bars();
-  int wanted = 0;
-  for (const QTabBar* bar : bars) wanted += bar->sizeHint().width();
-  window_->setCorner(Qt::BottomLeftCorner,
-                     wanted > centre->width() ? Qt::BottomDockWidgetArea : Qt::LeftDockWidgetArea);
-  const bool is_cut_off = std::any_of(bars.begin(), bars.end(), [](const QTabBar* bar) {
-    return bar->width() < bar->sizeHint().width();
-  });
-  if (!is_cut_off) return;
-  QList<QDockWidget*> docks;
-  QList<int> widths;
-  for (QDockWidget* dock : inFront())
-    for (const QTabBar* bar : bars)
-      if (dock->geometry().left() <= bar->x() && bar->x() <= dock->geometry().right()) {
-        docks << dock;
-        widths << bar->sizeHint().width();
-      }
-  window_->resizeDocks(docks, widths, Qt::Horizontal);
-}
-
 void PanelsBelow::click(const QTabBar& bar, int tab, bool was_in_front) {
-  if (tab < 0 || !bars().contains(&bar)) return;
+  if (tab < 0 || !tabBarsBelow(window_).contains(&bar)) return;
   if (!unfolded())
     unfold();
   else if (was_in_front)

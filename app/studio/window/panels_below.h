@@ -11,8 +11,7 @@ class QTabBar;
 namespace mocapress {
 
 /// Folds the docks below the timeline to their tabs where the 3D view would become too low
-/// otherwise. A click on a tab unfolds them; one on the tab in front folds them. Tabs that do not
-/// fit get the corner below the library.
+/// otherwise. A click on a tab unfolds them; one on the tab in front folds them.
 class PanelsBelow : public QObject {
   Q_OBJECT
 
@@ -45,8 +44,6 @@ class PanelsBelow : public QObject {
   void choose(int height);
   void resize(int height);
   void showTitles(bool shown);
-  QList<QTabBar*> bars() const;
-  void fitTabs();
   void click(const QTabBar& bar, int tab, bool was_in_front);
 
   QMainWindow* window_;
