@@ -75,6 +75,14 @@ TEST(LibraryModel, SaysWhyAVerdictIsStaleWhoGaveItAndWhen) {
   EXPECT_TRUE(model.index(0, 0).data(Qt::ToolTipRole).toString().contains(QStringLiteral("ann, ")));
 }
 
+TEST(LibraryModel, ANarrowListKeepsWhatIsSeenBeforeATargetThatIsMet) {
+  LibraryEntry entry{.path = QStringLiteral("/a/walk.bvh"), .frames = 9};
+  entry.outcome = Outcome{25, 0.5, 2, 1000, true, Sight::Visible};
+  EXPECT_EQ(stateText(entry), QStringLiteral("visible from 5 m, target met"));
+  entry.outcome->met = false;
+  EXPECT_EQ(stateText(entry), QStringLiteral("! target missed, visible from 5 m"));
+}
+
 TEST(LibraryModel, NotesOnReadingAreBehindAMarkOfTheRow) {
   LibraryModel model;
   LibraryEntry entry{.path = QStringLiteral("/a/walk.bvh"), .frames = 9};

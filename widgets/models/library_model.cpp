@@ -90,11 +90,13 @@ bool isMissed(const LibraryEntry& entry) {
 namespace {
 
 /// Adds the visibility of errors, provided the outcome is still that of the clip.
-QString withOutcome(const QString& state, const LibraryEntry& entry) {
-  QStringList parts{state};
-  if (entry.outcome && entry.outcome->sight)
-    parts << sightText(*entry.outcome->sight, entry.outcome->limits.distance_m);
-  return parts.join(LibraryModel::tr(", "));
+QString withSight(const QString& state, const LibraryEntry& entry) {
+  if (!entry.outcome || !entry.outcome->sight) return state;
+  const QString sight = sightText(*entry.outcome->sight, entry.outcome->limits.distance_m);
+  // A narrow list cuts the end off: a target that is met is the least of the news.
+  const bool is_news = entry.review.verdict != Verdict::None || !entry.outcome->met;
+  return (is_news ? QStringList{state, sight} : QStringList{sight, state})
+      .join(LibraryModel::tr(", "));
 }
 
 }  // namespace
@@ -102,13 +104,13 @@ QString withOutcome(const QString& state, const LibraryEntry& entry) {
 QString stateText(const LibraryEntry& entry) {
   // A stale verdict already says that the file is missing.
   if (const QString verdict = verdictText(entry.review.verdict, entry.stale); !verdict.isEmpty())
-    return entry.stale == Staleness::None ? withOutcome(verdict, entry) : verdict;
+    return entry.stale == Staleness::None ? withSight(verdict, entry) : verdict;
   if (entry.missing) return LibraryModel::tr("! file missing");
   if (!entry.failure.isEmpty()) return LibraryModel::tr("! cannot be compressed");
   if (!entry.outcome) return {};
   if (entry.outdated != Staleness::None)
     return LibraryModel::tr("! %1").arg(displayName(entry.outdated));
-  return withOutcome(
+  return withSight(
       entry.outcome->met ? LibraryModel::tr("target met") : LibraryModel::tr("! target missed"),
       entry);
 }
