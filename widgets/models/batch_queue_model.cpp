@@ -68,6 +68,7 @@ void BatchQueueModel::replace(const Settings& common, const std::vector<QueuedCl
   beginResetModel();
   common_ = common;
   clips_ = clips;
+  translated_.clear();
   endResetModel();
 }
 
@@ -221,6 +222,14 @@ int BatchQueueModel::columnCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : Columns;
 }
 
+/// Looks a sentence up once: hundreds of patterns are tried for it, and rows are painted often.
+QString BatchQueueModel::translated(const QString& sentence) const {
+  auto found = translated_.find(sentence);
+  if (found == translated_.end())
+    found = translated_.insert(sentence, translatedSentence(sentence));
+  return *found;
+}
+
 QString BatchQueueModel::stateText(const QueuedClip& clip) const {
   if (clip.left_out) return tr("Left out");
   switch (clip.state) {
@@ -235,7 +244,7 @@ QString BatchQueueModel::stateText(const QueuedClip& clip) const {
         return tr("✓ Verified, %Ln warning(s)", nullptr, static_cast<int>(clip.warnings.size()));
       return tr("✓ Verified");
     case QueuedClip::State::Failed:
-      return tr("✗ %1").arg(translatedSentence(shortError(clip)));
+      return tr("✗ %1").arg(translated(shortError(clip)));
   }
   return {};
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <QHash>
 #include <QString>
 #include <map>
 #include <optional>
@@ -125,6 +126,7 @@ class BatchQueueModel : public QAbstractTableModel {
   void wait(int row);
   void changed(int row);
   QString stateText(const QueuedClip& clip) const;
+  QString translated(const QString& sentence) const;
   Staleness staleVerdict(int row) const;
   QString reviewText(int row) const;
   QString toolTip(int row, int column) const;
@@ -132,6 +134,7 @@ class BatchQueueModel : public QAbstractTableModel {
 
   Settings common_ = built_in_presets()[1];
   std::vector<QueuedClip> clips_;
+  mutable QHash<QString, QString> translated_;  // by English sentence
 };
 
 /// Formats a target as "eps_x 0.5 cm", in the user's language and with its decimal sign.
