@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <vector>
 
 namespace mocapress {
@@ -179,6 +180,9 @@ TEST(OrbitCamera, LooksFromTheFrontAndTheSide) {
   camera.lookAlong(ViewAxis::Side);
   const QVector3D from_side = (camera.eye() - camera.target()) / camera.distance();
   EXPECT_LT((from_side - QVector3D(1, 0, 0)).length(), 1e-3F);
+  camera.setFront(std::numbers::pi_v<float>);  // the figure faces -z
+  camera.lookAlong(ViewAxis::Front);
+  EXPECT_LT(camera.eye().z() - camera.target().z(), -0.99F * camera.distance());
 }
 
 TEST(OrbitCamera, ComesBackToAPlaceThatWasKept) {

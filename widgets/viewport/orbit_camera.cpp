@@ -91,7 +91,9 @@ void OrbitCamera::frame(std::span<const QVector3D> points, float least_radius) {
 
 OrbitCamera OrbitCamera::along(ViewAxis axis) const {
   OrbitCamera camera = *this;
-  camera.azimuth_ = axis == ViewAxis::Side ? radians(90) : 0;
+  camera.azimuth_ = axis == ViewAxis::Top    ? 0
+                    : axis == ViewAxis::Side ? front_ + radians(90)
+                                             : front_;
   camera.elevation_ = axis == ViewAxis::Top ? radians(kSteepest) : 0;
   return camera;
 }

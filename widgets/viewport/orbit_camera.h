@@ -11,7 +11,7 @@
 
 namespace mocapress {
 
-/// Directions along the world's axes, as in a drawing of a machine part.
+/// Directions along the figure's front and side, and down, as in a drawing of a machine part.
 enum class ViewAxis { Front, Side, Top };
 
 /// A perspective camera on a sphere around its target, y up. Lengths are cm in the world; pixels
@@ -29,8 +29,11 @@ class OrbitCamera {
   /// zoom() and the clipping planes follow their size, at least `least_radius`.
   void frame(std::span<const QVector3D> points, float least_radius);
 
-  /// Looks at the same target along an axis: the front is at +z, the side at +x. A second call
-  /// returns to the earlier view.
+  /// The direction in which the front is, in radians from +z towards +x.
+  void setFront(float azimuth) { front_ = azimuth; }
+
+  /// Looks at the same target along an axis: at the front, or at the side to the right of this
+  /// view. A second call returns to the earlier view.
   void lookAlong(ViewAxis axis);
 
   /// The camera that looks at the same target along an axis.
@@ -85,7 +88,8 @@ class OrbitCamera {
   QVector3D target_;
   float radius_ = 1;
   float distance_ = 4;
-  float azimuth_ = 0;    // radians from +z towards +x
+  float front_ = 0;      // radians from +z towards +x
+  float azimuth_ = 0;    // likewise
   float elevation_ = 0;  // radians above the ground plane
 
   struct Angles {

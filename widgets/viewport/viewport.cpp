@@ -15,6 +15,7 @@
 #include "core/motion/landmarks.h"
 #include "core/motion/own_lengths.h"
 #include "widgets/viewport/exaggeration.h"
+#include "widgets/viewport/figure_front.h"
 #include "widgets/viewport/orbit_camera.h"
 #include "widgets/viewport/ring.h"
 #include "widgets/viewport/scene.h"
@@ -126,9 +127,12 @@ void Viewport::setSkin(std::shared_ptr<const Skin> skin) {
   arrangeFigures();
 }
 
-/// The figure has the proportions that it is shown with.
+/// The figure has the proportions that it is shown with, and faces somewhere.
 void Viewport::measureFigure() {
-  if (const Eigen::MatrixXd* tracks = leadingTracks()) shape_.emplace(skeleton_, *tracks);
+  const Eigen::MatrixXd* tracks = leadingTracks();
+  if (!tracks) return;
+  shape_.emplace(skeleton_, *tracks);
+  camera_.setFront(frontOf(skeleton_, *tracks).value_or(0));
 }
 
 void Viewport::setOriginal(Tracks tracks, Poses poses) {
