@@ -125,8 +125,9 @@ class Run {
     for (const Waiting& clip : queue_) counts_.bytes += clip.bytes;
     counts_.clips = queue_.size();
     // The largest come first, since a long clip at the end would leave other threads idle.
-    std::stable_sort(queue_.begin(), queue_.end(),
-                     [](const Waiting& a, const Waiting& b) { return a.bytes > b.bytes; });
+    if (options.largest_first)
+      std::stable_sort(queue_.begin(), queue_.end(),
+                       [](const Waiting& a, const Waiting& b) { return a.bytes > b.bytes; });
   }
 
   BatchOutcome run() {

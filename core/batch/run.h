@@ -74,6 +74,7 @@ struct BatchRunOptions {
   bool resumed = false;
   bool keep_going = true;                   // false: the first failure ends the run
   std::optional<double> clip_seconds = {};  // time limit for a clip; unset: none
+  bool largest_first = true;                // false: in the order of the batch
   bool take_over = false;  // true: takes the journal of a run on another computer that has ended
 };
 
@@ -84,7 +85,7 @@ struct BatchOutcome {
   bool has_bank = false;
 };
 
-/// Does the clips of a shard into `folder`, the largest first. Each takes one thread while others
+/// Does the clips of a shard into `folder`. Each takes one thread while others
 /// wait, so memory holds as many clips as threads work. Each row is in the journal before the
 /// worker's next clip begins. The observer is called by one thread at a time. If it refuses, or the
 /// control says so, clips that are not done wait again. Throws WriteError if the journal cannot be

@@ -122,14 +122,27 @@ TEST_F(ALibraryInTheBackground, AFailureStandsInTheRowAndWaitsForOtherSettings) 
   EXPECT_EQ(library_.unencoded(9).size(), 3u);
 }
 
-TEST_F(ALibraryInTheBackground, TheRowsAfterTheOpenClipComeFirst) {
-  ASSERT_TRUE(waitForOutlines());
-  library_.openClip(1);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return session_.isOpen(paths_[1]); }, kPatience));
-  const std::vector<TunedClip> next = library_.unencoded(9);
-  ASSERT_EQ(next.size(), 2u) << "the session compresses the open one";
-  EXPECT_EQ(next[0].path, paths_[2]);
-  EXPECT_EQ(next[1].path, paths_[0]);
+TEST_F(ALibraryInTheBackground, RowsInSightComeFirstThenTheShortestClips) {
+  const int lengths[] = {200, 150, 100};
+  for (int i = 0; i < 3; ++i) {
+    paths_ << QFileInfo(paths_[0]).dir().filePath(QStringLiteral("length%1.bvh").arg(i));
+    write_motion(paths_.back().toStdU16String(),
+                 test::smooth_motion(lengths[i], static_cast<unsigned>(i)));
+  }
+  library_.add(paths_);
+  library_.setPreset({3, 4, 5}, standard(10));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return library_.unencoded(9).size() == 6; }, kPatience));
+  library_.openClip(0);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session_.isOpen(paths_[0]); }, kPatience));
+  const auto order = [&](const std::vector<int>& in_sight) {
+    std::vector<int> rows;
+    for (const TunedClip& clip : library_.unencoded(9, in_sight))
+      rows.push_back(static_cast<int>(paths_.indexOf(clip.path)));
+    return rows;
+  };
+  EXPECT_EQ(order({}), (std::vector<int>{5, 1, 2, 4, 3})) << "the session compresses the open one";
+  EXPECT_EQ(order({3, 2}), (std::vector<int>{3, 2, 5, 1, 4}));
+  EXPECT_EQ(library_.unencoded(2).size(), 2u);
 }
 
 TEST_F(ALibraryInTheBackground, PausesAndEndsWithWhatIsUnderWay) {

@@ -581,6 +581,15 @@ void LibraryPanel::removeChosen() {
 }
 
 void LibraryPanel::showReview() {
+std::vector<int> LibraryPanel::rowsInSight() const {
+  std::vector<int> rows;
+  const int bottom = view_->viewport()->height();
+  for (QModelIndex index = view_->indexAt({0, 0});
+       index.isValid() && view_->visualRect(index).top() < bottom; index = view_->indexBelow(index))
+    if (const int row = tree_->clipOf(index); row >= 0) rows.push_back(row);
+  return rows;
+}
+
   showSum();
   const int row = current();
   verdict_->setEnabled(!reviewedRows().empty());

@@ -36,6 +36,9 @@ class LibraryPanel : public QWidget {
   /// The selected clips, and all clips below selected folders.
   std::vector<int> chosenRows() const;
 
+  /// The rows of clips that the list shows without being scrolled, from top to bottom.
+  std::vector<int> rowsInSight() const;
+
   /// The presets that can be given to clips.
   void setPresets(const std::vector<Settings>& presets) { presets_ = presets; }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/studio/library/background_encoding.h"
 
+#include <QThread>
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -12,7 +14,12 @@ namespace mocapress {
 namespace {
 
 constexpr auto kWatchInterval = std::chrono::milliseconds(100);
-constexpr std::size_t kPart = 32;  // clips: enough for all processors
+
+/// Clips of a part: enough for all processors, and not so many that clips which come into sight
+/// wait long.
+std::size_t part() {
+  return 2 * static_cast<std::size_t>(std::max(QThread::idealThreadCount(), 2));
+}
 
 /// Reads the clips whose settings name joints.
 Batch batchOf(const std::vector<TunedClip>& clips) {
@@ -67,19 +74,21 @@ void BackgroundEncoding::look() {
   const bool yields = session_->busy();
   if (runner_.busy()) return yields ? runner_.pause() : runner_.goOn();
   if (yields || preparing_.busy()) return;
-  if (const std::vector<TunedClip> next = library_->unencoded(kPart); !next.empty()) begin(next);
+  if (const std::vector<TunedClip> next = library_->unencoded(part(), in_sight_()); !next.empty())
+    begin(next);
 }
 
 void BackgroundEncoding::begin(const std::vector<TunedClip>& clips) {
-  preparing_.start([clips](const Job&) { return batchOf(clips); },
-                   [this, clips](const Batch& batch) {
-                     under_way_ = clips;
-                     runner_.start({batch, folder_.path(), {.overwrite = true}});
-                   },
-                   [this](const QString& message) {
-                     setActive(false);
-                     emit failed(message);
-                   });
+  preparing_.start(
+      [clips](const Job&) { return batchOf(clips); },
+      [this, clips](const Batch& batch) {
+        under_way_ = clips;
+        runner_.start({batch, folder_.path(), {.overwrite = true, .largest_first = false}});
+      },
+      [this](const QString& message) {
+        setActive(false);
+        emit failed(message);
+      });
 }
 
 void BackgroundEncoding::take(const std::vector<BatchStep>& steps) {

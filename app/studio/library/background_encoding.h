@@ -4,6 +4,8 @@
 #include <QObject>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "app/jobs/batch_runner.h"
@@ -16,9 +18,9 @@ class Library;
 class Session;
 
 /// Compresses the clips of the library by their settings, as a batch would, and keeps only the
-/// measurements. Takes the clips of Library::unencoded() in small parts: if a clip's settings
-/// change meanwhile, its result is dropped and the clip is in a later part again. Waits while the
-/// session works on the open clip.
+/// measurements. Takes the clips of Library::unencoded() in small parts, those in sight first: if a
+/// clip's settings change meanwhile, its result is dropped and the clip is in a later part again.
+/// Waits while the session works on the open clip.
 class BackgroundEncoding : public QObject {
   Q_OBJECT
 
@@ -28,6 +30,10 @@ class BackgroundEncoding : public QObject {
   /// True starts or resumes; false pauses, also in the middle of a clip.
   void setActive(bool active);
   bool active() const { return active_; }
+
+  /// Returns the rows of clips that the user sees.
+  using InSight = std::function<std::vector<int>()>;
+  void setInSight(InSight in_sight) { in_sight_ = std::move(in_sight); }
 
  signals:
   void activeChanged(bool active);
@@ -41,6 +47,7 @@ class BackgroundEncoding : public QObject {
 
   Session* session_;
   Library* library_;
+  InSight in_sight_ = [] { return std::vector<int>(); };
   bool active_ = false;
   QTimer watch_;          // looks for waiting clips, and for the end of the session's work
   QTemporaryDir folder_;  // holds the batch's journal, no clips

@@ -96,9 +96,9 @@ class Library : public KeptProject {
                     const BatchStep& step);
 
   /// Clips that have settings and no outcome for their present files and settings: at most `most`,
-  /// in the order of the rows, from the current one on. Leaves out the open clip, which the session
-  /// compresses, and clips that failed.
-  std::vector<TunedClip> unencoded(std::size_t most) const;
+  /// those of the rows `first` in their order, then the shortest. Leaves out the open clip, which
+  /// the session compresses, and clips that failed.
+  std::vector<TunedClip> unencoded(std::size_t most, const std::vector<int>& first = {}) const;
 
   /// Takes over the result, or the failure, of a clip that was compressed in the background.
   void noteEncoded(const TunedClip& clip, const BatchStep& step);

@@ -98,15 +98,21 @@ void Library::recallOutcome(ProjectClip& clip) {
   if (found != known_.end()) clip.outcome = found->second;
 }
 
-std::vector<TunedClip> Library::unencoded(std::size_t most) const {
+std::vector<TunedClip> Library::unencoded(std::size_t most, const std::vector<int>& first) const {
+  const QString open = session_->openKey();
+  std::vector<int> waiting;
+  for (int row = 0; row < model_->rowCount(); ++row)
+    if (const LibraryEntry& entry = model_->entry(row);
+        entry.wantsEncoding() && entry.key() != open)
+      waiting.push_back(row);
+  const auto turn = [&](int row) {
+    return std::pair(std::find(first.begin(), first.end(), row), model_->entry(row).frames);
+  };
+  std::stable_sort(waiting.begin(), waiting.end(), [&](int a, int b) { return turn(a) < turn(b); });
   std::vector<TunedClip> clips;
-  const auto count = static_cast<int>(project_.clips.size());
-  const int first = std::max(currentRow(), 0);
-  for (int i = 0; i < count && clips.size() < most; ++i) {
-    const int row = (first + i) % count;
-    const ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
-    if (!model_->entry(row).wantsEncoding() || session_->openKey() == clip.key()) continue;
-    clips.push_back(tunedClip(project_, clip));
+  for (const int row : waiting) {
+    if (clips.size() == most) break;
+    clips.push_back(tunedClip(project_, project_.clips[static_cast<std::size_t>(row)]));
     if (!clips.back().settings) clips.back().settings = NamedSettings{usualPreset(), {}};
   }
   return clips;

@@ -71,6 +71,7 @@ LibraryViews::LibraryViews(Session* session, Library* library, LibraryPanel* pan
   connect(encoding_, &BackgroundEncoding::failed, library, &Library::failed);
   connect(panel->reviewed(), &ReviewBar::nextRequested, this, &LibraryViews::showNextToReview);
   connect(panel, &LibraryPanel::noteEdited, library, &Library::setNote);
+  encoding_->setInSight([panel] { return panel->rowsInSight(); });
   connect(panel, &LibraryPanel::addRequested, this, &LibraryViews::addClips);
   connect(panel, &LibraryPanel::addFolderRequested, this, &LibraryViews::addFolder);
   connect(settings, &SlotControl::switchRequested, session, &Session::switchSlot);
