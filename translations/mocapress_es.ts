@@ -6909,6 +6909,10 @@
         <translation>Articulación</translation>
     </message>
     <message>
+        <source>Limits of Visibility</source>
+        <translation>Límites de visibilidad</translation>
+    </message>
+    <message>
         <source>Frames</source>
         <translation>Fotogramas</translation>
     </message>

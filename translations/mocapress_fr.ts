@@ -6909,6 +6909,10 @@
         <translation>Articulation</translation>
     </message>
     <message>
+        <source>Limits of Visibility</source>
+        <translation>Seuils de visibilité</translation>
+    </message>
+    <message>
         <source>Frames</source>
         <translation>Images</translation>
     </message>

@@ -6866,6 +6866,10 @@
     <message>
         <source>Joint</source>
         <translation>関節</translation>
+    <message>
+        <source>Limits of Visibility</source>
+        <translation>見え方の限界</translation>
+    </message>
     </message>
     <message>
         <source>Frames</source>

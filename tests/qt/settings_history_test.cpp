@@ -45,6 +45,17 @@ TEST(SettingsKey, DiffersInEverythingThatChangesTheAnswer) {
   EXPECT_EQ(settingsKey(plain), settingsKey({.method = Method::Annealed}));
 }
 
+TEST(SettingsField, TellsLimitsFromTheDistance) {
+  const ClipSettings before;
+  ClipSettings after;
+  after.encode.limits.distance_m = 12;
+  EXPECT_EQ(nameOf(firstDifference(before, after)), QStringLiteral("Viewing Distance"));
+  EXPECT_NE(dragOf(before, after), QString());
+  after.encode.limits.of(Cue::Slide).least = 3;
+  EXPECT_EQ(nameOf(firstDifference(before, after)), QStringLiteral("Limits of Visibility"));
+  EXPECT_EQ(dragOf(before, after), QString());
+}
+
 TEST(ResultCache, ForgetsWhatWasNotAskedForLongestWhenItIsFull) {
   ResultCache cache;
   const auto entry = [](std::size_t bytes) {

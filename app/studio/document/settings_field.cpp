@@ -40,8 +40,10 @@ QString nameOf(SettingsField field) {
       return FieldTexts::tr("Loop");
     case SettingsField::Weighting:
       return FieldTexts::tr("Weighting");
-    case SettingsField::Limits:
+    case SettingsField::Distance:
       return FieldTexts::tr("Viewing Distance");
+    case SettingsField::Limits:
+      return FieldTexts::tr("Limits of Visibility");
     case SettingsField::Ends:
       return FieldTexts::tr("Ends");
     case SettingsField::Coding:
@@ -78,7 +80,9 @@ SettingsField firstDifference(const ClipSettings& a, const ClipSettings& b) {
   if (only(&EncodeSettings::ranges)) return SettingsField::Ranges;
   if (only(&EncodeSettings::loop)) return SettingsField::Loop;
   if (only(&EncodeSettings::weighting)) return SettingsField::Weighting;
-  if (only(&EncodeSettings::limits)) return SettingsField::Limits;
+  if (only(&EncodeSettings::limits))
+    return one.limits.of_cues == other.limits.of_cues ? SettingsField::Distance
+                                                      : SettingsField::Limits;
   if (only(&EncodeSettings::ends)) return SettingsField::Ends;
   if (only(&EncodeSettings::coding)) return SettingsField::Coding;
   if (only(&EncodeSettings::correction)) return SettingsField::Correction;
@@ -89,7 +93,7 @@ QString dragOf(const ClipSettings& before, const ClipSettings& after) {
   const SettingsField field = firstDifference(before, after);
   const bool is_a_number = field == SettingsField::Target || field == SettingsField::Correction ||
                            field == SettingsField::Importance ||
-                           field == SettingsField::TrackError || field == SettingsField::Limits;
+                           field == SettingsField::TrackError || field == SettingsField::Distance;
   const Target::Kind kind = before.encode.target.kind;
   if (!is_a_number || after.encode.target.kind != kind) return {};
   return QStringLiteral("%1 %2").arg(static_cast<int>(field)).arg(static_cast<int>(kind));

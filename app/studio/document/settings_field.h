@@ -18,6 +18,7 @@ enum class SettingsField {
   Ranges,
   Loop,
   Weighting,
+  Distance,
   Limits,
   Ends,
   Coding,
