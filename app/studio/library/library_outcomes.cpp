@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Results of compressing the clips of a library, in the studio, in a batch or in the background.
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "app/jobs/batch_runner.h"
@@ -100,18 +101,19 @@ void Library::recallOutcome(ProjectClip& clip) {
 
 std::vector<TunedClip> Library::unencoded(std::size_t most, const std::vector<int>& first) const {
   const QString open = session_->openKey();
-  std::vector<int> waiting;
+  // Turns of the clips that wait: the place among the first, the length, the row.
+  std::vector<std::tuple<std::ptrdiff_t, int, int>> waiting;
   for (int row = 0; row < model_->rowCount(); ++row)
     if (const LibraryEntry& entry = model_->entry(row);
         entry.wantsEncoding() && entry.key() != open)
-      waiting.push_back(row);
-  const auto turn = [&](int row) {
-    return std::pair(std::find(first.begin(), first.end(), row), model_->entry(row).frames);
-  };
-  std::stable_sort(waiting.begin(), waiting.end(), [&](int a, int b) { return turn(a) < turn(b); });
+      waiting.emplace_back(std::find(first.begin(), first.end(), row) - first.begin(), entry.frames,
+                           row);
+  const std::size_t count = std::min(most, waiting.size());
+  std::partial_sort(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(count),
+                    waiting.end());
+  waiting.resize(count);
   std::vector<TunedClip> clips;
-  for (const int row : waiting) {
-    if (clips.size() == most) break;
+  for (const auto& [place, frames, row] : waiting) {
     clips.push_back(tunedClip(project_, project_.clips[static_cast<std::size_t>(row)]));
     if (!clips.back().settings) clips.back().settings = NamedSettings{usualPreset(), {}};
   }
