@@ -57,6 +57,18 @@ def test_channels_are_a_view_that_outlives_its_motion():
     assert np.isfinite(views[0]).all()
 
 
+def test_joints_that_only_the_rounding_of_floats_moves_stand_still(walk):
+    def with_places(places):
+        return mocapress.Motion.from_numpy(walk.names, walk.parents, walk.offsets, walk.local_rotations(), places,
+                                           rate=walk.rate)
+
+    places = walk.local_translations() + np.random.default_rng(1).uniform(-4e-5, 4e-5, (walk.frames, 1, 3))
+    still = with_places(places)
+    assert still.channels.shape[1] == 3 * len(walk.names) + 3
+    places[:, 1, 0] += np.linspace(0, 0.001, walk.frames)
+    assert with_places(places).channels.shape[1] == still.channels.shape[1] + 3
+
+
 def test_channels_make_a_motion_of_the_same_skeleton(walk):
     half = walk.with_channels(walk.channels[::2], rate=walk.rate / 2)
     assert half.names == walk.names and half.rate == walk.rate / 2

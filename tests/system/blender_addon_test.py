@@ -587,6 +587,16 @@ class Addon(unittest.TestCase):
             rig = self.bring_in(paths[1], start=10)
         self.assertLess(largest_distance(before, heads_of(rig, range(10, 68))), 0.05)
 
+    def test_the_package_keeps_joints_in_their_places_as_the_program_does(self):
+        self.bring_in(self.compress(SAMPLES / "human_run.amc"))
+        path = self.folder / "again.mcpr"
+        with self.package():
+            self.send_out(path)
+        info = json.loads(subprocess.run([MOCAPRESS, "info", "--json", path],
+                                         capture_output=True).stdout)[0]
+        # Blender's floats move them by some 1e-5 cm.
+        self.assertEqual(info["channels"], 3 * info["joints"] + 3)
+
     def test_the_package_refuses_with_the_programs_sentences(self):
         bad = self.folder / "bad.mcpr"
         bad.write_bytes(self.small_clip().read_bytes()[:300])

@@ -49,8 +49,8 @@ def write(path, joints, rate, poses, preset, target, share):
         motion = library.Motion.from_numpy(
             [bvh.joint_name(joint.name) for joint in joints], [joint.parent for joint in joints],
             [joint.offset for joint in joints], [[turn for _, turn in pose] for pose in poses],
-            [[[a + b for a, b in zip(joint.offset, moved)] for joint, (moved, _) in zip(joints, pose)]
-             for pose in poses],
+            [[[a + b for a, b in zip(joint.offset, moved)] if joint.moves else joint.offset
+              for joint, (moved, _) in zip(joints, pose)] for pose in poses],
             rate=rate, end_sites={index: joint.end for index, joint in enumerate(joints) if joint.end})
         clip = library.encode(motion, preset=preset, progress=stop, **target)
         stop()

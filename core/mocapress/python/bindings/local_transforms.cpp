@@ -75,7 +75,7 @@ Eigen::MatrixX3d translations_of(const LocalTransforms& given, Eigen::Index join
 }
 
 bool stays(const Eigen::MatrixX3d& places) {
-  constexpr double kSamePlace = 1e-6;  // cm
+  constexpr double kSamePlace = 1e-4;  // cm: what floats lose some metres from the origin
   return places.rows() == 0 ||
          (places.rowwise() - places.row(0)).cwiseAbs().maxCoeff() <= kSamePlace;
 }
