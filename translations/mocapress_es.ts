@@ -6792,6 +6792,10 @@
         <source>Viewing Distance</source>
         <translation>Distancia de observación</translation>
     </message>
+    <message>
+        <source>Limits of Visibility</source>
+        <translation>Límites de visibilidad</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::Sight</name>
@@ -6907,10 +6911,6 @@
     <message>
         <source>Joint</source>
         <translation>Articulación</translation>
-    </message>
-    <message>
-        <source>Limits of Visibility</source>
-        <translation>Límites de visibilidad</translation>
     </message>
     <message>
         <source>Frames</source>

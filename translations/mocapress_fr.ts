@@ -6792,6 +6792,10 @@
         <source>Viewing Distance</source>
         <translation>Distance de vue</translation>
     </message>
+    <message>
+        <source>Limits of Visibility</source>
+        <translation>Seuils de visibilité</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::Sight</name>
@@ -6907,10 +6911,6 @@
     <message>
         <source>Joint</source>
         <translation>Articulation</translation>
-    </message>
-    <message>
-        <source>Limits of Visibility</source>
-        <translation>Seuils de visibilité</translation>
     </message>
     <message>
         <source>Frames</source>

@@ -6751,6 +6751,10 @@
         <source>Viewing Distance</source>
         <translation>視距離</translation>
     </message>
+    <message>
+        <source>Limits of Visibility</source>
+        <translation>見え方の限界</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::Sight</name>
@@ -6866,10 +6870,6 @@
     <message>
         <source>Joint</source>
         <translation>関節</translation>
-    <message>
-        <source>Limits of Visibility</source>
-        <translation>見え方の限界</translation>
-    </message>
     </message>
     <message>
         <source>Frames</source>

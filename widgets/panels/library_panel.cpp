@@ -569,6 +569,15 @@ std::vector<int> LibraryPanel::chosenRows() const {
   return rows;
 }
 
+std::vector<int> LibraryPanel::rowsInSight() const {
+  std::vector<int> rows;
+  const int bottom = view_->viewport()->height();
+  for (QModelIndex index = view_->indexAt({0, 0});
+       index.isValid() && view_->visualRect(index).top() < bottom; index = view_->indexBelow(index))
+    if (const int row = tree_->clipOf(index); row >= 0) rows.push_back(row);
+  return rows;
+}
+
 void LibraryPanel::showSum() {
   sum_->setVisible(selected_.size() > 1);
   if (selected_.size() > 1) sum_->setText(sumText(*model_, chosenRows()));
@@ -581,15 +590,6 @@ void LibraryPanel::removeChosen() {
 }
 
 void LibraryPanel::showReview() {
-std::vector<int> LibraryPanel::rowsInSight() const {
-  std::vector<int> rows;
-  const int bottom = view_->viewport()->height();
-  for (QModelIndex index = view_->indexAt({0, 0});
-       index.isValid() && view_->visualRect(index).top() < bottom; index = view_->indexBelow(index))
-    if (const int row = tree_->clipOf(index); row >= 0) rows.push_back(row);
-  return rows;
-}
-
   showSum();
   const int row = current();
   verdict_->setEnabled(!reviewedRows().empty());

@@ -69,9 +69,9 @@ LibraryViews::LibraryViews(Session* session, Library* library, LibraryPanel* pan
   connect(encoding_, &BackgroundEncoding::activeChanged, panel->encoding(),
           &EncodingBar::setActive);
   connect(encoding_, &BackgroundEncoding::failed, library, &Library::failed);
+  encoding_->setInSight([panel] { return panel->rowsInSight(); });
   connect(panel->reviewed(), &ReviewBar::nextRequested, this, &LibraryViews::showNextToReview);
   connect(panel, &LibraryPanel::noteEdited, library, &Library::setNote);
-  encoding_->setInSight([panel] { return panel->rowsInSight(); });
   connect(panel, &LibraryPanel::addRequested, this, &LibraryViews::addClips);
   connect(panel, &LibraryPanel::addFolderRequested, this, &LibraryViews::addFolder);
   connect(settings, &SlotControl::switchRequested, session, &Session::switchSlot);
