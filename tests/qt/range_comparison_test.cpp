@@ -25,6 +25,7 @@ class ComparisonInARange : public testing::Test {
     }
     overlay_.setChecked(true);
     loop_.setCheckable(true);
+    quarters_.setCheckable(true);
     playback_.setClip(200, 100);
     timeline_.setContacts({}, {}, 200);
     Eigen::MatrixXf distances = Eigen::MatrixXf::Constant(200, 2, 8);
@@ -41,10 +42,11 @@ class ComparisonInARange : public testing::Test {
   QAction toggle_;
   QAction overlay_;
   QAction side_by_side_;
+  QAction quarters_;
   QAction loop_;
   QActionGroup modes_{nullptr};
   RangeComparison comparison_{
-      &playback_, &timeline_, &graph_, &toggle_, {&overlay_, &side_by_side_, &loop_}};
+      &playback_, &timeline_, &graph_, &toggle_, {&overlay_, &side_by_side_, &quarters_, &loop_}};
 };
 
 TEST_F(ComparisonInARange, IsOfferedOnceThereIsARange) {
@@ -81,6 +83,17 @@ TEST_F(ComparisonInARange, EndsWithTheRangeAndLeavesAllAsItWas) {
   EXPECT_DOUBLE_EQ(seconds().upper, 1.99);
   EXPECT_GT(highest(), 8);
   EXPECT_EQ(timeline_.window(), FrameWindow());
+}
+
+TEST_F(ComparisonInARange, LeavesTheFourViewsWhileItLasts) {
+  quarters_.setChecked(true);
+  playback_.setRange(std::pair(40, 80));
+  toggle_.trigger();
+  EXPECT_FALSE(quarters_.isChecked()) << "they show both figures overlaid";
+  EXPECT_TRUE(side_by_side_.isChecked());
+  toggle_.trigger();
+  EXPECT_TRUE(quarters_.isChecked());
+  EXPECT_TRUE(overlay_.isChecked());
 }
 
 TEST_F(ComparisonInARange, KeepsAWayOfViewingThatWasChosenBefore) {

@@ -30,6 +30,8 @@ RangeComparison::RangeComparison(Playback* playback, Timeline* timeline, ErrorGr
 void RangeComparison::start() {
   was_overlay_ = switches_.overlay->isChecked();
   did_loop_ = switches_.loop->isChecked();
+  was_quartered_ = switches_.quarters->isChecked();
+  switches_.quarters->setChecked(false);
   if (was_overlay_) switches_.side_by_side->trigger();
   switches_.loop->setChecked(true);
   showRange();
@@ -40,6 +42,7 @@ void RangeComparison::start() {
 void RangeComparison::end() {
   // A way of viewing that was chosen meanwhile stays.
   if (was_overlay_ && switches_.side_by_side->isChecked()) switches_.overlay->trigger();
+  if (was_quartered_) switches_.quarters->setChecked(true);
   switches_.loop->setChecked(did_loop_);
   timeline_->showAll();
   graph_->setRange({});

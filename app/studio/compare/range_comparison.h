@@ -22,6 +22,7 @@ class RangeComparison : public QObject {
   struct Switches {
     QAction* overlay = nullptr;  // the one way of viewing that does not show both figures whole
     QAction* side_by_side = nullptr;
+    QAction* quarters = nullptr;  // views with both figures overlaid, whatever the way
     QAction* loop = nullptr;
   };
 
@@ -40,6 +41,7 @@ class RangeComparison : public QObject {
   QAction* toggle_;
   Switches switches_;
   bool was_overlay_ = false;
+  bool was_quartered_ = false;
   bool did_loop_ = false;
 };
 

@@ -121,6 +121,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
                       actions_.compare_range,
                       {.overlay = actions_.view.mode[0],
                        .side_by_side = actions_.view.mode[1],
+                       .quarters = actions_.view.quarters,
                        .loop = actions_.transport.loop},
                       this);
   recent_.timeline->addActions(panels_.inspection.timeline->foldActions());
