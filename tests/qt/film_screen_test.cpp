@@ -10,8 +10,11 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "app/studio/compare/view_pictures.h"
+#include "app/studio/document/session.h"
 #include "core/motion/landmarks.h"
 #include "tests/qt/patience.h"
+#include "widgets/timeline/playback.h"
 #include "widgets/viewport/viewport.h"
 
 namespace mocapress {
@@ -62,6 +65,20 @@ TEST_F(FilmScreen, WritesNumberedPicturesIntoAFolder) {
   EXPECT_EQ(first.size(), QSize(321, 201));
   EXPECT_NE(first, last);
   EXPECT_FALSE(QFile::exists(path(QStringLiteral("walk/walk_0005.png"))));
+}
+
+TEST_F(FilmScreen, PicturesThatAreAskedForTogetherAreAllWritten) {
+  Session session;
+  Playback playback;
+  QSignalSpy captured(&viewport_, &Viewport::captured);
+  {
+    ViewPictures pictures(&session, &playback, &viewport_, &viewport_);
+    for (const char* name : {"a.png", "b.png", "c.png"})
+      pictures.savePicture(path(QString::fromLatin1(name)));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return captured.count() == 3; }, kPatience));
+  }
+  EXPECT_EQ(files(), (QStringList{QStringLiteral("a.png"), QStringLiteral("b.png"),
+                                  QStringLiteral("c.png")}));
 }
 
 TEST_F(FilmScreen, WritesAVideoWhereThereIsFfmpeg) {

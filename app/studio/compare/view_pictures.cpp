@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "app/studio/document/session.h"
+#include "core/base/error.h"
 #include "core/base/file.h"
 #include "widgets/timeline/playback.h"
 #include "widgets/viewport/viewport.h"
@@ -23,6 +24,14 @@ namespace {
 
 constexpr double kMostPictures = 30;  // per second: what players and eyes are used to
 constexpr int kTurnSeconds = 4;
+
+/// Throws WriteError.
+void writePicture(const QImage& image, const QString& path) {
+  QBuffer file;
+  file.open(QIODevice::WriteOnly);
+  image.save(&file, "PNG");
+  write_text(path.toStdU16String(), file.data().toStdString());
+}
 
 }  // namespace
 
@@ -35,7 +44,10 @@ ViewPictures::ViewPictures(Session* session, Playback* playback, Viewport* viewp
       window_(window),
       recorder_(new FilmRecorder(viewport, this)) {
   connect(viewport, &Viewport::captured, this, [this](const QImage& image) {
-    if (const auto then = std::exchange(on_picture_, {})) then(image);
+    if (on_picture_.empty()) return;
+    const auto then = std::move(on_picture_.front());
+    on_picture_.pop_front();
+    then(image);
   });
   connect(recorder_, &FilmRecorder::progressed, this, [this](int pictures) {
     if (progress_) progress_->setValue(pictures);
@@ -53,11 +65,21 @@ ViewPictures::ViewPictures(Session* session, Playback* playback, Viewport* viewp
   });
 }
 
+ViewPictures::~ViewPictures() {
+  saving_.finish();
+  if (saving_.busy()) unwritten_.pop_front();  // it is written, though not told of yet
+  for (const auto& [image, path] : unwritten_) try {
+      writePicture(image, path);
+    } catch (const Error&) {
+      // Nobody is left to be told.
+    }
+}
+
 void ViewPictures::take(std::function<void(const QImage&)> then) {
   if (recorder_->busy()) return;
-  on_picture_ = [this, then = std::move(then)](const QImage& image) {
+  on_picture_.emplace_back([this, then = std::move(then)](const QImage& image) {
     image.isNull() ? emit failed(tr("The 3D view gave no picture.")) : then(image);
-  };
+  });
   viewport_->capture();
 }
 
@@ -86,18 +108,32 @@ void ViewPictures::choosePicture() {
 
 void ViewPictures::savePicture(const QString& path) {
   take([this, path](const QImage& image) {
-    saving_.finish();  // one that is not written yet must not be lost
-    saving_.start(
-        [image, path](const Job&) {
-          QBuffer file;
-          file.open(QIODevice::WriteOnly);
-          image.save(&file, "PNG");
-          write_text(path.toStdU16String(), file.data().toStdString());
-          return true;
-        },
-        [this, path](bool) { emit noted(tr("Wrote %1.").arg(QFileInfo(path).fileName())); },
-        [this](const QString& message) { emit failed(message); });
+    unwritten_.emplace_back(image, path);
+    writeNext();
   });
+}
+
+void ViewPictures::writeNext() {
+  if (unwritten_.empty() || saving_.busy()) return;
+  const auto [image, path] = unwritten_.front();
+  const auto go_on = [this] {
+    unwritten_.pop_front();
+    // The runner is still busy inside its delivery.
+    QMetaObject::invokeMethod(this, &ViewPictures::writeNext, Qt::QueuedConnection);
+  };
+  saving_.start(
+      [image, path](const Job&) {
+        writePicture(image, path);
+        return QFileInfo(path).fileName();
+      },
+      [this, go_on](const QString& name) {
+        go_on();
+        emit noted(tr("Wrote %1.").arg(name));
+      },
+      [this, go_on](const QString& message) {
+        go_on();
+        emit failed(message);
+      });
 }
 
 void ViewPictures::chooseFilm() {

@@ -3,7 +3,9 @@
 
 #include <QImage>
 #include <QObject>
+#include <deque>
 #include <functional>
+#include <utility>
 
 #include "app/jobs/job_runner.h"
 #include "app/studio/compare/film_recorder.h"
@@ -24,7 +26,9 @@ class ViewPictures : public QObject {
 
  public:
   ViewPictures(Session* session, Playback* playback, Viewport* viewport, QWidget* window);
-  ~ViewPictures() override { saving_.finish(); }
+
+  /// Writes pictures that still wait.
+  ~ViewPictures() override;
 
   void copy();
   void choosePicture();
@@ -45,6 +49,7 @@ class ViewPictures : public QObject {
 
  private:
   void take(std::function<void(const QImage&)> then);
+  void writeNext();
   QString choosePlace(const QString& title, const QString& filters, const QString& extension);
   void chooseFilmPlace(const QString& title, void (ViewPictures::*write)(const QString&));
   void record(const Film& film, const QString& path);
@@ -56,8 +61,9 @@ class ViewPictures : public QObject {
   QWidget* window_;
   FilmRecorder* recorder_;
   QProgressDialog* progress_ = nullptr;
-  std::function<void()> restore_;                  // undoes what a film changed
-  std::function<void(const QImage&)> on_picture_;  // waits for a single picture
+  std::function<void()> restore_;                              // undoes what a film changed
+  std::deque<std::function<void(const QImage&)>> on_picture_;  // wait for single pictures
+  std::deque<std::pair<QImage, QString>> unwritten_;           // the first is being written
   JobRunner saving_{Workers::LongRunning};
 };
 
