@@ -4086,6 +4086,14 @@
         <source>The first frame follo&amp;ws the last</source>
         <translation>El primer fotograma &amp;sigue al último</translation>
     </message>
+    <message>
+        <source>First choose a range: drag along the ruler of the timeline</source>
+        <translation>Elija primero un intervalo: arrastre sobre la regla de la línea de tiempo</translation>
+    </message>
+    <message>
+        <source>First open a clip</source>
+        <translation>Abra primero un clip</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::RatePlot</name>

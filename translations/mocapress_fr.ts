@@ -4086,6 +4086,14 @@
         <source>The first frame follo&amp;ws the last</source>
         <translation>La première image &amp;suit la dernière</translation>
     </message>
+    <message>
+        <source>First choose a range: drag along the ruler of the timeline</source>
+        <translation>Choisissez d’abord une plage : faites glisser sur la règle de la chronologie</translation>
+    </message>
+    <message>
+        <source>First open a clip</source>
+        <translation>Ouvrez d’abord un clip</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::RatePlot</name>

@@ -4056,6 +4056,14 @@
         <source>The first frame follo&amp;ws the last</source>
         <translation>先頭が最終フレームに続く(&amp;W)</translation>
     </message>
+    <message>
+        <source>First choose a range: drag along the ruler of the timeline</source>
+        <translation>先に範囲を選んでください：タイムラインの目盛りをドラッグします</translation>
+    </message>
+    <message>
+        <source>First open a clip</source>
+        <translation>先にクリップを開いてください</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::RatePlot</name>

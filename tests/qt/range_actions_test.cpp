@@ -45,10 +45,12 @@ class RangeActionsOnAWalk : public testing::Test {
 TEST_F(RangeActionsOnAWalk, WorkOnceARangeIsChosen) {
   EXPECT_FALSE(actions_.care()->isEnabled());
   EXPECT_FALSE(actions_.contacts()->isEnabled());
+  EXPECT_TRUE(actions_.care()->menuAction()->toolTip().contains(QLatin1String("choose a range")));
   EXPECT_TRUE(actions_.loop()->isEnabled());
   playback_.setRange(std::pair(10, 30));
   EXPECT_TRUE(actions_.care()->isEnabled());
   EXPECT_TRUE(actions_.contacts()->isEnabled());
+  EXPECT_EQ(actions_.care()->menuAction()->toolTip(), QStringLiteral("More Care in the Range"));
 }
 
 TEST_F(RangeActionsOnAWalk, GiveTheRangeAFactorAndShowWhichItHas) {

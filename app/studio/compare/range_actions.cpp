@@ -40,8 +40,13 @@ QList<QAction*> RangeActions::actions() const {
 
 void RangeActions::update() {
   const bool is_clip = session_->document().original() != nullptr;
-  care_->setEnabled(is_clip && playback_->range());
-  contacts_->setEnabled(is_clip && playback_->range());
+  for (QMenu* menu : {care_, contacts_}) {
+    menu->setEnabled(is_clip && playback_->range());
+    menu->menuAction()->setToolTip(
+        menu->isEnabled() ? QString()
+        : is_clip         ? tr("First choose a range: drag along the ruler of the timeline")
+                          : tr("First open a clip"));
+  }
   loop_->setEnabled(is_clip);
 }
 

@@ -117,6 +117,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   new ByteView(session_, playback_, panels_.inspection.timeline->bytes(), byte_model, panels_.bytes,
                this);
   recent_.play->addActions(inspector_->rangeActions()->actions());
+  recent_.play->setToolTipsVisible(true);  // what is grey says why
   new RangeComparison(playback_, panels_.inspection.timeline, panels_.views.graph,
                       actions_.compare_range,
                       {.overlay = actions_.view.mode[0],
