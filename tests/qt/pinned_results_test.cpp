@@ -188,6 +188,24 @@ TEST_F(Pinning, AreEncodedAgainWhenTheirClipIsOpenedAgain) {
   EXPECT_EQ(model_.entries()[0].name, before[1].name);
 }
 
+TEST_F(Pinning, WhatAnEngineWouldDoComesBackWithTheClip) {
+  std::map<QString, std::vector<Pin>> kept;
+  results_.setMemory([&](const QString& path) { return kept[path]; });
+  QObject::connect(&results_, &PinnedResults::edited, &results_,
+                   [&](const QString& path, const auto& pins) { kept[path] = pins; });
+  results_.pinEngine();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return model_.rowCount() == 1; }, kPatience));
+  const PinnedEntry before = model_.entries()[0];
+  open("jump.bvh", 2);
+  open("walk.bvh", 1);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return model_.rowCount() == 1; }, kPatience));
+  EXPECT_EQ(model_.entries()[0].name, before.name);
+  EXPECT_DOUBLE_EQ(model_.entries()[0].max_cm, before.max_cm);
+  const EncodeSettings options = session_.document().options();
+  results_.makeCurrent(0);
+  EXPECT_EQ(session_.document().options().method, options.method) << "no settings of ours make it";
+}
+
 TEST_F(Pinning, OneThatCannotBeMadeAnewIsLeftOut) {
   const auto pinOf = [](const char* name, const EncodeSettings& options) {
     return Pin{QString::fromLatin1(name), {}, namedSettings({options, {}, {}}, {})};

@@ -23,13 +23,28 @@ namespace {
 constexpr std::array<QRgb, kMostPinned> kColours = {kCurveColours[0], kCurveColours[2],
                                                     kCurveColours[4], kCurveColours[5]};
 
-constexpr std::string_view kEngineMethod = "key-frames";
+constexpr const char* kEngineMethod = "key-frames";
+
+bool isOfEngine(const Pin& pin) {
+  return pin.settings.preset.method == kEngineMethod;
+}
+
+/// Compresses the clip as a pin says. `options` are those of its settings.
+DecodedPtr made(const Pin& pin, const EncodeSettings& options, const OriginalClip& original,
+                const Job& job) {
+  const auto observer = [&job](const EncodeProgress&) { return !job.stopRequested(); };
+  if (!isOfEngine(pin))
+    return decodedClip(original.encoder->encode(options, observer), *original.encoder, options);
+  const Encoding encoding =
+      MethodEncoder(original.motion())
+          .compress(*find_compression_method(kEngineMethod), options, observer);
+  return decodedClip(read_mcpr(encoding.file), &original, options.limits);
+}
 
 }  // namespace
 
-PinnedResults::PinnedResults(Session* session, PinnedModel* model, PinnedPanel* panel,
-                             Viewport* viewport, QObject* parent)
-    : QObject(parent), session_(session), model_(model), panel_(panel), viewport_(viewport) {
+PinnedResults::PinnedResults(Session* session, PinnedModel* model, QObject* parent)
+    : QObject(parent), session_(session), model_(model) {
   const Document* document = &session->document();
   connect(document, &Document::clipChanged, this, [this] {
     pins_.clear();
@@ -67,31 +82,26 @@ bool PinnedResults::hasRoom() const {
 void PinnedResults::pinEngine() {
   if (!hasRoom()) return emit failed(tr("The result is not final yet, or four are pinned."));
   const Document& document = session_->document();
-  const OriginalPtr original = document.original();
   const auto bytes = static_cast<double>(document.decoded()->compressed.motion_bytes());
-  EncodeSettings settings;
-  settings.weighting = document.options().weighting;
-  settings.limits = document.options().limits;
-  settings.target = {Target::Kind::Size, bytes};
-  engine_.start(
-      [original, settings](const Job& job) {
-        const Encoding made =
-            MethodEncoder(original->motion())
-                .compress(*find_compression_method(kEngineMethod), settings,
-                          [&](const EncodeProgress&) { return !job.stopRequested(); });
-        return decodedClip(read_mcpr(made.file), original.get(), settings.limits);
-      },
-      [this](const DecodedPtr& decoded) {
-        // Others may have been pinned meanwhile.
-        if (pins_.size() + unmade_.size() >= kMostPinned)
-          return emit failed(tr("Four results are pinned already."));
-        const Result result{
-            {freeName(methodTitle(kEngineMethod)), freeColour(), {}}, decoded, true};
-        session_->history()->push(new EditStep(
-            tr("Pin"), [this, result, row = pins_.size()] { put(result, row); },
-            [this, colour = result.pin.colour] { drop(colour); }));
-      },
-      [this](const QString& message) { emit failed(message); });
+  Pin pin;
+  pin.settings.preset.method = kEngineMethod;
+  pin.settings.preset.weighting = document.options().weighting;
+  pin.settings.preset.limits = document.options().limits;
+  pin.settings.preset.target = {Target::Kind::Size, bytes};
+  const OriginalPtr original = document.original();
+  engine_.start([pin, original, options = settingsFor(pin.settings, original->motion()).encode](
+                    const Job& job) { return made(pin, options, *original, job); },
+                [this, pin](const DecodedPtr& decoded) {
+                  // Others may have been pinned meanwhile.
+                  if (pins_.size() + unmade_.size() >= kMostPinned)
+                    return emit failed(tr("Four results are pinned already."));
+                  const Result result{
+                      {freeName(methodTitle(kEngineMethod)), freeColour(), pin.settings}, decoded};
+                  session_->history()->push(new EditStep(
+                      tr("Pin"), [this, result, row = pins_.size()] { put(result, row); },
+                      [this, colour = result.pin.colour] { drop(colour); }));
+                },
+                [this](const QString& message) { emit failed(message); });
 }
 
 void PinnedResults::pinCurrent() {
@@ -101,7 +111,7 @@ void PinnedResults::pinCurrent() {
   const QString name = freeName(tr("%1, %2").arg(
       targetText(options.target), displayName(decoded->compressed.provenance.method)));
   const NamedSettings settings = namedSettings({options, {}, {}}, *session_->document().skeleton());
-  const Result result{{name, freeColour(), settings}, decoded, false};
+  const Result result{{name, freeColour(), settings}, decoded};
   session_->history()->push(new EditStep(
       tr("Pin"), [this, result, row = pins_.size()] { put(result, row); },
       [this, colour = result.pin.colour] { drop(colour); }));
@@ -147,9 +157,9 @@ void PinnedResults::name(const QColor& colour, const QString& name) {
 
 void PinnedResults::makeCurrent(int row) {
   if (row < 0 || row >= static_cast<int>(pins_.size())) return;
-  if (pins_[static_cast<std::size_t>(row)].of_engine) return;  // no settings of ours make it
-  const NamedSettings& settings = pins_[static_cast<std::size_t>(row)].pin.settings;
-  session_->setOptions(settingsFor(settings, session_->document().original()->motion()).encode);
+  const Pin& pin = pins_[static_cast<std::size_t>(row)].pin;
+  if (isOfEngine(pin)) return;  // no settings of ours make it
+  session_->setOptions(settingsFor(pin.settings, session_->document().original()->motion()).encode);
 }
 
 void PinnedResults::recall() {
@@ -168,30 +178,23 @@ void PinnedResults::makeNext() {
   const auto take = [this](const DecodedPtr& decoded) {
     const Pin pin = std::move(unmade_.front());
     unmade_.pop_front();
-    if (decoded) pins_.push_back({pin, decoded, false});
+    if (decoded) pins_.push_back({pin, decoded});
     if (!pin.colour.isValid() && decoded) pins_.back().pin.colour = freeColour();
     show();
     // The runner is still busy inside its delivery.
     QMetaObject::invokeMethod(this, &PinnedResults::makeNext, Qt::QueuedConnection);
   };
-  const auto encoder = session_->document().original()->encoder;
-  making_.start(
-      [encoder,
-       options = settingsFor(unmade_.front().settings, encoder->motion()).encode](const Job& job) {
-        const auto observer = [&job](const EncodeProgress&) { return !job.stopRequested(); };
-        return decodedClip(encoder->encode(options, observer), *encoder, options);
-      },
-      take, [take](const QString&) { take(nullptr); });
+  const OriginalPtr original = session_->document().original();
+  making_.start([pin = unmade_.front(), original,
+                 options = settingsFor(unmade_.front().settings, original->motion()).encode](
+                    const Job& job) { return made(pin, options, *original, job); },
+                take, [take](const QString&) { take(nullptr); });
 }
 
 void PinnedResults::noteEdit() {
   show();
   if (!session_->document().original()) return;
-  std::vector<Pin> kept;
-  for (const Result& result : pins_)
-    if (!result.of_engine) kept.push_back(result.pin);
-  kept.insert(kept.end(), unmade_.begin(), unmade_.end());
-  emit edited(session_->openKey(), kept);
+  emit edited(session_->openKey(), all());
 }
 
 std::vector<Pin> PinnedResults::all() const {
@@ -230,7 +233,7 @@ void PinnedResults::show() {
   const Weighting weighting = session_->document().options().weighting;
   std::vector<PinnedEntry> entries;
   std::vector<PinnedFigure> figures;
-  for (const auto& [pin, decoded, of_engine] : pins_) {
+  for (const auto& [pin, decoded] : pins_) {
     const Distortion& distortion = *decoded->distortion;
     PinnedEntry entry{
         pin.name,          pin.colour, decoded->ratio, distortion.eps(weighting), distortion.p95,

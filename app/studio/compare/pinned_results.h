@@ -38,7 +38,7 @@ class PinnedResults : public QObject {
   void pinCurrent();
 
   /// Pins what an engine would make of the clip at the bytes of the current result: its tracks by
-  /// themselves, with key frames. It is not kept with the clip.
+  /// themselves, with key frames.
   void pinEngine();
   void unpin(int row);
   void rename(int row, const QString& name);
@@ -57,7 +57,6 @@ class PinnedResults : public QObject {
   struct Result {
     Pin pin;
     DecodedPtr decoded;
-    bool of_engine = false;
   };
 
   // A pin keeps its colour however often it is encoded again.
