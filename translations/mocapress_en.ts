@@ -165,6 +165,13 @@
             <numerusform>Read %Ln notes.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln clip(s) compared with %1: %2 bytes then, %3 now; %4.</source>
+        <translation>
+            <numerusform>%Ln clip compared with %1: %2 bytes then, %3 now; %4.</numerusform>
+            <numerusform>%Ln clips compared with %1: %2 bytes then, %3 now; %4.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryModel</name>

@@ -399,6 +399,14 @@
         <source>Fold the panels below the timeline to their tabs, or unfold them</source>
         <translation>Plegar en sus pestañas los paneles bajo la línea de tiempo, o desplegarlos</translation>
     </message>
+    <message>
+        <source>Co&amp;mpare Library with a Batch…</source>
+        <translation>Comparar la biblioteca con un lote…</translation>
+    </message>
+    <message>
+        <source>Show what got larger, worse or newly visible since an earlier batch or project</source>
+        <translation>Mostrar lo que es mayor, peor o ahora visible desde un lote o proyecto anterior</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::AnnealingPanel</name>
@@ -2706,6 +2714,26 @@
         <source>The files beside the clips have no other notes.</source>
         <translation>Los archivos junto a los clips no tienen otras notas.</translation>
     </message>
+    <message>
+        <source>nothing changed by more than 1 %</source>
+        <translation>nada cambió más de un 1 %</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>%L1 %2</source>
+        <comment>number of clips, change</comment>
+        <translation>%L1 %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln clip(s) compared with %1: %2 bytes then, %3 now; %4.</source>
+        <translation>
+            <numerusform>%Ln clip comparado con %1: antes %2 bytes, ahora %3; %4.</numerusform>
+            <numerusform>%Ln clips comparados con %1: antes %2 bytes, ahora %3; %4.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryColumns</name>
@@ -2816,6 +2844,78 @@
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Bytes since</source>
+        <translation>Bytes desde</translation>
+    </message>
+    <message>
+        <source>Error since</source>
+        <translation>Error desde</translation>
+    </message>
+    <message>
+        <source>Changes since</source>
+        <translation>Cambios desde</translation>
+    </message>
+    <message>
+        <source>Bytes that it has more than in the batch that is compared</source>
+        <translation>Bytes que tiene de más respecto al lote comparado</translation>
+    </message>
+    <message>
+        <source>Error that it has more than in the batch that is compared</source>
+        <translation>Error que tiene de más respecto al lote comparado</translation>
+    </message>
+    <message>
+        <source>Changes since the batch that is compared, the gravest first</source>
+        <translation>Cambios desde el lote comparado, los más graves primero</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fallido</translation>
+    </message>
+    <message>
+        <source>newly visible</source>
+        <translation>ahora visible</translation>
+    </message>
+    <message>
+        <source>worse</source>
+        <translation>peor</translation>
+    </message>
+    <message>
+        <source>larger</source>
+        <translation>mayor</translation>
+    </message>
+    <message>
+        <source>gone</source>
+        <translation>ya no está</translation>
+    </message>
+    <message>
+        <source>added</source>
+        <translation>añadido</translation>
+    </message>
+    <message>
+        <source>no longer failed</source>
+        <translation>ya no falla</translation>
+    </message>
+    <message>
+        <source>no longer visible</source>
+        <translation>ya no visible</translation>
+    </message>
+    <message>
+        <source>better</source>
+        <translation>mejor</translation>
+    </message>
+    <message>
+        <source>smaller</source>
+        <translation>menor</translation>
     </message>
 </context>
 <context>
@@ -3228,6 +3328,14 @@
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Compare Library with a Batch</source>
+        <translation>Comparar la biblioteca con un lote</translation>
+    </message>
+    <message>
+        <source>Batches and projects (batch*.jsonl report*.json report*.html *.mocapress)</source>
+        <translation>Lotes y proyectos (batch*.jsonl report*.json report*.html *.mocapress)</translation>
     </message>
 </context>
 <context>

@@ -399,6 +399,14 @@
         <source>Loop the chosen range with both figures side by side, and show its errors alone</source>
         <translation>Jouer la plage choisie en boucle, les deux figures côte à côte, et montrer ses erreurs seules</translation>
     </message>
+    <message>
+        <source>Co&amp;mpare Library with a Batch…</source>
+        <translation>Comparer la bibliothèque à un lot…</translation>
+    </message>
+    <message>
+        <source>Show what got larger, worse or newly visible since an earlier batch or project</source>
+        <translation>Montrer ce qui est plus gros, pire ou visible depuis un lot ou projet antérieur</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::AnnealingPanel</name>
@@ -2706,6 +2714,26 @@
         <source>The files beside the clips have no other notes.</source>
         <translation>Les fichiers à côté des clips n&apos;ont pas d&apos;autres notes.</translation>
     </message>
+    <message>
+        <source>nothing changed by more than 1 %</source>
+        <translation>rien n’a changé de plus de 1 %</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>%L1 %2</source>
+        <comment>number of clips, change</comment>
+        <translation>%L1 %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln clip(s) compared with %1: %2 bytes then, %3 now; %4.</source>
+        <translation>
+            <numerusform>%Ln clip comparé à %1 : %2 octets avant, %3 maintenant ; %4.</numerusform>
+            <numerusform>%Ln clips comparés à %1 : %2 octets avant, %3 maintenant ; %4.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryColumns</name>
@@ -2816,6 +2844,78 @@
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Bytes since</source>
+        <translation>Octets depuis</translation>
+    </message>
+    <message>
+        <source>Error since</source>
+        <translation>Erreur depuis</translation>
+    </message>
+    <message>
+        <source>Changes since</source>
+        <translation>Changements depuis</translation>
+    </message>
+    <message>
+        <source>Bytes that it has more than in the batch that is compared</source>
+        <translation>Octets en plus par rapport au lot comparé</translation>
+    </message>
+    <message>
+        <source>Error that it has more than in the batch that is compared</source>
+        <translation>Erreur en plus par rapport au lot comparé</translation>
+    </message>
+    <message>
+        <source>Changes since the batch that is compared, the gravest first</source>
+        <translation>Changements depuis le lot comparé, les plus graves d’abord</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>en échec</translation>
+    </message>
+    <message>
+        <source>newly visible</source>
+        <translation>visible depuis</translation>
+    </message>
+    <message>
+        <source>worse</source>
+        <translation>pire</translation>
+    </message>
+    <message>
+        <source>larger</source>
+        <translation>plus gros</translation>
+    </message>
+    <message>
+        <source>gone</source>
+        <translation>disparu</translation>
+    </message>
+    <message>
+        <source>added</source>
+        <translation>ajouté</translation>
+    </message>
+    <message>
+        <source>no longer failed</source>
+        <translation>plus en échec</translation>
+    </message>
+    <message>
+        <source>no longer visible</source>
+        <translation>plus visible</translation>
+    </message>
+    <message>
+        <source>better</source>
+        <translation>meilleur</translation>
+    </message>
+    <message>
+        <source>smaller</source>
+        <translation>plus petit</translation>
     </message>
 </context>
 <context>
@@ -3228,6 +3328,14 @@
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Compare Library with a Batch</source>
+        <translation>Comparer la bibliothèque à un lot</translation>
+    </message>
+    <message>
+        <source>Batches and projects (batch*.jsonl report*.json report*.html *.mocapress)</source>
+        <translation>Lots et projets (batch*.jsonl report*.json report*.html *.mocapress)</translation>
     </message>
 </context>
 <context>

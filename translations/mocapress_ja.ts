@@ -399,6 +399,14 @@
         <source>Loop the chosen range with both figures side by side, and show its errors alone</source>
         <translation>選んだ範囲を2体並べて繰り返し再生し、その誤差だけを表示します</translation>
     </message>
+    <message>
+        <source>Co&amp;mpare Library with a Batch…</source>
+        <translation>ライブラリを一括処理と比較(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Show what got larger, worse or newly visible since an earlier batch or project</source>
+        <translation>以前の一括処理やプロジェクトから増大・悪化したもの、新たに見えるものを表示します</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::AnnealingPanel</name>
@@ -2685,6 +2693,25 @@
         <source>The files beside the clips have no other notes.</source>
         <translation>クリップの横のファイルに、ほかのメモはありません。</translation>
     </message>
+    <message>
+        <source>nothing changed by more than 1 %</source>
+        <translation>1 % を超える変化はありません</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>%L1 %2</source>
+        <comment>number of clips, change</comment>
+        <translation>%2 %L1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln clip(s) compared with %1: %2 bytes then, %3 now; %4.</source>
+        <translation>
+            <numerusform>%Ln 個のクリップを %1 と比較：以前 %2 バイト、現在 %3 バイト。%4。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryColumns</name>
@@ -2795,6 +2822,78 @@
     <message>
         <source>%1 s</source>
         <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>Bytes since</source>
+        <translation>以後のバイト</translation>
+    </message>
+    <message>
+        <source>Error since</source>
+        <translation>以後の誤差</translation>
+    </message>
+    <message>
+        <source>Changes since</source>
+        <translation>以後の変化</translation>
+    </message>
+    <message>
+        <source>Bytes that it has more than in the batch that is compared</source>
+        <translation>比較する一括処理より増えたバイト</translation>
+    </message>
+    <message>
+        <source>Error that it has more than in the batch that is compared</source>
+        <translation>比較する一括処理より増えた誤差</translation>
+    </message>
+    <message>
+        <source>Changes since the batch that is compared, the gravest first</source>
+        <translation>比較する一括処理からの変化（重大な順）</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>失敗</translation>
+    </message>
+    <message>
+        <source>newly visible</source>
+        <translation>新たに見える</translation>
+    </message>
+    <message>
+        <source>worse</source>
+        <translation>悪化</translation>
+    </message>
+    <message>
+        <source>larger</source>
+        <translation>増大</translation>
+    </message>
+    <message>
+        <source>gone</source>
+        <translation>消滅</translation>
+    </message>
+    <message>
+        <source>added</source>
+        <translation>追加</translation>
+    </message>
+    <message>
+        <source>no longer failed</source>
+        <translation>失敗が解消</translation>
+    </message>
+    <message>
+        <source>no longer visible</source>
+        <translation>見えなくなった</translation>
+    </message>
+    <message>
+        <source>better</source>
+        <translation>改善</translation>
+    </message>
+    <message>
+        <source>smaller</source>
+        <translation>縮小</translation>
     </message>
 </context>
 <context>
@@ -3203,6 +3302,14 @@
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Compare Library with a Batch</source>
+        <translation>ライブラリを一括処理と比較</translation>
+    </message>
+    <message>
+        <source>Batches and projects (batch*.jsonl report*.json report*.html *.mocapress)</source>
+        <translation>一括処理とプロジェクト (batch*.jsonl report*.json report*.html *.mocapress)</translation>
     </message>
 </context>
 <context>

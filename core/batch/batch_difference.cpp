@@ -11,6 +11,30 @@
 namespace mocapress {
 namespace {
 
+/// -1, 0 or 1: less, about the same, more.
+int compared(double before, double after, double share) {
+  if (after > before * (1 + share)) return 1;
+  return after < before * (1 - share) ? -1 : 0;
+}
+
+/// The same for errors in centimetres.
+int compared_cm(double before, double after, double share) {
+  constexpr double kSameCm = 0.001;
+  return std::abs(after - before) < kSameCm ? 0 : compared(before, after, share);
+}
+
+Json to_json(const std::optional<ClipFigures>& figures) {
+  if (!figures) return {};
+  return {{"done", figures->done},
+          {"motion_bytes", figures->bytes},
+          {"eps_x_cm", figures->eps_cm},
+          {"max_error_cm", figures->max_cm},
+          {"visibility", figures->sight ? Json(name(*figures->sight)) : Json()},
+          {"reason", text_or_null(figures->reason)}};
+}
+
+}  // namespace
+
 ClipFigures figures_of(const BatchRow& row) {
   ClipFigures figures{.done = row.done(), .reason = row.error};
   if (!row.measured) return figures;
@@ -23,18 +47,6 @@ ClipFigures figures_of(const BatchRow& row) {
   figures.limits = row.measured->seen->limits;
   figures.reason = row.measured->seen->reason;
   return figures;
-}
-
-/// -1, 0 or 1: less, about the same, more.
-int compared(double before, double after, double share) {
-  if (after > before * (1 + share)) return 1;
-  return after < before * (1 - share) ? -1 : 0;
-}
-
-/// The same for errors in centimetres.
-int compared_cm(double before, double after, double share) {
-  constexpr double kSameCm = 0.001;
-  return std::abs(after - before) < kSameCm ? 0 : compared(before, after, share);
 }
 
 std::vector<ClipChange> changes_of(const std::optional<ClipFigures>& before,
@@ -61,18 +73,6 @@ std::vector<ClipChange> changes_of(const std::optional<ClipFigures>& before,
   std::sort(changes.begin(), changes.end());
   return changes;
 }
-
-Json to_json(const std::optional<ClipFigures>& figures) {
-  if (!figures) return {};
-  return {{"done", figures->done},
-          {"motion_bytes", figures->bytes},
-          {"eps_x_cm", figures->eps_cm},
-          {"max_error_cm", figures->max_cm},
-          {"visibility", figures->sight ? Json(name(*figures->sight)) : Json()},
-          {"reason", text_or_null(figures->reason)}};
-}
-
-}  // namespace
 
 std::string_view name(ClipChange change) {
   switch (change) {

@@ -49,6 +49,16 @@ struct ClipFigures {
   std::string reason;  // of what is seen, or of the failure
 };
 
+/// The figures in a row.
+ClipFigures figures_of(const BatchRow& row);
+
+/// The changes of a clip, the gravest first. Bytes and errors that differ by less than `share` are
+/// the same, and so are errors that differ by less than a hundredth of a millimetre. Mean errors in
+/// different weightings are not compared, nor is visibility by different limits or from different
+/// distances.
+std::vector<ClipChange> changes_of(const std::optional<ClipFigures>& before,
+                                   const std::optional<ClipFigures>& after, double share);
+
 /// A clip that changed.
 struct ClipDifference {
   std::string output;
@@ -67,10 +77,7 @@ struct BatchDifference {
   std::size_t count(ClipChange change) const;
 };
 
-/// Compares two batches, clip by clip of the same output. Bytes and errors that differ by less than
-/// `share` are the same, and so are errors that differ by less than a hundredth of a millimetre.
-/// Mean errors in different weightings are not compared, nor is visibility by different limits or
-/// from different distances.
+/// Compares two batches, clip by clip of the same output, as changes_of() does.
 BatchDifference difference_of(const BatchRows& before, const BatchRows& after, double share);
 
 Json to_json(const BatchDifference& difference);

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <cmath>
 #include <utility>
 
 #include "widgets/models/display_names.h"
@@ -31,6 +32,39 @@ QStringView nameIn(const QString& path) {
   return QStringView(path).mid(path.lastIndexOf(QLatin1Char('/')) + 1);
 }
 
+/// What a clip has more than it had, as a share of that. Unset: it was or is not done.
+std::optional<double> moreBytes(const LibraryEntry& entry) {
+  const std::optional<ClipDifference>& since = entry.since;
+  if (!since || !since->before->done || !since->after->done || since->before->bytes == 0) return {};
+  return static_cast<double>(since->after->bytes) / static_cast<double>(since->before->bytes) - 1;
+}
+
+/// In centimetres; unset also where the errors are weighted differently.
+std::optional<double> moreError(const LibraryEntry& entry) {
+  const std::optional<ClipDifference>& since = entry.since;
+  if (!since || !since->before->done || !since->after->done ||
+      since->before->weighting != since->after->weighting)
+    return {};
+  return since->after->eps_cm - since->before->eps_cm;
+}
+
+/// The gravest change has the largest number; unset: none.
+std::optional<double> gravity(const LibraryEntry& entry) {
+  if (!entry.since || entry.since->changes.empty()) return {};
+  return -static_cast<double>(entry.since->changes.front());
+}
+
+QString signedText(double value, const QString& amount) {
+  return (value < 0 ? QStringLiteral("−") : QStringLiteral("+")) + amount;
+}
+
+QString changesText(const LibraryEntry& entry) {
+  QStringList names;
+  if (entry.since)
+    for (const ClipChange change : entry.since->changes) names << displayName(change);
+  return names.join(Columns::tr(", "));
+}
+
 /// The number that rows are sorted by; unset: not known.
 std::optional<double> numberOf(const LibraryEntry& entry, LibraryColumn column) {
   const std::optional<Outcome>& outcome = entry.outcome;
@@ -43,6 +77,12 @@ std::optional<double> numberOf(const LibraryEntry& entry, LibraryColumn column) 
       return entry.sample_rate_hz > 0 ? entry.frames / entry.sample_rate_hz : 0;
     case LibraryColumn::Review:
       return static_cast<double>(entry.review.verdict) + (entry.stale == Staleness::None ? 0 : 0.5);
+    case LibraryColumn::BytesSince:
+      return moreBytes(entry);
+    case LibraryColumn::ErrorSince:
+      return moreError(entry);
+    case LibraryColumn::Since:
+      return gravity(entry);
     default:
       break;
   }
@@ -94,6 +134,12 @@ QString titleOf(LibraryColumn column) {
       return Columns::tr("Length");
     case LibraryColumn::FromPreset:
       return Columns::tr("Preset");
+    case LibraryColumn::BytesSince:
+      return Columns::tr("Bytes since");
+    case LibraryColumn::ErrorSince:
+      return Columns::tr("Error since");
+    case LibraryColumn::Since:
+      return Columns::tr("Changes since");
   }
   return {};
 }
@@ -124,6 +170,12 @@ QString purposeOf(LibraryColumn column) {
       return Columns::tr("Length of the clip in seconds");
     case LibraryColumn::FromPreset:
       return Columns::tr("Preset of the clip's settings");
+    case LibraryColumn::BytesSince:
+      return Columns::tr("Bytes that it has more than in the batch that is compared");
+    case LibraryColumn::ErrorSince:
+      return Columns::tr("Error that it has more than in the batch that is compared");
+    case LibraryColumn::Since:
+      return Columns::tr("Changes since the batch that is compared, the gravest first");
   }
   return {};
 }
@@ -160,13 +212,55 @@ QString textOf(const LibraryEntry& entry, LibraryColumn column) {
                  : QString();
     case LibraryColumn::FromPreset:
       return entry.preset;
+    case LibraryColumn::BytesSince: {
+      const auto more = moreBytes(entry);
+      return more ? signedText(*more, Columns::tr("%1 %").arg(shownFigure(100 * std::abs(*more))))
+                  : QString();
+    }
+    case LibraryColumn::ErrorSince: {
+      const auto more = moreError(entry);
+      return more ? signedText(*more, lengthText(std::abs(*more))) : QString();
+    }
+    case LibraryColumn::Since:
+      return changesText(entry);
   }
   return {};
 }
 
 bool isNumber(LibraryColumn column) {
   return (column >= LibraryColumn::Ratio && column <= LibraryColumn::Slide) ||
-         column == LibraryColumn::Notes || column == LibraryColumn::Length;
+         column == LibraryColumn::Notes || column == LibraryColumn::Length ||
+         column == LibraryColumn::BytesSince || column == LibraryColumn::ErrorSince;
+}
+
+bool isOfComparison(LibraryColumn column) {
+  return column >= LibraryColumn::BytesSince;
+}
+
+QString displayName(ClipChange change) {
+  switch (change) {
+    case ClipChange::Failed:
+      return Columns::tr("failed");
+    case ClipChange::NewlyVisible:
+      return Columns::tr("newly visible");
+    case ClipChange::Worse:
+      return Columns::tr("worse");
+    case ClipChange::Larger:
+      return Columns::tr("larger");
+    case ClipChange::Gone:
+      return Columns::tr("gone");
+    case ClipChange::Added:
+      return Columns::tr("added");
+    case ClipChange::Done:
+      return Columns::tr("no longer failed");
+    case ClipChange::NoLongerSeen:
+      return Columns::tr("no longer visible");
+    case ClipChange::Better:
+      return Columns::tr("better");
+    case ClipChange::Smaller:
+      return Columns::tr("smaller");
+  }
+  return {};
 }
 
 bool isBefore(const LibraryEntry& a, const LibraryEntry& b, LibraryColumn column) {

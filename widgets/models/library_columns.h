@@ -20,10 +20,14 @@ enum class LibraryColumn {
   Notes,
   Looping,
   Length,
-  FromPreset
+  FromPreset,
+  // Since the batch that is compared.
+  BytesSince,
+  ErrorSince,
+  Since
 };
 
-inline constexpr int kLibraryColumns = static_cast<int>(LibraryColumn::FromPreset) + 1;
+inline constexpr int kLibraryColumns = static_cast<int>(LibraryColumn::Since) + 1;
 
 QString titleOf(LibraryColumn column);
 
@@ -34,6 +38,12 @@ QString purposeOf(LibraryColumn column);
 QString textOf(const LibraryEntry& entry, LibraryColumn column);
 
 bool isNumber(LibraryColumn column);
+
+/// True for columns that are empty unless clips are compared with an earlier batch.
+bool isOfComparison(LibraryColumn column);
+
+/// "newly visible", "larger".
+QString displayName(ClipChange change);
 
 /// Whether `a` stands before `b` where rows are sorted by the column, smallest first. An entry
 /// without a value stands before those that have one.

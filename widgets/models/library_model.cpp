@@ -244,8 +244,9 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::DisplayRole) return textOf(shown, column);
   if (role == Qt::TextAlignmentRole && isNumber(column))
     return QVariant(Qt::AlignRight | Qt::AlignVCenter);
-  const bool is_old = shown.outdated != Staleness::None && column >= LibraryColumn::Ratio &&
-                      column <= LibraryColumn::Seen;
+  const bool is_old =
+      shown.outdated != Staleness::None &&
+      ((column >= LibraryColumn::Ratio && column <= LibraryColumn::Seen) || isOfComparison(column));
   if (role == Qt::ForegroundRole && is_old)
     return QGuiApplication::palette().color(QPalette::PlaceholderText);
   if (role == Qt::AccessibleTextRole && column != LibraryColumn::Clip)

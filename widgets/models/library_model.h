@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "core/batch/batch_difference.h"
 #include "core/metrics/visibility.h"
 #include "core/motion/loop.h"
 #include "core/report/review.h"
@@ -70,6 +71,7 @@ struct LibraryEntry {
       failure;  // why it could not be compressed by its settings; empty: it could, or nobody tried
   std::optional<Outcome> outcome;
   std::optional<std::size_t> bytes_before;  // bytes with its earlier settings
+  std::optional<ClipDifference> since;      // from an earlier batch; unset: nothing to compare
   Staleness outdated = Staleness::None;     // why the outcome no longer applies to the clip
   ClipReview review;
   Staleness stale = Staleness::None;  // why the verdict no longer applies to the clip

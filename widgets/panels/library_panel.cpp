@@ -20,6 +20,7 @@
 #include <algorithm>
 
 #include "widgets/models/display_names.h"
+#include "widgets/models/library_columns.h"
 #include "widgets/models/library_model.h"
 #include "widgets/models/library_tree.h"
 #include "widgets/models/sentence.h"
@@ -392,6 +393,18 @@ void LibraryPanel::addOrders(QMenu* menu) {
     add(titleOf(static_cast<LibraryColumn>(column)), column);
 }
 
+void LibraryPanel::showComparison(bool shown) {
+  for (int column = 1; column < kLibraryColumns; ++column)
+    if (isOfComparison(static_cast<LibraryColumn>(column))) view_->setColumnHidden(column, !shown);
+  const int changes = static_cast<int>(LibraryColumn::Since);
+  if (shown)
+    view_->sortByColumn(changes, Qt::DescendingOrder);
+  else if (isOfComparison(static_cast<LibraryColumn>(view_->header()->sortIndicatorSection())))
+    view_->sortByColumn(-1, Qt::AscendingOrder);
+  updateGeometry();
+  fitColumns();
+}
+
 QByteArray LibraryPanel::arrangement() const {
   return QByteArray::number(grouping_->currentIndex()) + ' ' + view_->header()->saveState();
 }
@@ -403,8 +416,7 @@ void LibraryPanel::arrange(const QByteArray& arrangement) {
   head->setSortIndicatorClearable(true);
   view_->sortByColumn(head->sortIndicatorSection(), head->sortIndicatorOrder());
   grouping_->setCurrentIndex(arrangement.left(space).toInt());
-  updateGeometry();
-  fitColumns();
+  showComparison(false);  // it belongs to a project, and older arrangements lack its columns
 }
 
 void LibraryPanel::showMenu(const QPoint& place) {

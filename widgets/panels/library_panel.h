@@ -63,6 +63,10 @@ class LibraryPanel : public QWidget {
 
   /// Makes the menu that chooses the columns, and what clips are sorted by.
   QMenu* makeColumnMenu();
+
+  /// Shows or hides the columns of a comparison with an earlier batch, and sorts by what changed.
+  void showComparison(bool shown);
+
   QComboBox* verdict() const { return verdict_; }
   QLineEdit* note() const { return note_; }
   ReviewBar* reviewed() const { return reviewed_; }

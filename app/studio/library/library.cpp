@@ -23,6 +23,7 @@ LibraryEntry Library::entryOf(const ProjectClip& clip, const LibraryEntry& read)
   entry.missing = clip.missing;
   entry.outcome = clip.outcome;
   entry.bytes_before = clip.bytes_before;
+  entry.since = differenceSince(clip);
   entry.outdated = outdated(clip);
   entry.review = clip.review;
   entry.stale = staleVerdict(clip);
@@ -63,6 +64,7 @@ void Library::leave() {
   check_again_ = false;
   finding_.abandon();
   reading_character_.abandon();
+  comparing_.abandon();
   carrying_notes_.abandon();
   reading_new_notes_.abandon();
   new_.clear();

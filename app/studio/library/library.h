@@ -27,8 +27,8 @@ struct OpenRequest;
 
 /// The open project: its clips with settings, results and verdicts. Entering a project opens its
 /// current clip. library.cpp has the list and the open clip; library_files.cpp,
-/// library_settings.cpp, library_outcomes.cpp, library_reviews.cpp and library_notes.cpp have what
-/// their names say.
+/// library_settings.cpp, library_outcomes.cpp, library_reviews.cpp, library_notes.cpp and
+/// library_comparison.cpp have what their names say.
 class Library : public KeptProject {
   Q_OBJECT
 
@@ -90,6 +90,11 @@ class Library : public KeptProject {
   /// Searches a folder for missing clips and continues with the files found, in one step.
   void findMissing(const QString& folder);
 
+  /// Compares the clips with those of an earlier batch, by one of the files in its folder, or of an
+  /// earlier project: see LibraryEntry::since. Clips are found by path and take, else by file name
+  /// if only one has it.
+  void compareWith(const QString& path);
+
   /// Takes over the outcome of a batch that compressed a clip of that file by these settings,
   /// unless the clip has other settings of its own.
   void noteExported(const QString& path, const Settings& settings, const ReadOptions& reading,
@@ -130,6 +135,9 @@ class Library : public KeptProject {
 
   /// New clips were added, starting at this row.
   void added(int row);
+
+  /// Clips have an earlier batch to compare with.
+  void compared();
 
   /// A check of the files has ended.
   void looked();
@@ -173,6 +181,9 @@ class Library : public KeptProject {
   std::vector<LibraryEntry> entries() const;
   using ClipsByRow = std::map<int, ProjectClip>;
 
+  using EarlierClips = QHash<QString, ClipFigures>;  // by key
+  void compare(const QString& name, const EarlierClips& earlier);
+
   template <typename IsOut>
   ClipsByRow takeOut(const IsOut& is_out);
   void putBack(const ClipsByRow& clips);
@@ -207,6 +218,7 @@ class Library : public KeptProject {
   std::string tried_;         // hash of the changed file that was opened last, or failed to open
   JobRunner finding_{Workers::LongRunning};
   JobRunner reading_character_;
+  JobRunner comparing_{Workers::LongRunning};
   JobRunner carrying_notes_{Workers::LongRunning};
   JobRunner reading_new_notes_{Workers::LongRunning};
   std::vector<QString> new_;  // files whose notes will be read next

@@ -53,6 +53,8 @@ LibraryViews::LibraryViews(Session* session, Library* library, LibraryPanel* pan
   connect(panel, &LibraryPanel::putCharacterRequested, this, &LibraryViews::putCharacter);
   connect(panel, &LibraryPanel::takeCharacterOffRequested, library,
           [library](const std::vector<int>& rows) { library->putCharacter(rows, {}); });
+  connect(library, &Library::compared, panel, [panel] { panel->showComparison(true); });
+  connect(library, &Library::entered, panel, [panel] { panel->showComparison(false); });
   connect(panel, &LibraryPanel::findMissingRequested, this, &LibraryViews::findMissing);
   // Files change mostly while the user is in another program.
   connect(qApp, &QGuiApplication::applicationStateChanged, library,
@@ -142,6 +144,13 @@ void LibraryViews::putCharacter(const std::vector<int>& rows) {
   const QString file = QFileDialog::getOpenFileName(window_, tr("Put a Character On"), {},
                                                     tr("Characters (*.fbx *.glb *.gltf *.vrm)"));
   if (!file.isEmpty()) library_->putCharacter(rows, file);
+}
+
+void LibraryViews::compareWithBatch() {
+  const QString file = QFileDialog::getOpenFileName(
+      window_, tr("Compare Library with a Batch"), {},
+      tr("Batches and projects (batch*.jsonl report*.json report*.html *.mocapress)"));
+  if (!file.isEmpty()) library_->compareWith(file);
 }
 
 void LibraryViews::findMissing() {

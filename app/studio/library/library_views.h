@@ -40,6 +40,9 @@ class LibraryViews : public QObject {
   void addFolder();
   void findMissing();
 
+  /// Asks for an earlier batch or project, and compares the library with it.
+  void compareWithBatch();
+
  private:
   void putCharacter(const std::vector<int>& rows);
   void showSlots();

@@ -11,6 +11,7 @@
 #include "app/jobs/characters.h"
 #include "app/studio/batch/batch_memory.h"
 #include "app/studio/document/named_settings.h"
+#include "core/batch/batch_difference.h"
 #include "core/batch/row.h"
 #include "widgets/models/library_model.h"
 
@@ -29,6 +30,7 @@ struct ProjectClip {
   std::string rig;   // rig_of() its joints when last read; empty: never read
   InputStamp stamp;  // stamp of its files when last examined; no hash: never examined
   std::optional<std::size_t> bytes_before;  // see LibraryEntry; not saved
+  std::optional<ClipFigures> earlier;       // in the batch that is compared; not saved
   bool missing = false;                     // its files were gone when last looked for; not saved
   QString failure;  // why its settings cannot compress it; empty: unknown; not saved
 
@@ -42,6 +44,9 @@ std::string settingsHash(const ProjectClip& clip);
 /// Why the verdict or the outcome does not apply to the clip today. None if there is none.
 Staleness staleVerdict(const ProjectClip& clip);
 Staleness outdated(const ProjectClip& clip);
+
+/// What changed since the batch that is compared. Unset: there is nothing to compare.
+std::optional<ClipDifference> differenceSince(const ProjectClip& clip);
 
 /// Why a note on the clip does not apply to it today, in English. Unset: it does.
 std::optional<std::string> staleNote(const ProjectClip& clip, const FrameNote& note);

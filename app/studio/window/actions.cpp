@@ -115,6 +115,9 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
   actions.export_sign_off = make(window, Texts::tr("Ex&port Sign-off…"));
   actions.export_sign_off->setToolTip(
       Texts::tr("Write verdicts, worst frames and notes of the library as HTML, PDF or CSV"));
+  actions.compare_batch = make(window, Texts::tr("Co&mpare Library with a Batch…"));
+  actions.compare_batch->setToolTip(
+      Texts::tr("Show what got larger, worse or newly visible since an earlier batch or project"));
   actions.add_clips = make(window, Texts::tr("A&dd Clips to Library…"));
   actions.add_folder = make(window, Texts::tr("Add &Folder to Library…"));
   actions.new_project = make(window, Texts::tr("&New Project"), QKeySequence::New);
@@ -223,6 +226,7 @@ void nameActions(const Actions& actions) {
       {"batch", actions.batch},
       {"export-library", actions.export_library},
       {"export-sign-off", actions.export_sign_off},
+      {"compare-batch", actions.compare_batch},
       {"add-clips", actions.add_clips},
       {"add-folder", actions.add_folder},
       {"new-project", actions.new_project},
@@ -316,7 +320,8 @@ RecentMenus addMenus(QMainWindow* window, const Actions& actions,
   pictures->addActions(
       {actions.copy_picture, actions.save_picture, actions.film, actions.turntable});
   file->addSeparator();
-  file->addActions({actions.batch, actions.export_library, actions.export_sign_off});
+  file->addActions(
+      {actions.batch, actions.export_library, actions.compare_batch, actions.export_sign_off});
   file->addSeparator();
   file->addAction(actions.quit);
 

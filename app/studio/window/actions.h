@@ -35,6 +35,7 @@ struct Actions {
   QAction* take_character_off = nullptr;
   QAction* batch = nullptr;
   QAction* export_library = nullptr;
+  QAction* compare_batch = nullptr;
   QAction* export_sign_off = nullptr;
   QAction* add_clips = nullptr;
   QAction* add_folder = nullptr;

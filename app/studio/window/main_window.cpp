@@ -201,6 +201,8 @@ void MainWindow::connectFileActions() {
   connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
   connect(actions_.add_clips, &QAction::triggered, library_views_, &LibraryViews::addClips);
   connect(actions_.add_folder, &QAction::triggered, library_views_, &LibraryViews::addFolder);
+  connect(actions_.compare_batch, &QAction::triggered, library_views_,
+          &LibraryViews::compareWithBatch);
   connect(actions_.new_project, &QAction::triggered, projects_, &ProjectFiles::startNew);
   connect(actions_.open_project, &QAction::triggered, projects_, &ProjectFiles::choose);
   connect(actions_.save_project, &QAction::triggered, projects_, &ProjectFiles::saveAs);
@@ -382,7 +384,8 @@ void MainWindow::updateCommands() {
          {actions_.next_worst, actions_.previous_worst});
   enable(clips_->rowCount() > 0,
          {actions_.next_review, actions_.approve, actions_.reject, actions_.write_notes,
-          actions_.read_notes, actions_.export_library, actions_.export_sign_off});
+          actions_.read_notes, actions_.export_library, actions_.export_sign_off,
+          actions_.compare_batch});
   actions_.take_character_off->setEnabled(!document.character().path.isEmpty());
   view.skin->setEnabled(document.skin() != nullptr);
   actions_.without_ik->setEnabled(has_decoded && document.decoded()->uncorrected_tracks);

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A library's clips beside those of an earlier batch or project.
+#include <QDir>
+#include <QFileInfo>
+#include <QLocale>
+#include <map>
+
+#include "app/studio/library/library.h"
+#include "core/batch/batch_folder.h"
+#include "widgets/models/library_columns.h"
+
+namespace mocapress {
+namespace {
+
+constexpr double kSame = 0.01;  // share: the usual one of `mocapress diff`
+
+/// Unset: nobody tried to compress the clip.
+std::optional<ClipFigures> figuresOf(const ProjectClip& clip) {
+  if (!clip.failure.isEmpty()) return ClipFigures{.reason = clip.failure.toStdString()};
+  if (!clip.outcome) return {};
+  ClipFigures figures{.done = true,
+                      .bytes = clip.outcome->motion_bytes,
+                      .eps_cm = clip.outcome->eps_cm,
+                      .max_cm = clip.outcome->max_cm,
+                      .sight = clip.outcome->sight,
+                      .limits = clip.outcome->limits};
+  if (clip.settings) figures.weighting = clip.settings->preset.weighting;
+  return figures;
+}
+
+/// Throws Error.
+QHash<QString, ClipFigures> earlierClips(const QString& path) {
+  QHash<QString, ClipFigures> clips;
+  if (isProjectFile(path)) {
+    for (const ProjectClip& clip : readProject(path).clips)
+      if (const auto figures = figuresOf(clip)) clips.insert(clip.key(), *figures);
+    return clips;
+  }
+  const QFileInfo file(path);
+  const QString folder = file.isDir() ? path : file.absolutePath();
+  visit_rows(folder.toStdU16String(), [&clips](const BatchRow& row) {
+    clips.insert(clipKey(QString::fromStdString(row.input), row.reading.take), figures_of(row));
+  });
+  return clips;
+}
+
+/// File name and take.
+QString nameIn(const QString& key) {
+  return key.mid(key.lastIndexOf(QLatin1Char('/')) + 1);
+}
+
+/// Keys by nameIn() them; an empty one where several have the name.
+QHash<QString, QString> byName(const QStringList& keys) {
+  QHash<QString, QString> names;
+  for (const QString& key : keys) {
+    QString& only = names[nameIn(key)];
+    only = only.isNull() ? key : QStringLiteral("");
+  }
+  return names;
+}
+
+}  // namespace
+
+std::optional<ClipDifference> differenceSince(const ProjectClip& clip) {
+  const std::optional<ClipFigures> now = figuresOf(clip);
+  if (!clip.earlier || !now) return {};
+  return ClipDifference{clip.path.toStdString(), clip.earlier, now,
+                        changes_of(clip.earlier, now, kSame)};
+}
+
+void Library::compareWith(const QString& path) {
+  comparing_.start(
+      [path](const Job&) { return earlierClips(path); },
+      [this, path](const EarlierClips& earlier) {
+        const QFileInfo file(path);
+        compare(isProjectFile(path) || file.isDir() ? file.fileName() : file.dir().dirName(),
+                earlier);
+      },
+      [this](const QString& message) { emit failed(message); });
+}
+
+void Library::compare(const QString& name, const EarlierClips& earlier) {
+  const QHash<QString, QString> earlier_by_name = byName(earlier.keys());
+  const QHash<QString, QString> own_by_name = byName(project_.rows().keys());
+  std::vector<int> rows;
+  std::map<ClipChange, int> counts;
+  qulonglong before = 0, after = 0;
+  int found = 0;
+  for (std::size_t row = 0; row < project_.clips.size(); ++row) {
+    ProjectClip& clip = project_.clips[row];
+    QString key = clip.key();
+    if (!earlier.contains(key) && own_by_name.value(nameIn(key)) == key)
+      key = earlier_by_name.value(nameIn(key));
+    clip.earlier.reset();
+    if (earlier.contains(key)) clip.earlier = earlier.value(key);
+    rows.push_back(static_cast<int>(row));
+    const std::optional<ClipDifference> since = differenceSince(clip);
+    if (!since) continue;
+    ++found;
+    before += since->before->bytes;
+    after += since->after->bytes;
+    for (const ClipChange change : since->changes) ++counts[change];
+  }
+  showRows(rows);
+  QStringList changes;
+  for (const auto& [change, count] : counts)
+    changes << tr("%L1 %2", "number of clips, change").arg(count).arg(displayName(change));
+  if (changes.isEmpty()) changes << tr("nothing changed by more than 1 %");
+  emit compared();
+  emit noted(tr("%Ln clip(s) compared with %1: %2 bytes then, %3 now; %4.", nullptr, found)
+                 .arg(name, QLocale().toString(before), QLocale().toString(after),
+                      changes.join(tr(", "))));
+}
+
+}  // namespace mocapress
