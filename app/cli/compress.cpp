@@ -12,6 +12,7 @@
 #include "app/cli/standard_streams.h"
 #include "core/base/file.h"
 #include "core/base/file_identity.h"
+#include "core/base/frame_text.h"
 #include "core/base/staged_file.h"
 #include "core/base/utf8_path.h"
 #include "core/batch/verification.h"
@@ -173,9 +174,9 @@ struct Compress {
   Motion read_base() const {
     Motion base = source.read(*additive);
     if (!base_frame) return base;
-    if (*base_frame >= base.clip.frames())
-      throw InputError(*additive, 0, 0, "has no frame " + std::to_string(*base_frame));
-    return frames_of(base, *base_frame, 1);
+    if (*base_frame > base.clip.frames())
+      throw InputError(*additive, 0, 0, "has no frame " + frame_text(*base_frame - 1));
+    return frames_of(base, *base_frame - 1, 1);
   }
 
   /// Compresses what the clip adds to the base.
@@ -326,8 +327,8 @@ void add_compress(CLI::App& app) {
           "Compress what the clip adds to this base: one pose, or a clip of as many frames. "
           "Errors are those of base plus difference")
       ->type_name("BASE");
-  command->add_option("--base-frame", call->base_frame, "Frame of BASE that is the pose, from 0")
-      ->check(CLI::NonNegativeNumber);
+  command->add_option("--base-frame", call->base_frame, "Frame of BASE that is the pose, from 1")
+      ->check(CLI::PositiveNumber);
   command->add_flag("--json", call->json, "Print one JSON object");
   command->callback([call] { call->run(); });
 }

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/file_identity.h"
+#include "core/base/frame_text.h"
 #include "core/base/number_text.h"
 #include "core/base/utf8_path.h"
 #include "core/codec/methods/compared_file.h"
@@ -35,8 +36,8 @@ ContactSpan span_from(const Json& json, const Motion& motion, const std::vector<
   if (span.landmark < 0) throw Error("the skeleton has no joint named " + joint);
   if (span.first_frame < 0 || span.last_frame < span.first_frame ||
       span.last_frame >= motion.clip.frames())
-    throw Error("frames " + std::to_string(span.first_frame) + " to " +
-                std::to_string(span.last_frame) + " are not a span of the clip");
+    throw Error("frames " + frame_text(span.first_frame) + " to " + frame_text(span.last_frame) +
+                " are not a span of the clip");
   return span;
 }
 
@@ -153,14 +154,15 @@ struct Contacts {
 
   static void print_lines(const Json& all) {
     for (const Json& one : all) {
-      std::printf("%-16s frames %5d to %5d", printable(one["joint"].get<std::string>()).c_str(),
-                  one["first_frame"].get<int>(), one["last_frame"].get<int>());
+      std::printf("%-16s frames %5s to %5s", printable(one["joint"].get<std::string>()).c_str(),
+                  frame_text(one["first_frame"].get<int>()).c_str(),
+                  frame_text(one["last_frame"].get<int>()).c_str());
       if (one.contains("worst_frame"))
-        std::printf("  slid %s cm, drifted %s cm, %s cm/s at frame %d",
+        std::printf("  slid %s cm, drifted %s cm, %s cm/s at frame %s",
                     fixed_text(one["slid_cm"].get<double>(), 2).c_str(),
                     fixed_text(one["drift_cm"].get<double>(), 2).c_str(),
                     fixed_text(one["worst_speed_cm_s"].get<double>(), 0).c_str(),
-                    one["worst_frame"].get<int>());
+                    frame_text(one["worst_frame"].get<int>()).c_str());
       std::putchar('\n');
     }
     if (all.empty()) std::fprintf(stderr, "no foot stands on the ground\n");

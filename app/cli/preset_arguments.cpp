@@ -108,12 +108,14 @@ ImportantRange range_from(const std::string& word) {
   if (dash == std::string::npos || equals == std::string::npos || equals < dash ||
       !lexical_cast(word.substr(0, dash), range.first_frame) ||
       !lexical_cast(word.substr(dash + 1, equals - dash - 1), range.last_frame) ||
-      !lexical_cast(word.substr(equals + 1), range.factor) || range.first_frame < 0 ||
+      !lexical_cast(word.substr(equals + 1), range.factor) || range.first_frame < 1 ||
       range.last_frame < range.first_frame ||
       !(range.factor >= 1 && range.factor <= kMostRangeFactor))
     throw CLI::ValidationError(
         "--importance-range",
-        "expects A-B=FACTOR, frames A to B from 0 on, FACTOR from 1 to 100: " + word);
+        "expects A-B=FACTOR, frames A to B from 1 on, FACTOR from 1 to 100: " + word);
+  --range.first_frame;  // ranges count from 0
+  --range.last_frame;
   return range;
 }
 
@@ -127,7 +129,7 @@ void add_range_option(CLI::App& command, std::vector<ImportantRange>& ranges) {
             ranges.clear();
             for (const std::string& word : words) ranges.push_back(range_from(word));
           },
-          "Weight errors in frames A to B, counted from 0, by FACTOR (1 to 100); closed loop only")
+          "Weight errors in frames A to B, counted from 1, by FACTOR (1 to 100); closed loop only")
       ->type_name("A-B=FACTOR,...")
       ->delimiter(',');
 }

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <numbers>
 
+#include "core/base/frame_text.h"
 #include "core/base/number_text.h"
 #include "core/codec/decode/track_decoding.h"
 #include "core/codec/methods/compression_method.h"
@@ -26,7 +27,7 @@ std::string degrees(double value) {
 
 void print(const char* of, const Spread& spread) {
   std::cerr << "  " << of << ": RMS " << cm(spread.rms) << ", p99 " << cm(spread.p99) << ", max "
-            << cm(spread.max.cm) << " (frame " << spread.max.frame << ")\n";
+            << cm(spread.max.cm) << " (frame " << frame_text(spread.max.frame) << ")\n";
 }
 
 void print(const Visibility& seen, const Skeleton& skeleton) {
@@ -156,8 +157,8 @@ void print(const Report& report) {
             << "  eps_x " << cm(distortion.eps_bone_ends) << " (bone-ends), "
             << cm(distortion.eps_joint_origins) << " (joint-origins)\n"
             << "  p95 " << cm(distortion.p95) << ", p99 " << cm(distortion.p99) << ", max "
-            << cm(distortion.max.cm) << " (" << worst_name << ", frame " << distortion.max.frame
-            << ")\n";
+            << cm(distortion.max.cm) << " (" << worst_name << ", frame "
+            << frame_text(distortion.max.frame) << ")\n";
   const BodyFigures body = body_figures(report.original->skeleton, distortion);
   print("surface", body.surface);
   print("shell", body.shell);

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/fnv1a.h"
+#include "core/base/frame_text.h"
 #include "core/base/make_folders.h"
 #include "core/base/number_text.h"
 #include "core/base/open_file.h"
@@ -228,7 +229,7 @@ class Export {
     options.figures_only = true;  // no measurement here: the written file is measured
     for (const ContactSpan& span : options.contacts.value_or(std::vector<ContactSpan>()))
       if (span.last_frame >= motion.clip.frames())
-        throw Error("the preset has a contact up to frame " + std::to_string(span.last_frame) +
+        throw Error("the preset has a contact up to frame " + frame_text(span.last_frame) +
                     ", but the clip ends before");
     return options;
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/frame_text.h"
 #include "core/base/number_text.h"
 #include "core/motion/body.h"
 #include "core/motion/body_part.h"
@@ -75,7 +76,7 @@ std::string reason(const WorstSight& worst, const Skeleton& skeleton) {
   if (worst.value == 0) return "";
   const std::string of_unit = ' ' + std::string(unit(worst.cue));
   return std::string(name(worst.cue)) + " of " + skeleton.joint(worst.joint).name + " at frame " +
-         std::to_string(worst.frame) + ": " + significant_text(worst.value, 3) + of_unit +
+         frame_text(worst.frame) + ": " + significant_text(worst.value, 3) + of_unit +
          ", noticed from " + significant_text(worst.noticed_from, 3) + of_unit;
 }
 

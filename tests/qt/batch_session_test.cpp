@@ -315,7 +315,7 @@ TEST_F(BatchInTheStudio, ContactsBeyondAClipAreItsFailure) {
   session_.start();
   ASSERT_TRUE(waitForEnd());
   EXPECT_EQ(session_.queue()->clips()[0].state, ClipState::Failed);
-  EXPECT_NE(session_.queue()->clips()[0].error.find("frame 400"), std::string::npos);
+  EXPECT_NE(session_.queue()->clips()[0].error.find("frame 401"), std::string::npos);
 }
 
 TEST_F(BatchInTheStudio, ARejectedClipIsNotExportedUnlessAskedFor) {

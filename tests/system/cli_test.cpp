@@ -251,7 +251,7 @@ TEST_F(Cli, TellsTheErrorOfEachTier) {
 }
 
 TEST_F(Cli, MeetsTheErrorOfBasePlusDifference) {
-  const json report = compress({"--additive", clip_, "--base-frame", "0", "--target-error", "0.5"});
+  const json report = compress({"--additive", clip_, "--base-frame", "1", "--target-error", "0.5"});
   EXPECT_LE(report["surface_rms_cm"].get<double>(), 0.5);
   EXPECT_GT(report["surface_rms_cm"].get<double>(), 0.4);
   EXPECT_EQ(report["verified_by"], "runtime");
@@ -587,10 +587,11 @@ TEST_F(Cli, TakesMoreCareOfARange) {
   };
   const int plain = bytes({});
   EXPECT_GT(bytes({"--importance-range", "40-80=4"}), plain);
-  EXPECT_GT(bytes({"--importance-range", "0-9=2,40-80=4"}),
+  EXPECT_GT(bytes({"--importance-range", "1-10=2,40-80=4"}),
             bytes({"--importance-range", "40-80=4"}));
   EXPECT_EQ(bytes({"--importance-range", "40-80=1"}), plain);
-  for (const char* wrong : {"40", "40-80", "80-40=2", "-1-5=2", "0-100000=2", "0-5=0.5", "0-5=x"}) {
+  for (const char* wrong :
+       {"40", "40-80", "80-40=2", "-1-5=2", "0-5=2", "1-100000=2", "1-5=0.5", "1-5=x"}) {
     const auto refused = mocapress({"compress", walk, std::string("--importance-range=") + wrong});
     EXPECT_EQ(refused.exit_code, 2) << wrong;
     EXPECT_FALSE(refused.err.empty()) << wrong;

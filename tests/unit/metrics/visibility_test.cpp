@@ -154,7 +154,7 @@ TEST(Visibility, TheTableHasCueAndThresholdOfEachJoint) {
   EXPECT_EQ(foot, seen.table.at(30, 0));
   EXPECT_EQ(foot.cue, Cue::Lift);
   EXPECT_EQ(foot.frame, 30);
-  EXPECT_EQ(reason(foot, skeleton), "lift of root at frame 30: 1.5 cm, noticed from 1 cm");
+  EXPECT_EQ(reason(foot, skeleton), "lift of root at frame 31: 1.5 cm, noticed from 1 cm");
   EXPECT_EQ(reason(seen.table.at(30, 1), skeleton), "");
 }
 

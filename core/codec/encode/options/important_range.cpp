@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/frame_text.h"
 #include "core/base/number_text.h"
 
 namespace mocapress {
@@ -14,11 +15,10 @@ Eigen::VectorXd frame_factors(const std::vector<ImportantRange>& ranges, int fra
   Eigen::VectorXd factors = Eigen::VectorXd::Ones(frames);
   for (const auto& [first, last, factor] : ranges) {
     if (!(factor >= 1 && factor <= kMostRangeFactor))
-      throw Error("the importance of frames " + std::to_string(first) + " to " +
-                  std::to_string(last) + " is not a number from 1 to " +
-                  shortest_text(kMostRangeFactor));
+      throw Error("the importance of frames " + frame_text(first) + " to " + frame_text(last) +
+                  " is not a number from 1 to " + shortest_text(kMostRangeFactor));
     if (first < 0 || last < first || last >= frames)
-      throw Error("frames " + std::to_string(first) + " to " + std::to_string(last) +
+      throw Error("frames " + frame_text(first) + " to " + frame_text(last) +
                   " are not a range of the clip, which has " + std::to_string(frames) + " frames");
     auto of_range = factors.segment(first, last - first + 1);
     of_range = of_range.cwiseMax(factor).eval();

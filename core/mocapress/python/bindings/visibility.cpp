@@ -52,7 +52,9 @@ void bind_visibility(py::module_& module) {
           "The viewing distance in metres from which nothing is noticed.")
       .def_property_readonly(
           "reason", [](const Verdict& v) { return to_str(v.seen.reason); },
-          "The most visible error, with joint and frame; empty if nothing differs.")
+          "The most visible error in words, with joint and frame (the first is 1); empty if "
+          "nothing "
+          "differs.")
       .def_property_readonly(
           "window_frames", [](const Verdict& v) { return v.visibility.table.window_frames; },
           "Frames in each window of the table.")

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace mocapress {
+
+/// The number of a frame as people read and type it: in the studio, on pages, in
+/// sign-offs and on the command line the first frame is 1. Code, JSON, columns of CSV and links
+/// count from 0.
+inline std::string frame_text(int frame) {
+  return std::to_string(frame + 1);
+}
+
+}  // namespace mocapress
