@@ -4293,10 +4293,6 @@
         <translation>Peores fotogramas</translation>
     </message>
     <message>
-        <source>The frame with the largest error of each clip, the largest first. Frames count from 0.</source>
-        <translation>El fotograma con el mayor error de cada clip, el mayor primero. Los fotogramas se cuentan desde 0.</translation>
-    </message>
-    <message>
         <source>Every clip</source>
         <translation>Todos los clips</translation>
     </message>
@@ -4379,6 +4375,774 @@
     <message>
         <source>own limits: %1</source>
         <translation>límites propios: %1</translation>
+    </message>
+    <message>
+        <source>The frame with the largest error of each clip, the largest first.</source>
+        <translation>El fotograma con el mayor error de cada clip, el mayor primero.</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>fotograma %1</translation>
+    </message>
+    <message>
+        <source>stale: %1</source>
+        <translation>caducado: %1</translation>
+    </message>
+    <message>
+        <source>%1 by %2</source>
+        <translation>%1 por %2</translation>
+    </message>
+    <message>
+        <source>largest error %1 cm</source>
+        <translation>error máximo %1 cm</translation>
+    </message>
+    <message>
+        <source>errors %1, by %2</source>
+        <translation>errores: %1, por %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 at frame %3: %4, noticed from %5</source>
+        <translation>%1, %2, fotograma %3: %4, se nota desde %5</translation>
+    </message>
+    <message>
+        <source>The viewer needs JavaScript.</source>
+        <translation>El visor necesita JavaScript.</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ver</translation>
+    </message>
+    <message>
+        <source>%1 cannot be shown: %2</source>
+        <translation>%1 no se puede mostrar: %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be loaded</source>
+        <translation>%1 no se puede cargar</translation>
+    </message>
+    <message>
+        <source>Loading</source>
+        <translation>Cargando</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Fotograma</translation>
+    </message>
+    <message>
+        <source>Key: %1</source>
+        <translation>Tecla: %1</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Reproducir</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Overlay</source>
+        <translation>Superponer</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Lado a lado</translation>
+    </message>
+    <message>
+        <source>Wipe</source>
+        <translation>Cortina</translation>
+    </message>
+    <message>
+        <source>Swap</source>
+        <translation>Intercambiar</translation>
+    </message>
+    <message>
+        <source>Colour by error</source>
+        <translation>Color según el error</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Seguir</translation>
+    </message>
+    <message>
+        <source>Worst frame before</source>
+        <translation>Peor fotograma anterior</translation>
+    </message>
+    <message>
+        <source>Next worst frame</source>
+        <translation>Siguiente peor fotograma</translation>
+    </message>
+    <message>
+        <source>Reset camera</source>
+        <translation>Restablecer la cámara</translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2, %3 s.</source>
+        <translation>Fotograma %1 de %2, %3 s.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 cm off.</source>
+        <translation>Desvío de %1: %2 cm.</translation>
+    </message>
+    <message>
+        <source>The lightest colour is %1 cm.</source>
+        <translation>El color más claro es %1 cm.</translation>
+    </message>
+    <message>
+        <source>%1 to %2 s: %3</source>
+        <translation>%1 a %2 s: %3</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>todas</translation>
+    </message>
+    <message>
+        <source>Rows are joints, the first row is any joint. A full bar marks times with visible errors, half a bar borderline ones, no bar errors that nobody sees.</source>
+        <translation>Cada fila es una articulación; la primera, cualquiera de ellas. Una barra entera marca los momentos con errores visibles, media barra los que están en el límite; sin barra, nadie ve errores.</translation>
+    </message>
+    <message>
+        <source>compression ratio %1 smaller</source>
+        <translation>tasa de compresión %1 más pequeño</translation>
+    </message>
+    <message>
+        <source>%1: %2 cm at %3</source>
+        <translation>%1: %2 cm a %3</translation>
+    </message>
+    <message>
+        <source>Batch export</source>
+        <translation>Exportación por lotes</translation>
+    </message>
+    <message>
+        <source>Errors from 1 to 2 times the noticeable size are borderline, larger ones visible. Each clip is judged from the viewing distance that its verdict names, by %1. report.csv lists distance and own limits of each clip.</source>
+        <translation>Un error de 1 a 2 veces el tamaño perceptible está en el límite; uno mayor es visible. Cada clip se juzga desde la distancia de observación que indica su veredicto, por %1. report.csv da la distancia y los límites propios de cada clip.</translation>
+    </message>
+    <message>
+        <source>clips with visible errors</source>
+        <translation>clips con errores visibles</translation>
+    </message>
+    <message>
+        <source>clips with borderline errors</source>
+        <translation>clips con errores en el límite</translation>
+    </message>
+    <message>
+        <source>without visible errors</source>
+        <translation>sin errores visibles</translation>
+    </message>
+    <message>
+        <source>clips done, each read back and measured</source>
+        <translation>clips terminados, cada uno leído de nuevo y medido</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fallidos</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>reviewed: %1 approved, %2 rejected</source>
+        <translation>revisados: %1 aprobados, %2 rechazados</translation>
+    </message>
+    <message>
+        <source>stale verdicts</source>
+        <translation>veredictos caducados</translation>
+    </message>
+    <message>
+        <source>still waiting</source>
+        <translation>aún en espera</translation>
+    </message>
+    <message>
+        <source>compression ratio of all clips together: %1 KB to %2 KB</source>
+        <translation>tasa de compresión de todos los clips juntos: de %1 KB a %2 KB</translation>
+    </message>
+    <message>
+        <source>largest error of any point at any frame; largest %1 %2 cm</source>
+        <translation>mayor error de cualquier punto en cualquier fotograma; mayor %1: %2 cm</translation>
+    </message>
+    <message>
+        <source>%1 over its original at its worst frame</source>
+        <translation>%1 sobre su original en su peor fotograma</translation>
+    </message>
+    <message>
+        <source>%1, %2 s: error of %3 cm at the %4.</source>
+        <translation>%1, %2 s: error de %3 cm, %4.</translation>
+    </message>
+    <message>
+        <source>The frame with the largest error of each of the clips whose errors are most visible: original in grey, compressed in red.</source>
+        <translation>El fotograma con el mayor error de los clips cuyos errores más se ven: el original en gris, el comprimido en rojo.</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Fallidos</translation>
+    </message>
+    <message>
+        <source>No file was written for these clips; older files of theirs are unchanged.</source>
+        <translation>No se escribió ningún archivo de estos clips; sus archivos anteriores no cambian.</translation>
+    </message>
+    <message>
+        <source>preset</source>
+        <translation>preajuste</translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>motivo</translation>
+    </message>
+    <message>
+        <source>feet held</source>
+        <translation>pies sujetos</translation>
+    </message>
+    <message>
+        <source>Errors of the file as read back from the disk, against the original: distances in centimetres, rotation errors of joints, head and hands in degrees.</source>
+        <translation>Errores del archivo leído de nuevo del disco frente al original: distancias en centímetros, errores de rotación de articulaciones, cabeza y manos en grados.</translation>
+    </message>
+    <message>
+        <source>visibility</source>
+        <translation>visibilidad</translation>
+    </message>
+    <message>
+        <source>warnings</source>
+        <translation>avisos</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>máx.</translation>
+    </message>
+    <message>
+        <source>at frame</source>
+        <translation>en el fotograma</translation>
+    </message>
+    <message>
+        <source>joints</source>
+        <translation>articulaciones</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>cabeza</translation>
+    </message>
+    <message>
+        <source>hands</source>
+        <translation>manos</translation>
+    </message>
+    <message>
+        <source>foot drift</source>
+        <translation>deriva de los pies</translation>
+    </message>
+    <message>
+        <source>worst drift</source>
+        <translation>peor deriva</translation>
+    </message>
+    <message>
+        <source>foot path</source>
+        <translation>recorrido de los pies</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>fotogramas</translation>
+    </message>
+    <message>
+        <source>asked</source>
+        <translation>pedido</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>método</translation>
+    </message>
+    <message>
+        <source>The charts show the %1 clips with the most visible errors, out of %2.</source>
+        <translation>Los gráficos muestran los %1 clips con los errores más visibles, de %2.</translation>
+    </message>
+    <message>
+        <source>Visible errors over time</source>
+        <translation>Errores visibles a lo largo del tiempo</translation>
+    </message>
+    <message>
+        <source>%1: visible errors over time</source>
+        <translation>%1: errores visibles a lo largo del tiempo</translation>
+    </message>
+    <message>
+        <source>Repaired or guessed on reading</source>
+        <translation>Reparado o supuesto al leer</translation>
+    </message>
+    <message>
+        <source>report.csv lists each warning with its file and line.</source>
+        <translation>report.csv da cada aviso con su archivo y su línea.</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>aviso</translation>
+    </message>
+    <message>
+        <source>count</source>
+        <translation>cantidad</translation>
+    </message>
+    <message>
+        <source>clips</source>
+        <translation>clips</translation>
+    </message>
+    <message>
+        <source>Verified</source>
+        <translation>Verificado</translation>
+    </message>
+    <message>
+        <source>Each file was read back and decoded as an engine would, by the runtime decoder within its default limits; errors are those of the decoded motion. Engines cannot play files in the paper&apos;s codings and of comparison methods: the library decodes these. The column verified_by of report.csv names the decoder of each clip.</source>
+        <translation>Cada archivo se leyó de nuevo y se decodificó como lo haría un motor, con el decodificador de ejecución y sus límites por defecto; los errores son los del movimiento decodificado. Los motores no reproducen las codificaciones del artículo ni los métodos de comparación: esos archivos los decodifica la biblioteca. La columna verified_by de report.csv nombra el decodificador de cada clip.</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>Tasa</translation>
+    </message>
+    <message>
+        <source>Bytes of the channels as 32-bit floats, divided by the bytes of the coded motion. The skeleton counts on neither side. 1 KB = 1024 bytes.</source>
+        <translation>Bytes de los canales como flotantes de 32 bits, divididos por los bytes del movimiento codificado. El esqueleto no cuenta en ningún lado. 1 KB = 1024 bytes.</translation>
+    </message>
+    <message>
+        <source>Weighted root mean square distance between points of the body and the same points of the original. report.csv has it in two more weightings.</source>
+        <translation>Distancia cuadrática media ponderada entre los puntos del cuerpo y los mismos puntos del original. report.csv la da en otras dos ponderaciones.</translation>
+    </message>
+    <message>
+        <source>p95, p99, max</source>
+        <translation>p95, p99, máx.</translation>
+    </message>
+    <message>
+        <source>Percentiles and maximum of these distances over all points and frames, unweighted.</source>
+        <translation>Percentiles y máximo de esas distancias en todos los puntos y fotogramas, sin ponderar.</translation>
+    </message>
+    <message>
+        <source>Visibility</source>
+        <translation>Visibilidad</translation>
+    </message>
+    <message>
+        <source>Joints, head, hands</source>
+        <translation>Articulaciones, cabeza, manos</translation>
+    </message>
+    <message>
+        <source>Angle between a joint&apos;s world-space rotation and the original&apos;s, root mean square over frames and joints. Head and hands are recognised by their names.</source>
+        <translation>Ángulo entre la rotación de una articulación en el mundo y la del original, media cuadrática de fotogramas y articulaciones. La cabeza y las manos se reconocen por sus nombres.</translation>
+    </message>
+    <message>
+        <source>Foot drift, foot path</source>
+        <translation>Deriva y recorrido de los pies</translation>
+    </message>
+    <message>
+        <source>Both are measured while a foot stands in the original. Drift is the distance between a foot and its place in the original, as the mean over contacts and in the worst contact. Path is the length of the foot&apos;s path beyond the original&apos;s, summed over all contacts; a foot that trembles in place has a long path.</source>
+        <translation>Ambos se miden mientras un pie está apoyado en el original. La deriva es la distancia entre un pie y su sitio en el original, en media de los contactos y en el peor contacto. El recorrido es lo que el pie se mueve más que el original, sumado en todos los contactos; un pie que tiembla en su sitio tiene un recorrido largo.</translation>
+    </message>
+    <message>
+        <source>Verdict, note</source>
+        <translation>Veredicto, nota</translation>
+    </message>
+    <message>
+        <source>The reviewer&apos;s verdict and note, with name and date. A verdict is stale, and does not count, if the clip&apos;s file or its settings have changed since.</source>
+        <translation>El veredicto y la nota de quien revisa, con nombre y fecha. Un veredicto ha caducado y no cuenta si el archivo del clip o sus ajustes han cambiado desde entonces.</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Avisos</translation>
+    </message>
+    <message>
+        <source>Number of places that were repaired or guessed when the clip was read; they are listed above.</source>
+        <translation>Número de lugares reparados o supuestos al leer el clip; figuran más arriba.</translation>
+    </message>
+    <message>
+        <source>How clips were measured</source>
+        <translation>Cómo se midieron los clips</translation>
+    </message>
+    <message>
+        <source>any visibility</source>
+        <translation>cualquier visibilidad</translation>
+    </message>
+    <message>
+        <source>any verdict</source>
+        <translation>cualquier veredicto</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>with warnings or without</source>
+        <translation>con avisos o sin ellos</translation>
+    </message>
+    <message>
+        <source>with warnings</source>
+        <translation>con avisos</translation>
+    </message>
+    <message>
+        <source>without warnings</source>
+        <translation>sin avisos</translation>
+    </message>
+    <message>
+        <source>max over, cm</source>
+        <translation>máx. por encima de, cm</translation>
+    </message>
+    <message>
+        <source>ratio below</source>
+        <translation>tasa por debajo de</translation>
+    </message>
+    <message>
+        <source>name, preset, reason ...</source>
+        <translation>nombre, preajuste, motivo ...</translation>
+    </message>
+    <message>
+        <source>show all</source>
+        <translation>mostrar todos</translation>
+    </message>
+    <message>
+        <source>%1 of %2 clips</source>
+        <translation>%1 de %2 clips</translation>
+    </message>
+    <message>
+        <source>%1 of %2 clips, the first %3 of them below</source>
+        <translation>%1 de %2 clips, los primeros %3 a continuación</translation>
+    </message>
+    <message>
+        <source>Compression study</source>
+        <translation>Estudio de compresión</translation>
+    </message>
+    <message>
+        <source>Clips: %1, methods: %2, compressions: %3. Error weighting: %4.</source>
+        <translation>Clips: %1, métodos: %2, compresiones: %3. Ponderación del error: %4.</translation>
+    </message>
+    <message>
+        <source>Error against compression ratio, averaged over the clips</source>
+        <translation>Error según la tasa de compresión, en media de los clips</translation>
+    </message>
+    <message>
+        <source>Error against compression ratio</source>
+        <translation>Error según la tasa de compresión</translation>
+    </message>
+    <message>
+        <source>%1: error against compression ratio</source>
+        <translation>%1: error según la tasa de compresión</translation>
+    </message>
+    <message>
+        <source>The paper</source>
+        <translation>El artículo</translation>
+    </message>
+    <message>
+        <source>The paper: %1</source>
+        <translation>El artículo: %1</translation>
+    </message>
+    <message>
+        <source>%1 frames</source>
+        <translation>%1 fotogramas</translation>
+    </message>
+    <message>
+        <source>one clip</source>
+        <translation>un clip</translation>
+    </message>
+    <message>
+        <source>geometric mean of %1 clips</source>
+        <translation>media geométrica de %1 clips</translation>
+    </message>
+    <message>
+        <source>%1 at %2 = %3 cm, %4</source>
+        <translation>%1 con %2 = %3 cm, %4</translation>
+    </message>
+    <message>
+        <source> (the paper: about %1:1)</source>
+        <translation> (el artículo: unos %1:1)</translation>
+    </message>
+    <message>
+        <source>smaller than %1 at equal error</source>
+        <translation>más pequeño que %1 con igual error</translation>
+    </message>
+    <message>
+        <source>to compress a frame by %1, including the search for the target</source>
+        <translation>para comprimir un fotograma con %1, incluida la búsqueda del objetivo</translation>
+    </message>
+    <message>
+        <source>Use %1: it has the smallest files at %2 = %3 cm over all clips.</source>
+        <translation>Use %1: sus archivos son los más pequeños con %2 = %3 cm en todos los clips.</translation>
+    </message>
+    <message>
+        <source>Recommended method</source>
+        <translation>Método recomendado</translation>
+    </message>
+    <message>
+        <source>The presets use %1. The table shows the ratio at the error of each preset. Presets also bound the errors of heads, hands and roots, which costs some more bytes.</source>
+        <translation>Los preajustes usan %1. La tabla da la tasa con el error de cada preajuste. Los preajustes también limitan los errores de cabezas, manos y raíces, lo que cuesta algunos bytes más.</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Preajuste</translation>
+    </message>
+    <message>
+        <source>mean ratio</source>
+        <translation>tasa media</translation>
+    </message>
+    <message>
+        <source>wavelets by %1</source>
+        <translation>ondículas por %1</translation>
+    </message>
+    <message>
+        <source>no wavelets</source>
+        <translation>sin ondículas</translation>
+    </message>
+    <message>
+        <source>Bytes of the channels as 32-bit floats, divided by the bytes of the coded motion. The skeleton counts on neither side, as in the paper. 1 KB = 1024 bytes.</source>
+        <translation>Bytes de los canales como flotantes de 32 bits, divididos por los bytes del movimiento codificado. El esqueleto no cuenta en ningún lado, como en el artículo. 1 KB = 1024 bytes.</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s positional distortion (section 3.1), weighted by %1: the weighted root mean square distance between points of the body and the same points of the original. The paper&apos;s own figures use the weighting joint-origins.</source>
+        <translation>La distorsión de posición del artículo (sección 3.1), ponderada por %1: la distancia cuadrática media ponderada entre los puntos del cuerpo y los mismos puntos del original. Las cifras del artículo usan la ponderación joint-origins.</translation>
+    </message>
+    <message>
+        <source>Judged from %1 m, by %2.</source>
+        <translation>Se juzga desde %1 m, por %2.</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Media</translation>
+    </message>
+    <message>
+        <source>Geometric mean over the clips of the ratio at equal %1, at errors within the measured range of every clip. Ratios between measured points are interpolated, linearly in the logarithms of ratio and error, and marked %2.</source>
+        <translation>Media geométrica de los clips de la tasa con igual %1, en errores dentro del rango medido de todos los clips. Entre los puntos medidos las tasas se interpolan, linealmente en los logaritmos de tasa y error, y se marcan con %2.</translation>
+    </message>
+    <message>
+        <source>Coding</source>
+        <translation>Codificación</translation>
+    </message>
+    <message>
+        <source>%1, seed %2</source>
+        <translation>%1, semilla %2</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Wall time of a compression, including the search for the target; compressions at the same time: up to %1. Work that the compressions of a clip share counts in the first of them. The paper used a 2 GHz Athlon 64.</source>
+        <translation>Tiempo real de una compresión, incluida la búsqueda del objetivo; compresiones a la vez: hasta %1. El trabajo común a las compresiones de un clip cuenta en la primera. El artículo usó un Athlon 64 de 2 GHz.</translation>
+    </message>
+    <message>
+        <source>Figures marked as the paper&apos;s are from Tables 1 and 2 of %1.</source>
+        <translation>Las cifras del artículo son de las tablas 1 y 2 de %1.</translation>
+    </message>
+    <message>
+        <source>These methods have no mean, since no error is within the range of all clips: %1.</source>
+        <translation>Estos métodos no tienen media, porque ningún error está en el rango de todos los clips: %1.</translation>
+    </message>
+    <message>
+        <source>Files are smaller to the right, errors smaller to the bottom. Curves are geometric means of the ratio at equal error. The dotted line is 0.5 cm: the paper saw no artifacts below it.</source>
+        <translation>Los archivos son más pequeños hacia la derecha y los errores hacia abajo. Las curvas son medias geométricas de la tasa con igual error. La línea de puntos está en 0.5 cm: por debajo, el artículo no vio defectos.</translation>
+    </message>
+    <message>
+        <source>Hollow marks are the paper&apos;s Table 1.</source>
+        <translation>Las marcas huecas son de la tabla 1 del artículo.</translation>
+    </message>
+    <message>
+        <source>frame %1, %2 s</source>
+        <translation>fotograma %1, %2 s</translation>
+    </message>
+    <message>
+        <source>%1 at %2: %3 %4 cm over the clip, largest error %5 cm; at this frame: %6.</source>
+        <translation>%1 a %2: %3 %4 cm en el clip, error máximo %5 cm; en este fotograma: %6.</translation>
+    </message>
+    <message>
+        <source>%1, %2 to %3</source>
+        <translation>%1, %2 a %3</translation>
+    </message>
+    <message>
+        <source>%1: foot that slides most</source>
+        <translation>%1: pie que más se desliza</translation>
+    </message>
+    <message>
+        <source>%1: %2 slides %3 cm while planted.</source>
+        <translation>%1: %2 se desliza %3 cm estando apoyado.</translation>
+    </message>
+    <message>
+        <source>%1 at %2:1</source>
+        <translation>%1 a %2:1</translation>
+    </message>
+    <message>
+        <source>Compressed motion in red over the original in grey, all at the same ratio. The first pictures show the frame with the largest error of %1: %2. Lines on the floor are half a metre apart.</source>
+        <translation>El movimiento comprimido en rojo sobre el original en gris, todos con la misma tasa. Las primeras imágenes muestran el fotograma con el mayor error de %1: %2. Las líneas del suelo están a medio metro.</translation>
+    </message>
+    <message>
+        <source>The foot that slides most</source>
+        <translation>El pie que más se desliza</translation>
+    </message>
+    <message>
+        <source>Path of the foot over the floor during one contact: original in grey, compressed dark.</source>
+        <translation>Recorrido del pie por el suelo durante un contacto: original en gris, comprimido en oscuro.</translation>
+    </message>
+    <message>
+        <source>Size at equal error</source>
+        <translation>Tamaño con igual error</translation>
+    </message>
+    <message>
+        <source>Time of the annealing</source>
+        <translation>Tiempo del recocido</translation>
+    </message>
+    <message>
+        <source>Feet held by inverse kinematics</source>
+        <translation>Pies sujetos por cinemática inversa</translation>
+    </message>
+    <message>
+        <source>Sliding feet</source>
+        <translation>Pies que se deslizan</translation>
+    </message>
+    <message>
+        <source>Rotation errors</source>
+        <translation>Errores de rotación</translation>
+    </message>
+    <message>
+        <source>Missed targets</source>
+        <translation>Objetivos no alcanzados</translation>
+    </message>
+    <message>
+        <source>drift %1</source>
+        <translation>deriva %1</translation>
+    </message>
+    <message>
+        <source>contacts</source>
+        <translation>contactos</translation>
+    </message>
+    <message>
+        <source>mean of a contact</source>
+        <translation>media por contacto</translation>
+    </message>
+    <message>
+        <source>At the paper&apos;s coefficient ratio r = %1</source>
+        <translation>Con la razón de coeficientes del artículo r = %1</translation>
+    </message>
+    <message>
+        <source>At the compression ratio %1:1</source>
+        <translation>Con la tasa de compresión %1:1</translation>
+    </message>
+    <message>
+        <source>KB (ratio)</source>
+        <translation>KB (tasa)</translation>
+    </message>
+    <message>
+        <source>paper</source>
+        <translation>artículo</translation>
+    </message>
+    <message>
+        <source>ms a frame</source>
+        <translation>ms por fotograma</translation>
+    </message>
+    <message>
+        <source>iterations</source>
+        <translation>iteraciones</translation>
+    </message>
+    <message>
+        <source>paper: ms</source>
+        <translation>artículo: ms</translation>
+    </message>
+    <message>
+        <source>Horizontal path of the feet during contacts, beyond the original&apos;s; in brackets the mean contact and the worst contact. Contacts are detected in the original; clips without contacts are not listed.</source>
+        <translation>Recorrido horizontal de los pies durante los contactos, más allá del original; entre paréntesis, el contacto medio y el peor. Los contactos se detectan en el original; no figuran los clips sin contactos.</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>segundos</translation>
+    </message>
+    <message>
+        <source>Compression ratio at %1.</source>
+        <translation>Tasa de compresión con %1.</translation>
+    </message>
+    <message>
+        <source>Angle between a joint&apos;s world-space rotation and the original&apos;s, root mean square over frames and joints; in brackets that of the head and of the worse hand, if they are recognised by their names. Measured at %1.</source>
+        <translation>Ángulo entre la rotación de una articulación en el mundo y la del original, media cuadrática de fotogramas y articulaciones; entre paréntesis, el de la cabeza y el de la peor mano, si se reconocen por sus nombres. Medido con %1.</translation>
+    </message>
+    <message>
+        <source>%1 (cm) without, with IK</source>
+        <translation>%1 (cm) sin IK, con IK</translation>
+    </message>
+    <message>
+        <source>footskate (cm) without, with IK</source>
+        <translation>deslizamiento (cm) sin IK, con IK</translation>
+    </message>
+    <message>
+        <source>without</source>
+        <translation>sin</translation>
+    </message>
+    <message>
+        <source>with</source>
+        <translation>con</translation>
+    </message>
+    <message>
+        <source>knee</source>
+        <translation>rodilla</translation>
+    </message>
+    <message>
+        <source>Clips with and without IK have the same compression ratio, so bytes of the correction are missing elsewhere. Knee: its highest speed, divided by that of the original.</source>
+        <translation>Los clips con IK y sin IK tienen la misma tasa de compresión, así que los bytes de la corrección faltan en otra parte. Rodilla: su mayor velocidad, dividida por la del original.</translation>
+    </message>
+    <message>
+        <source>every method</source>
+        <translation>todos los métodos</translation>
+    </message>
+    <message>
+        <source>%1 gave %2</source>
+        <translation>%1 dio %2</translation>
+    </message>
+    <message>
+        <source>%1 combinations of clip and method missed a target</source>
+        <translation>%1 combinaciones de clip y método no alcanzaron un objetivo</translation>
+    </message>
+    <message>
+        <source>missed target</source>
+        <translation>objetivo no alcanzado</translation>
+    </message>
+    <message>
+        <source>first reason</source>
+        <translation>primer motivo</translation>
+    </message>
+    <message>
+        <source>nearest result</source>
+        <translation>resultado más cercano</translation>
+    </message>
+    <message>
+        <source>Cubic wavelets, coefficients moved between channels by annealing: the paper&apos;s Algorithm 1, candidates compared by a quadratic error model.</source>
+        <translation>Ondículas cúbicas, coeficientes movidos entre canales por recocido: el algoritmo 1 del artículo, con candidatos comparados por un modelo cuadrático del error.</translation>
+    </message>
+    <message>
+        <source>Cubic wavelets, the largest coefficients of all channels, angles scaled by the length of the bone: the paper&apos;s section 4.</source>
+        <translation>Ondículas cúbicas, los mayores coeficientes de todos los canales, ángulos multiplicados por la longitud del hueso: sección 4 del artículo.</translation>
+    </message>
+    <message>
+        <source>Cubic wavelets, the largest coefficients of each channel, equally many: the paper&apos;s first approach in section 4.</source>
+        <translation>Ondículas cúbicas, los mayores coeficientes de cada canal, en igual número: primer enfoque del artículo, sección 4.</translation>
+    </message>
+    <message>
+        <source>Standard selection in the Haar basis, with which Arikan (2006) compared.</source>
+        <translation>Selección estándar en la base de Haar, con la que comparó Arikan (2006).</translation>
+    </message>
+    <message>
+        <source>Standard selection in the interpolating linear basis.</source>
+        <translation>Selección estándar en la base lineal interpolante.</translation>
+    </message>
+    <message>
+        <source>Cubic wavelets, each coefficient quantised by what its step does to the error in the world, channels making good what others lost; adaptive coding.</source>
+        <translation>Ondículas cúbicas, cada coeficiente cuantificado según lo que su paso hace al error en el mundo, con canales que compensan lo que otros perdieron; codificación adaptativa.</translation>
+    </message>
+    <message>
+        <source>Our reading of Arikan (2006): clustered PCA of short Bezier curves of virtual markers, the database being the clip alone; k-means clusters, DEFLATE, and no special care of the feet.</source>
+        <translation>Nuestra lectura de Arikan (2006): PCA por grupos de curvas de Bézier cortas de marcadores virtuales, con el clip solo como base de datos; grupos por k-medias, DEFLATE y sin cuidado especial de los pies.</translation>
+    </message>
+    <message>
+        <source>What engines do: each channel by itself, key frames left out where a line comes within the tolerance, steps as fine as the channel needs (as ACL&apos;s bit rates), DEFLATE.</source>
+        <translation>Lo que hacen los motores: cada canal por sí solo, fotogramas clave omitidos donde una recta queda dentro de la tolerancia, pasos tan finos como el canal necesita (como las tasas de bits de ACL), DEFLATE.</translation>
+    </message>
+    <message>
+        <source>Our reading of Liu and McMillan (2006): PCA of segments, adaptive key frames with cubic splines; on channels weighted by what they move, not on markers, and with no special care of the feet.</source>
+        <translation>Nuestra lectura de Liu y McMillan (2006): PCA por segmentos, fotogramas clave adaptativos con splines cúbicos; sobre canales ponderados por lo que mueven y no sobre marcadores, sin cuidado especial de los pies.</translation>
+    </message>
+    <message>
+        <source>Principal components of the poses without the root&apos;s position, everything in 16 bits, DEFLATE: the paper&apos;s section 3.2.</source>
+        <translation>Componentes principales de las poses sin la posición de la raíz, todo en 16 bits, DEFLATE: sección 3.2 del artículo.</translation>
+    </message>
+    <message>
+        <source>Cubic wavelets on unit quaternions, coefficients moved between components by annealing on the linearised rotation: the paper&apos;s section 6.3.</source>
+        <translation>Ondículas cúbicas sobre cuaterniones unitarios, coeficientes movidos entre componentes por recocido sobre la rotación linealizada: sección 6.3 del artículo.</translation>
+    </message>
+    <message>
+        <source>Every s-th frame in 16 bits, DEFLATE; natural cubic splines between.</source>
+        <translation>Un fotograma de cada s en 16 bits, DEFLATE; splines cúbicos naturales entre ellos.</translation>
     </message>
 </context>
 <context>

@@ -4293,10 +4293,6 @@
         <translation>Pires images</translation>
     </message>
     <message>
-        <source>The frame with the largest error of each clip, the largest first. Frames count from 0.</source>
-        <translation>L&apos;image de plus grande erreur de chaque clip, la plus grande d&apos;abord. Les images se comptent à partir de 0.</translation>
-    </message>
-    <message>
         <source>Every clip</source>
         <translation>Tous les clips</translation>
     </message>
@@ -4379,6 +4375,774 @@
     <message>
         <source>own limits: %1</source>
         <translation>limites propres : %1</translation>
+    </message>
+    <message>
+        <source>The frame with the largest error of each clip, the largest first.</source>
+        <translation>L&apos;image de plus grande erreur de chaque clip, la plus grande d&apos;abord.</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>image %1</translation>
+    </message>
+    <message>
+        <source>stale: %1</source>
+        <translation>périmé : %1</translation>
+    </message>
+    <message>
+        <source>%1 by %2</source>
+        <translation>%1 par %2</translation>
+    </message>
+    <message>
+        <source>largest error %1 cm</source>
+        <translation>erreur maximale %1 cm</translation>
+    </message>
+    <message>
+        <source>errors %1, by %2</source>
+        <translation>erreurs : %1, selon %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 at frame %3: %4, noticed from %5</source>
+        <translation>%1, %2, image %3 : %4, remarqué à partir de %5</translation>
+    </message>
+    <message>
+        <source>The viewer needs JavaScript.</source>
+        <translation>La visionneuse a besoin de JavaScript.</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Voir</translation>
+    </message>
+    <message>
+        <source>%1 cannot be shown: %2</source>
+        <translation>%1 ne peut pas être affiché : %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be loaded</source>
+        <translation>%1 ne peut pas être chargé</translation>
+    </message>
+    <message>
+        <source>Loading</source>
+        <translation>Chargement</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>Key: %1</source>
+        <translation>Touche : %1</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Lecture</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Overlay</source>
+        <translation>Superposer</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Côte à côte</translation>
+    </message>
+    <message>
+        <source>Wipe</source>
+        <translation>Balayage</translation>
+    </message>
+    <message>
+        <source>Swap</source>
+        <translation>Échanger</translation>
+    </message>
+    <message>
+        <source>Colour by error</source>
+        <translation>Colorer par erreur</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Suivre</translation>
+    </message>
+    <message>
+        <source>Worst frame before</source>
+        <translation>Pire image précédente</translation>
+    </message>
+    <message>
+        <source>Next worst frame</source>
+        <translation>Pire image suivante</translation>
+    </message>
+    <message>
+        <source>Reset camera</source>
+        <translation>Réinitialiser la caméra</translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2, %3 s.</source>
+        <translation>Image %1 sur %2, %3 s.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 cm off.</source>
+        <translation>Écart de %1 : %2 cm.</translation>
+    </message>
+    <message>
+        <source>The lightest colour is %1 cm.</source>
+        <translation>La couleur la plus claire vaut %1 cm.</translation>
+    </message>
+    <message>
+        <source>%1 to %2 s: %3</source>
+        <translation>%1 à %2 s : %3</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>toutes</translation>
+    </message>
+    <message>
+        <source>Rows are joints, the first row is any joint. A full bar marks times with visible errors, half a bar borderline ones, no bar errors that nobody sees.</source>
+        <translation>Chaque ligne est une articulation, la première les réunit toutes. Une barre entière marque les moments où les erreurs sont visibles, une demi-barre ceux où elles sont à la limite ; sans barre, personne ne voit d&apos;erreur.</translation>
+    </message>
+    <message>
+        <source>compression ratio %1 smaller</source>
+        <translation>taux de compression %1 plus petit</translation>
+    </message>
+    <message>
+        <source>%1: %2 cm at %3</source>
+        <translation>%1 : %2 cm à %3</translation>
+    </message>
+    <message>
+        <source>Batch export</source>
+        <translation>Export par lots</translation>
+    </message>
+    <message>
+        <source>Errors from 1 to 2 times the noticeable size are borderline, larger ones visible. Each clip is judged from the viewing distance that its verdict names, by %1. report.csv lists distance and own limits of each clip.</source>
+        <translation>De 1 à 2 fois la taille perceptible, une erreur est à la limite ; au-delà, elle est visible. Chaque clip est jugé de la distance que son verdict indique, selon %1. report.csv donne la distance et les limites propres de chaque clip.</translation>
+    </message>
+    <message>
+        <source>clips with visible errors</source>
+        <translation>clips avec erreurs visibles</translation>
+    </message>
+    <message>
+        <source>clips with borderline errors</source>
+        <translation>clips avec erreurs à la limite</translation>
+    </message>
+    <message>
+        <source>without visible errors</source>
+        <translation>sans erreurs visibles</translation>
+    </message>
+    <message>
+        <source>clips done, each read back and measured</source>
+        <translation>clips terminés, chacun relu et mesuré</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>en échec</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>reviewed: %1 approved, %2 rejected</source>
+        <translation>relus : %1 approuvés, %2 rejetés</translation>
+    </message>
+    <message>
+        <source>stale verdicts</source>
+        <translation>verdicts périmés</translation>
+    </message>
+    <message>
+        <source>still waiting</source>
+        <translation>encore en attente</translation>
+    </message>
+    <message>
+        <source>compression ratio of all clips together: %1 KB to %2 KB</source>
+        <translation>taux de compression de tous les clips ensemble : de %1 à %2 Ko</translation>
+    </message>
+    <message>
+        <source>largest error of any point at any frame; largest %1 %2 cm</source>
+        <translation>plus grande erreur d&apos;un point à une image ; plus grand %1 : %2 cm</translation>
+    </message>
+    <message>
+        <source>%1 over its original at its worst frame</source>
+        <translation>%1 sur son original, à sa pire image</translation>
+    </message>
+    <message>
+        <source>%1, %2 s: error of %3 cm at the %4.</source>
+        <translation>%1, %2 s : erreur de %3 cm, %4.</translation>
+    </message>
+    <message>
+        <source>The frame with the largest error of each of the clips whose errors are most visible: original in grey, compressed in red.</source>
+        <translation>L&apos;image de plus grande erreur des clips dont les erreurs se voient le plus : l&apos;original en gris, le compressé en rouge.</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>En échec</translation>
+    </message>
+    <message>
+        <source>No file was written for these clips; older files of theirs are unchanged.</source>
+        <translation>Aucun fichier n&apos;a été écrit pour ces clips ; leurs anciens fichiers sont inchangés.</translation>
+    </message>
+    <message>
+        <source>preset</source>
+        <translation>préréglage</translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>raison</translation>
+    </message>
+    <message>
+        <source>feet held</source>
+        <translation>pieds tenus</translation>
+    </message>
+    <message>
+        <source>Errors of the file as read back from the disk, against the original: distances in centimetres, rotation errors of joints, head and hands in degrees.</source>
+        <translation>Erreurs du fichier relu sur le disque, par rapport à l&apos;original : distances en centimètres, erreurs de rotation des articulations, de la tête et des mains en degrés.</translation>
+    </message>
+    <message>
+        <source>visibility</source>
+        <translation>visibilité</translation>
+    </message>
+    <message>
+        <source>warnings</source>
+        <translation>avertissements</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>max</translation>
+    </message>
+    <message>
+        <source>at frame</source>
+        <translation>à l&apos;image</translation>
+    </message>
+    <message>
+        <source>joints</source>
+        <translation>articulations</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>tête</translation>
+    </message>
+    <message>
+        <source>hands</source>
+        <translation>mains</translation>
+    </message>
+    <message>
+        <source>foot drift</source>
+        <translation>dérive des pieds</translation>
+    </message>
+    <message>
+        <source>worst drift</source>
+        <translation>pire dérive</translation>
+    </message>
+    <message>
+        <source>foot path</source>
+        <translation>trajet des pieds</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>images</translation>
+    </message>
+    <message>
+        <source>asked</source>
+        <translation>demandé</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>méthode</translation>
+    </message>
+    <message>
+        <source>The charts show the %1 clips with the most visible errors, out of %2.</source>
+        <translation>Les graphiques montrent les %1 clips dont les erreurs se voient le plus, sur %2.</translation>
+    </message>
+    <message>
+        <source>Visible errors over time</source>
+        <translation>Erreurs visibles dans le temps</translation>
+    </message>
+    <message>
+        <source>%1: visible errors over time</source>
+        <translation>%1 : erreurs visibles dans le temps</translation>
+    </message>
+    <message>
+        <source>Repaired or guessed on reading</source>
+        <translation>Réparé ou deviné à la lecture</translation>
+    </message>
+    <message>
+        <source>report.csv lists each warning with its file and line.</source>
+        <translation>report.csv donne chaque avertissement avec son fichier et sa ligne.</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>avertissement</translation>
+    </message>
+    <message>
+        <source>count</source>
+        <translation>nombre</translation>
+    </message>
+    <message>
+        <source>clips</source>
+        <translation>clips</translation>
+    </message>
+    <message>
+        <source>Verified</source>
+        <translation>Vérifié</translation>
+    </message>
+    <message>
+        <source>Each file was read back and decoded as an engine would, by the runtime decoder within its default limits; errors are those of the decoded motion. Engines cannot play files in the paper&apos;s codings and of comparison methods: the library decodes these. The column verified_by of report.csv names the decoder of each clip.</source>
+        <translation>Chaque fichier a été relu et décodé comme le ferait un moteur, par le décodeur d&apos;exécution dans ses limites par défaut ; les erreurs sont celles du mouvement décodé. Les moteurs ne lisent pas les codages de l&apos;article ni les méthodes de comparaison : la bibliothèque décode ces fichiers. La colonne verified_by de report.csv nomme le décodeur de chaque clip.</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>Taux</translation>
+    </message>
+    <message>
+        <source>Bytes of the channels as 32-bit floats, divided by the bytes of the coded motion. The skeleton counts on neither side. 1 KB = 1024 bytes.</source>
+        <translation>Octets des canaux en flottants de 32 bits, divisés par les octets du mouvement codé. Le squelette ne compte d&apos;aucun côté. 1 Ko = 1024 octets.</translation>
+    </message>
+    <message>
+        <source>Weighted root mean square distance between points of the body and the same points of the original. report.csv has it in two more weightings.</source>
+        <translation>Distance quadratique moyenne pondérée entre les points du corps et les mêmes points de l&apos;original. report.csv la donne dans deux autres pondérations.</translation>
+    </message>
+    <message>
+        <source>p95, p99, max</source>
+        <translation>p95, p99, max</translation>
+    </message>
+    <message>
+        <source>Percentiles and maximum of these distances over all points and frames, unweighted.</source>
+        <translation>Centiles et maximum de ces distances sur tous les points et toutes les images, sans pondération.</translation>
+    </message>
+    <message>
+        <source>Visibility</source>
+        <translation>Visibilité</translation>
+    </message>
+    <message>
+        <source>Joints, head, hands</source>
+        <translation>Articulations, tête, mains</translation>
+    </message>
+    <message>
+        <source>Angle between a joint&apos;s world-space rotation and the original&apos;s, root mean square over frames and joints. Head and hands are recognised by their names.</source>
+        <translation>Angle entre la rotation d&apos;une articulation dans le monde et celle de l&apos;original, moyenne quadratique sur les images et les articulations. La tête et les mains sont reconnues à leurs noms.</translation>
+    </message>
+    <message>
+        <source>Foot drift, foot path</source>
+        <translation>Dérive et trajet des pieds</translation>
+    </message>
+    <message>
+        <source>Both are measured while a foot stands in the original. Drift is the distance between a foot and its place in the original, as the mean over contacts and in the worst contact. Path is the length of the foot&apos;s path beyond the original&apos;s, summed over all contacts; a foot that trembles in place has a long path.</source>
+        <translation>Les deux se mesurent tant qu&apos;un pied est posé dans l&apos;original. La dérive est la distance entre un pied et sa place dans l&apos;original, en moyenne sur les contacts et au pire contact. Le trajet est la longueur parcourue par le pied au-delà de celle de l&apos;original, sur tous les contacts ; un pied qui tremble sur place a un long trajet.</translation>
+    </message>
+    <message>
+        <source>Verdict, note</source>
+        <translation>Verdict, note</translation>
+    </message>
+    <message>
+        <source>The reviewer&apos;s verdict and note, with name and date. A verdict is stale, and does not count, if the clip&apos;s file or its settings have changed since.</source>
+        <translation>Le verdict et la note de la personne qui relit, avec nom et date. Un verdict est périmé, et ne compte pas, si le fichier du clip ou ses réglages ont changé depuis.</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Avertissements</translation>
+    </message>
+    <message>
+        <source>Number of places that were repaired or guessed when the clip was read; they are listed above.</source>
+        <translation>Nombre d&apos;endroits réparés ou devinés à la lecture du clip ; ils sont donnés ci-dessus.</translation>
+    </message>
+    <message>
+        <source>How clips were measured</source>
+        <translation>Comment les clips ont été mesurés</translation>
+    </message>
+    <message>
+        <source>any visibility</source>
+        <translation>toute visibilité</translation>
+    </message>
+    <message>
+        <source>any verdict</source>
+        <translation>tout verdict</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>with warnings or without</source>
+        <translation>avec ou sans avertissements</translation>
+    </message>
+    <message>
+        <source>with warnings</source>
+        <translation>avec avertissements</translation>
+    </message>
+    <message>
+        <source>without warnings</source>
+        <translation>sans avertissements</translation>
+    </message>
+    <message>
+        <source>max over, cm</source>
+        <translation>max au-dessus de, cm</translation>
+    </message>
+    <message>
+        <source>ratio below</source>
+        <translation>taux sous</translation>
+    </message>
+    <message>
+        <source>name, preset, reason ...</source>
+        <translation>nom, préréglage, raison ...</translation>
+    </message>
+    <message>
+        <source>show all</source>
+        <translation>tout afficher</translation>
+    </message>
+    <message>
+        <source>%1 of %2 clips</source>
+        <translation>%1 clips sur %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 clips, the first %3 of them below</source>
+        <translation>%1 clips sur %2, les %3 premiers ci-dessous</translation>
+    </message>
+    <message>
+        <source>Compression study</source>
+        <translation>Étude de compression</translation>
+    </message>
+    <message>
+        <source>Clips: %1, methods: %2, compressions: %3. Error weighting: %4.</source>
+        <translation>Clips : %1, méthodes : %2, compressions : %3. Pondération des erreurs : %4.</translation>
+    </message>
+    <message>
+        <source>Error against compression ratio, averaged over the clips</source>
+        <translation>Erreur selon le taux de compression, en moyenne sur les clips</translation>
+    </message>
+    <message>
+        <source>Error against compression ratio</source>
+        <translation>Erreur selon le taux de compression</translation>
+    </message>
+    <message>
+        <source>%1: error against compression ratio</source>
+        <translation>%1 : erreur selon le taux de compression</translation>
+    </message>
+    <message>
+        <source>The paper</source>
+        <translation>L&apos;article</translation>
+    </message>
+    <message>
+        <source>The paper: %1</source>
+        <translation>L&apos;article : %1</translation>
+    </message>
+    <message>
+        <source>%1 frames</source>
+        <translation>%1 images</translation>
+    </message>
+    <message>
+        <source>one clip</source>
+        <translation>un clip</translation>
+    </message>
+    <message>
+        <source>geometric mean of %1 clips</source>
+        <translation>moyenne géométrique de %1 clips</translation>
+    </message>
+    <message>
+        <source>%1 at %2 = %3 cm, %4</source>
+        <translation>%1 à %2 = %3 cm, %4</translation>
+    </message>
+    <message>
+        <source> (the paper: about %1:1)</source>
+        <translation> (l&apos;article : environ %1:1)</translation>
+    </message>
+    <message>
+        <source>smaller than %1 at equal error</source>
+        <translation>plus petit que %1 à erreur égale</translation>
+    </message>
+    <message>
+        <source>to compress a frame by %1, including the search for the target</source>
+        <translation>pour compresser une image par %1, recherche de l&apos;objectif comprise</translation>
+    </message>
+    <message>
+        <source>Use %1: it has the smallest files at %2 = %3 cm over all clips.</source>
+        <translation>Utilisez %1 : ses fichiers sont les plus petits à %2 = %3 cm sur tous les clips.</translation>
+    </message>
+    <message>
+        <source>Recommended method</source>
+        <translation>Méthode recommandée</translation>
+    </message>
+    <message>
+        <source>The presets use %1. The table shows the ratio at the error of each preset. Presets also bound the errors of heads, hands and roots, which costs some more bytes.</source>
+        <translation>Les préréglages utilisent %1. Le tableau donne le taux à l&apos;erreur de chaque préréglage. Les préréglages bornent aussi les erreurs des têtes, des mains et des racines, ce qui coûte quelques octets de plus.</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Préréglage</translation>
+    </message>
+    <message>
+        <source>mean ratio</source>
+        <translation>taux moyen</translation>
+    </message>
+    <message>
+        <source>wavelets by %1</source>
+        <translation>ondelettes par %1</translation>
+    </message>
+    <message>
+        <source>no wavelets</source>
+        <translation>pas d&apos;ondelettes</translation>
+    </message>
+    <message>
+        <source>Bytes of the channels as 32-bit floats, divided by the bytes of the coded motion. The skeleton counts on neither side, as in the paper. 1 KB = 1024 bytes.</source>
+        <translation>Octets des canaux en flottants de 32 bits, divisés par les octets du mouvement codé. Le squelette ne compte d&apos;aucun côté, comme dans l&apos;article. 1 Ko = 1024 octets.</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s positional distortion (section 3.1), weighted by %1: the weighted root mean square distance between points of the body and the same points of the original. The paper&apos;s own figures use the weighting joint-origins.</source>
+        <translation>La distorsion de position de l&apos;article (section 3.1), pondérée par %1 : la distance quadratique moyenne pondérée entre les points du corps et les mêmes points de l&apos;original. Les chiffres de l&apos;article utilisent la pondération joint-origins.</translation>
+    </message>
+    <message>
+        <source>Judged from %1 m, by %2.</source>
+        <translation>Jugée de %1 m, selon %2.</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>Geometric mean over the clips of the ratio at equal %1, at errors within the measured range of every clip. Ratios between measured points are interpolated, linearly in the logarithms of ratio and error, and marked %2.</source>
+        <translation>Moyenne géométrique sur les clips du taux à %1 égal, aux erreurs mesurées pour tous les clips. Entre les points mesurés, les taux sont interpolés linéairement dans les logarithmes du taux et de l&apos;erreur, et marqués %2.</translation>
+    </message>
+    <message>
+        <source>Coding</source>
+        <translation>Codage</translation>
+    </message>
+    <message>
+        <source>%1, seed %2</source>
+        <translation>%1, graine %2</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Wall time of a compression, including the search for the target; compressions at the same time: up to %1. Work that the compressions of a clip share counts in the first of them. The paper used a 2 GHz Athlon 64.</source>
+        <translation>Temps réel d&apos;une compression, recherche de l&apos;objectif comprise ; compressions simultanées : jusqu&apos;à %1. Le travail commun aux compressions d&apos;un clip compte dans la première. L&apos;article utilisait un Athlon 64 à 2 GHz.</translation>
+    </message>
+    <message>
+        <source>Figures marked as the paper&apos;s are from Tables 1 and 2 of %1.</source>
+        <translation>Les chiffres attribués à l&apos;article viennent des tableaux 1 et 2 de %1.</translation>
+    </message>
+    <message>
+        <source>These methods have no mean, since no error is within the range of all clips: %1.</source>
+        <translation>Ces méthodes n&apos;ont pas de moyenne, car aucune erreur n&apos;est dans la plage de tous les clips : %1.</translation>
+    </message>
+    <message>
+        <source>Files are smaller to the right, errors smaller to the bottom. Curves are geometric means of the ratio at equal error. The dotted line is 0.5 cm: the paper saw no artifacts below it.</source>
+        <translation>Les fichiers sont plus petits vers la droite, les erreurs plus petites vers le bas. Les courbes sont des moyennes géométriques du taux à erreur égale. La ligne pointillée est à 0.5 cm : l&apos;article n&apos;a pas vu d&apos;artefacts en dessous.</translation>
+    </message>
+    <message>
+        <source>Hollow marks are the paper&apos;s Table 1.</source>
+        <translation>Les marques creuses sont du tableau 1 de l&apos;article.</translation>
+    </message>
+    <message>
+        <source>frame %1, %2 s</source>
+        <translation>image %1, %2 s</translation>
+    </message>
+    <message>
+        <source>%1 at %2: %3 %4 cm over the clip, largest error %5 cm; at this frame: %6.</source>
+        <translation>%1 à %2 : %3 %4 cm sur le clip, erreur maximale %5 cm ; à cette image : %6.</translation>
+    </message>
+    <message>
+        <source>%1, %2 to %3</source>
+        <translation>%1, %2 à %3</translation>
+    </message>
+    <message>
+        <source>%1: foot that slides most</source>
+        <translation>%1 : pied qui glisse le plus</translation>
+    </message>
+    <message>
+        <source>%1: %2 slides %3 cm while planted.</source>
+        <translation>%1 : %2 glisse de %3 cm alors qu&apos;il est posé.</translation>
+    </message>
+    <message>
+        <source>%1 at %2:1</source>
+        <translation>%1 à %2:1</translation>
+    </message>
+    <message>
+        <source>Compressed motion in red over the original in grey, all at the same ratio. The first pictures show the frame with the largest error of %1: %2. Lines on the floor are half a metre apart.</source>
+        <translation>Le mouvement compressé en rouge sur l&apos;original en gris, tous au même taux. Les premières images montrent le moment de plus grande erreur de %1 : %2. Les lignes du sol sont espacées d&apos;un demi-mètre.</translation>
+    </message>
+    <message>
+        <source>The foot that slides most</source>
+        <translation>Le pied qui glisse le plus</translation>
+    </message>
+    <message>
+        <source>Path of the foot over the floor during one contact: original in grey, compressed dark.</source>
+        <translation>Trajet du pied sur le sol pendant un contact : original en gris, compressé en foncé.</translation>
+    </message>
+    <message>
+        <source>Size at equal error</source>
+        <translation>Taille à erreur égale</translation>
+    </message>
+    <message>
+        <source>Time of the annealing</source>
+        <translation>Temps du recuit</translation>
+    </message>
+    <message>
+        <source>Feet held by inverse kinematics</source>
+        <translation>Pieds tenus par cinématique inverse</translation>
+    </message>
+    <message>
+        <source>Sliding feet</source>
+        <translation>Pieds qui glissent</translation>
+    </message>
+    <message>
+        <source>Rotation errors</source>
+        <translation>Erreurs de rotation</translation>
+    </message>
+    <message>
+        <source>Missed targets</source>
+        <translation>Objectifs manqués</translation>
+    </message>
+    <message>
+        <source>drift %1</source>
+        <translation>dérive %1</translation>
+    </message>
+    <message>
+        <source>contacts</source>
+        <translation>contacts</translation>
+    </message>
+    <message>
+        <source>mean of a contact</source>
+        <translation>moyenne par contact</translation>
+    </message>
+    <message>
+        <source>At the paper&apos;s coefficient ratio r = %1</source>
+        <translation>Au rapport de coefficients de l&apos;article r = %1</translation>
+    </message>
+    <message>
+        <source>At the compression ratio %1:1</source>
+        <translation>Au taux de compression %1:1</translation>
+    </message>
+    <message>
+        <source>KB (ratio)</source>
+        <translation>Ko (taux)</translation>
+    </message>
+    <message>
+        <source>paper</source>
+        <translation>article</translation>
+    </message>
+    <message>
+        <source>ms a frame</source>
+        <translation>ms par image</translation>
+    </message>
+    <message>
+        <source>iterations</source>
+        <translation>itérations</translation>
+    </message>
+    <message>
+        <source>paper: ms</source>
+        <translation>article : ms</translation>
+    </message>
+    <message>
+        <source>Horizontal path of the feet during contacts, beyond the original&apos;s; in brackets the mean contact and the worst contact. Contacts are detected in the original; clips without contacts are not listed.</source>
+        <translation>Trajet horizontal des pieds pendant les contacts, au-delà de celui de l&apos;original ; entre parenthèses, le contact moyen et le pire. Les contacts sont détectés dans l&apos;original ; les clips sans contact ne figurent pas.</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>secondes</translation>
+    </message>
+    <message>
+        <source>Compression ratio at %1.</source>
+        <translation>Taux de compression à %1.</translation>
+    </message>
+    <message>
+        <source>Angle between a joint&apos;s world-space rotation and the original&apos;s, root mean square over frames and joints; in brackets that of the head and of the worse hand, if they are recognised by their names. Measured at %1.</source>
+        <translation>Angle entre la rotation d&apos;une articulation dans le monde et celle de l&apos;original, moyenne quadratique sur les images et les articulations ; entre parenthèses, celui de la tête et de la pire main, si leurs noms les font reconnaître. Mesuré à %1.</translation>
+    </message>
+    <message>
+        <source>%1 (cm) without, with IK</source>
+        <translation>%1 (cm) sans, avec IK</translation>
+    </message>
+    <message>
+        <source>footskate (cm) without, with IK</source>
+        <translation>glissement (cm) sans, avec IK</translation>
+    </message>
+    <message>
+        <source>without</source>
+        <translation>sans</translation>
+    </message>
+    <message>
+        <source>with</source>
+        <translation>avec</translation>
+    </message>
+    <message>
+        <source>knee</source>
+        <translation>genou</translation>
+    </message>
+    <message>
+        <source>Clips with and without IK have the same compression ratio, so bytes of the correction are missing elsewhere. Knee: its highest speed, divided by that of the original.</source>
+        <translation>Les clips avec et sans IK ont le même taux de compression : les octets de la correction manquent donc ailleurs. Genou : sa plus grande vitesse, divisée par celle de l&apos;original.</translation>
+    </message>
+    <message>
+        <source>every method</source>
+        <translation>toutes les méthodes</translation>
+    </message>
+    <message>
+        <source>%1 gave %2</source>
+        <translation>%1 a donné %2</translation>
+    </message>
+    <message>
+        <source>%1 combinations of clip and method missed a target</source>
+        <translation>%1 combinaisons de clip et de méthode ont manqué un objectif</translation>
+    </message>
+    <message>
+        <source>missed target</source>
+        <translation>objectif manqué</translation>
+    </message>
+    <message>
+        <source>first reason</source>
+        <translation>première raison</translation>
+    </message>
+    <message>
+        <source>nearest result</source>
+        <translation>résultat le plus proche</translation>
+    </message>
+    <message>
+        <source>Cubic wavelets, coefficients moved between channels by annealing: the paper&apos;s Algorithm 1, candidates compared by a quadratic error model.</source>
+        <translation>Ondelettes cubiques, coefficients déplacés entre les canaux par recuit : l&apos;algorithme 1 de l&apos;article, candidats comparés par un modèle quadratique de l&apos;erreur.</translation>
+    </message>
+    <message>
+        <source>Cubic wavelets, the largest coefficients of all channels, angles scaled by the length of the bone: the paper&apos;s section 4.</source>
+        <translation>Ondelettes cubiques, les plus grands coefficients de tous les canaux, angles multipliés par la longueur de l&apos;os : section 4 de l&apos;article.</translation>
+    </message>
+    <message>
+        <source>Cubic wavelets, the largest coefficients of each channel, equally many: the paper&apos;s first approach in section 4.</source>
+        <translation>Ondelettes cubiques, les plus grands coefficients de chaque canal, en nombre égal : première approche de l&apos;article, section 4.</translation>
+    </message>
+    <message>
+        <source>Standard selection in the Haar basis, with which Arikan (2006) compared.</source>
+        <translation>Sélection standard dans la base de Haar, à laquelle Arikan (2006) s&apos;est comparé.</translation>
+    </message>
+    <message>
+        <source>Standard selection in the interpolating linear basis.</source>
+        <translation>Sélection standard dans la base linéaire interpolante.</translation>
+    </message>
+    <message>
+        <source>Cubic wavelets, each coefficient quantised by what its step does to the error in the world, channels making good what others lost; adaptive coding.</source>
+        <translation>Ondelettes cubiques, chaque coefficient quantifié selon l&apos;effet de son pas sur l&apos;erreur dans le monde, les canaux compensant ce que d&apos;autres ont perdu ; codage adaptatif.</translation>
+    </message>
+    <message>
+        <source>Our reading of Arikan (2006): clustered PCA of short Bezier curves of virtual markers, the database being the clip alone; k-means clusters, DEFLATE, and no special care of the feet.</source>
+        <translation>Notre lecture d&apos;Arikan (2006) : PCA par groupes de courtes courbes de Bézier de marqueurs virtuels, la base de données étant le clip seul ; groupes par k-moyennes, DEFLATE, sans soin particulier des pieds.</translation>
+    </message>
+    <message>
+        <source>What engines do: each channel by itself, key frames left out where a line comes within the tolerance, steps as fine as the channel needs (as ACL&apos;s bit rates), DEFLATE.</source>
+        <translation>Ce que font les moteurs : chaque canal à part, images clés omises là où une droite reste dans la tolérance, pas aussi fin que le canal le demande (comme les débits d&apos;ACL), DEFLATE.</translation>
+    </message>
+    <message>
+        <source>Our reading of Liu and McMillan (2006): PCA of segments, adaptive key frames with cubic splines; on channels weighted by what they move, not on markers, and with no special care of the feet.</source>
+        <translation>Notre lecture de Liu et McMillan (2006) : PCA par segments, images clés adaptatives avec splines cubiques ; sur des canaux pondérés par ce qu&apos;ils déplacent et non sur des marqueurs, sans soin particulier des pieds.</translation>
+    </message>
+    <message>
+        <source>Principal components of the poses without the root&apos;s position, everything in 16 bits, DEFLATE: the paper&apos;s section 3.2.</source>
+        <translation>Composantes principales des poses sans la position de la racine, tout en 16 bits, DEFLATE : section 3.2 de l&apos;article.</translation>
+    </message>
+    <message>
+        <source>Cubic wavelets on unit quaternions, coefficients moved between components by annealing on the linearised rotation: the paper&apos;s section 6.3.</source>
+        <translation>Ondelettes cubiques sur des quaternions unitaires, coefficients déplacés entre composantes par recuit sur la rotation linéarisée : section 6.3 de l&apos;article.</translation>
+    </message>
+    <message>
+        <source>Every s-th frame in 16 bits, DEFLATE; natural cubic splines between.</source>
+        <translation>Une image sur s en 16 bits, DEFLATE ; splines cubiques naturelles entre elles.</translation>
     </message>
 </context>
 <context>

@@ -4262,10 +4262,6 @@
         <translation>最悪のフレーム</translation>
     </message>
     <message>
-        <source>The frame with the largest error of each clip, the largest first. Frames count from 0.</source>
-        <translation>各クリップで誤差が最大のフレームを、大きい順に示します。フレームは 0 から数えます。</translation>
-    </message>
-    <message>
         <source>Every clip</source>
         <translation>すべてのクリップ</translation>
     </message>
@@ -4348,6 +4344,774 @@
     <message>
         <source>own limits: %1</source>
         <translation>自分の限界値：%1</translation>
+    </message>
+    <message>
+        <source>The frame with the largest error of each clip, the largest first.</source>
+        <translation>各クリップで誤差が最大のフレームを、大きい順に示します。</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>フレーム %1</translation>
+    </message>
+    <message>
+        <source>stale: %1</source>
+        <translation>無効：%1</translation>
+    </message>
+    <message>
+        <source>%1 by %2</source>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>largest error %1 cm</source>
+        <translation>最大誤差 %1 cm</translation>
+    </message>
+    <message>
+        <source>errors %1, by %2</source>
+        <translation>誤差：%1（%2による）</translation>
+    </message>
+    <message>
+        <source>%1 of %2 at frame %3: %4, noticed from %5</source>
+        <translation>%1、%2、フレーム %3：%4（%5から気づく）</translation>
+    </message>
+    <message>
+        <source>The viewer needs JavaScript.</source>
+        <translation>ビューアーには JavaScript が必要です。</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>表示</translation>
+    </message>
+    <message>
+        <source>%1 cannot be shown: %2</source>
+        <translation>%1 を表示できません：%2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be loaded</source>
+        <translation>%1 を読み込めません</translation>
+    </message>
+    <message>
+        <source>Loading</source>
+        <translation>読み込み中</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>フレーム</translation>
+    </message>
+    <message>
+        <source>Key: %1</source>
+        <translation>キー：%1</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>再生</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>一時停止</translation>
+    </message>
+    <message>
+        <source>Overlay</source>
+        <translation>重ねる</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>並べる</translation>
+    </message>
+    <message>
+        <source>Wipe</source>
+        <translation>ワイプ</translation>
+    </message>
+    <message>
+        <source>Swap</source>
+        <translation>入れ替え</translation>
+    </message>
+    <message>
+        <source>Colour by error</source>
+        <translation>誤差で色分け</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>追従</translation>
+    </message>
+    <message>
+        <source>Worst frame before</source>
+        <translation>前の最悪フレーム</translation>
+    </message>
+    <message>
+        <source>Next worst frame</source>
+        <translation>次の最悪フレーム</translation>
+    </message>
+    <message>
+        <source>Reset camera</source>
+        <translation>カメラをリセット</translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2, %3 s.</source>
+        <translation>フレーム %1 / %2、%3 秒。</translation>
+    </message>
+    <message>
+        <source>%1 is %2 cm off.</source>
+        <translation>%1 のずれは %2 cm。</translation>
+    </message>
+    <message>
+        <source>The lightest colour is %1 cm.</source>
+        <translation>最も明るい色は %1 cm。</translation>
+    </message>
+    <message>
+        <source>%1 to %2 s: %3</source>
+        <translation>%1～%2 秒：%3</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>すべて</translation>
+    </message>
+    <message>
+        <source>Rows are joints, the first row is any joint. A full bar marks times with visible errors, half a bar borderline ones, no bar errors that nobody sees.</source>
+        <translation>各行は関節で、最初の行はすべての関節です。全高の棒は誤差が見える時間、半分の棒は境界の時間を示します。棒のない時間の誤差は誰にも見えません。</translation>
+    </message>
+    <message>
+        <source>compression ratio %1 smaller</source>
+        <translation>圧縮率 %1 小さいファイル</translation>
+    </message>
+    <message>
+        <source>%1: %2 cm at %3</source>
+        <translation>%1：%3 で %2 cm</translation>
+    </message>
+    <message>
+        <source>Batch export</source>
+        <translation>一括書き出し</translation>
+    </message>
+    <message>
+        <source>Errors from 1 to 2 times the noticeable size are borderline, larger ones visible. Each clip is judged from the viewing distance that its verdict names, by %1. report.csv lists distance and own limits of each clip.</source>
+        <translation>気づく大きさの 1～2 倍の誤差は境界、それより大きい誤差は見えるものとします。各クリップは判定に示した視距離から、%1で判定します。report.csv に各クリップの距離と自分の限界値があります。</translation>
+    </message>
+    <message>
+        <source>clips with visible errors</source>
+        <translation>誤差が見えるクリップ</translation>
+    </message>
+    <message>
+        <source>clips with borderline errors</source>
+        <translation>誤差が境界のクリップ</translation>
+    </message>
+    <message>
+        <source>without visible errors</source>
+        <translation>誤差が見えないクリップ</translation>
+    </message>
+    <message>
+        <source>clips done, each read back and measured</source>
+        <translation>完了したクリップ（読み直して測定済み）</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>失敗</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>reviewed: %1 approved, %2 rejected</source>
+        <translation>レビュー済み：承認 %1、却下 %2</translation>
+    </message>
+    <message>
+        <source>stale verdicts</source>
+        <translation>無効な判定</translation>
+    </message>
+    <message>
+        <source>still waiting</source>
+        <translation>待機中</translation>
+    </message>
+    <message>
+        <source>compression ratio of all clips together: %1 KB to %2 KB</source>
+        <translation>全クリップを合わせた圧縮率：%1 KB から %2 KB</translation>
+    </message>
+    <message>
+        <source>largest error of any point at any frame; largest %1 %2 cm</source>
+        <translation>すべての点とフレームでの最大誤差。%1 の最大は %2 cm</translation>
+    </message>
+    <message>
+        <source>%1 over its original at its worst frame</source>
+        <translation>最悪のフレームでの %1 と元の動き</translation>
+    </message>
+    <message>
+        <source>%1, %2 s: error of %3 cm at the %4.</source>
+        <translation>%1、%2 秒：誤差 %3 cm、%4。</translation>
+    </message>
+    <message>
+        <source>The frame with the largest error of each of the clips whose errors are most visible: original in grey, compressed in red.</source>
+        <translation>誤差が最も見えるクリップの、誤差が最大のフレームです。元の動きは灰色、圧縮後は赤です。</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>失敗</translation>
+    </message>
+    <message>
+        <source>No file was written for these clips; older files of theirs are unchanged.</source>
+        <translation>これらのクリップのファイルは書き出されていません。以前のファイルはそのままです。</translation>
+    </message>
+    <message>
+        <source>preset</source>
+        <translation>プリセット</translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>理由</translation>
+    </message>
+    <message>
+        <source>feet held</source>
+        <translation>足を固定</translation>
+    </message>
+    <message>
+        <source>Errors of the file as read back from the disk, against the original: distances in centimetres, rotation errors of joints, head and hands in degrees.</source>
+        <translation>ディスクから読み直したファイルの、元の動きに対する誤差です。距離はセンチメートル、関節・頭・手の回転誤差は度です。</translation>
+    </message>
+    <message>
+        <source>visibility</source>
+        <translation>見え方</translation>
+    </message>
+    <message>
+        <source>warnings</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>at frame</source>
+        <translation>フレーム位置</translation>
+    </message>
+    <message>
+        <source>joints</source>
+        <translation>関節</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>頭</translation>
+    </message>
+    <message>
+        <source>hands</source>
+        <translation>手</translation>
+    </message>
+    <message>
+        <source>foot drift</source>
+        <translation>足のずれ</translation>
+    </message>
+    <message>
+        <source>worst drift</source>
+        <translation>最大のずれ</translation>
+    </message>
+    <message>
+        <source>foot path</source>
+        <translation>足の軌跡</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>フレーム数</translation>
+    </message>
+    <message>
+        <source>asked</source>
+        <translation>目標</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>方式</translation>
+    </message>
+    <message>
+        <source>The charts show the %1 clips with the most visible errors, out of %2.</source>
+        <translation>グラフは %2 個中、誤差が最も見える %1 個のクリップです。</translation>
+    </message>
+    <message>
+        <source>Visible errors over time</source>
+        <translation>時間ごとの見える誤差</translation>
+    </message>
+    <message>
+        <source>%1: visible errors over time</source>
+        <translation>%1：時間ごとの見える誤差</translation>
+    </message>
+    <message>
+        <source>Repaired or guessed on reading</source>
+        <translation>読み込み時の修復と推定</translation>
+    </message>
+    <message>
+        <source>report.csv lists each warning with its file and line.</source>
+        <translation>report.csv に各警告のファイルと行があります。</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>count</source>
+        <translation>件数</translation>
+    </message>
+    <message>
+        <source>clips</source>
+        <translation>クリップ</translation>
+    </message>
+    <message>
+        <source>Verified</source>
+        <translation>検証</translation>
+    </message>
+    <message>
+        <source>Each file was read back and decoded as an engine would, by the runtime decoder within its default limits; errors are those of the decoded motion. Engines cannot play files in the paper&apos;s codings and of comparison methods: the library decodes these. The column verified_by of report.csv names the decoder of each clip.</source>
+        <translation>各ファイルを読み直し、エンジンと同じくランタイムのデコーダーで既定の制限内でデコードしました。誤差はデコードした動きのものです。論文の符号化と比較用の方式はエンジンでは再生できず、ライブラリーがデコードします。report.csv の列 verified_by に各クリップのデコーダーがあります。</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>圧縮率</translation>
+    </message>
+    <message>
+        <source>Bytes of the channels as 32-bit floats, divided by the bytes of the coded motion. The skeleton counts on neither side. 1 KB = 1024 bytes.</source>
+        <translation>32 ビット浮動小数点でのチャンネルのバイト数を、符号化した動きのバイト数で割ったものです。スケルトンはどちらにも数えません。1 KB = 1024 バイト。</translation>
+    </message>
+    <message>
+        <source>Weighted root mean square distance between points of the body and the same points of the original. report.csv has it in two more weightings.</source>
+        <translation>体の点と元の同じ点の距離の、重み付き二乗平均平方根です。report.csv にはほかに 2 通りの重み付けの値があります。</translation>
+    </message>
+    <message>
+        <source>p95, p99, max</source>
+        <translation>p95、p99、最大</translation>
+    </message>
+    <message>
+        <source>Percentiles and maximum of these distances over all points and frames, unweighted.</source>
+        <translation>すべての点とフレームでの、これらの距離の百分位数と最大値です（重みなし）。</translation>
+    </message>
+    <message>
+        <source>Visibility</source>
+        <translation>見え方</translation>
+    </message>
+    <message>
+        <source>Joints, head, hands</source>
+        <translation>関節、頭、手</translation>
+    </message>
+    <message>
+        <source>Angle between a joint&apos;s world-space rotation and the original&apos;s, root mean square over frames and joints. Head and hands are recognised by their names.</source>
+        <translation>関節のワールド空間での回転と元の回転の角度の、フレームと関節にわたる二乗平均平方根です。頭と手は名前で見分けます。</translation>
+    </message>
+    <message>
+        <source>Foot drift, foot path</source>
+        <translation>足のずれ、足の軌跡</translation>
+    </message>
+    <message>
+        <source>Both are measured while a foot stands in the original. Drift is the distance between a foot and its place in the original, as the mean over contacts and in the worst contact. Path is the length of the foot&apos;s path beyond the original&apos;s, summed over all contacts; a foot that trembles in place has a long path.</source>
+        <translation>どちらも、元の動きで足が接地している間に測ります。ずれは足と元の位置との距離で、接地の平均と最悪の接地の値です。軌跡は元より長く動いた道のりの、すべての接地での合計です。その場で震える足の軌跡は長くなります。</translation>
+    </message>
+    <message>
+        <source>Verdict, note</source>
+        <translation>判定、メモ</translation>
+    </message>
+    <message>
+        <source>The reviewer&apos;s verdict and note, with name and date. A verdict is stale, and does not count, if the clip&apos;s file or its settings have changed since.</source>
+        <translation>レビュー担当の判定とメモ、名前と日付です。その後にクリップのファイルや設定が変わった判定は無効で、数えません。</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Number of places that were repaired or guessed when the clip was read; they are listed above.</source>
+        <translation>クリップの読み込み時に修復または推定した箇所の数です。一覧は上にあります。</translation>
+    </message>
+    <message>
+        <source>How clips were measured</source>
+        <translation>測定の方法</translation>
+    </message>
+    <message>
+        <source>any visibility</source>
+        <translation>見え方を問わない</translation>
+    </message>
+    <message>
+        <source>any verdict</source>
+        <translation>判定を問わない</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>with warnings or without</source>
+        <translation>警告の有無を問わない</translation>
+    </message>
+    <message>
+        <source>with warnings</source>
+        <translation>警告あり</translation>
+    </message>
+    <message>
+        <source>without warnings</source>
+        <translation>警告なし</translation>
+    </message>
+    <message>
+        <source>max over, cm</source>
+        <translation>最大がこれより大きい cm</translation>
+    </message>
+    <message>
+        <source>ratio below</source>
+        <translation>圧縮率がこれより低い</translation>
+    </message>
+    <message>
+        <source>name, preset, reason ...</source>
+        <translation>名前、プリセット、理由…</translation>
+    </message>
+    <message>
+        <source>show all</source>
+        <translation>すべて表示</translation>
+    </message>
+    <message>
+        <source>%1 of %2 clips</source>
+        <translation>%2 個中 %1 個のクリップ</translation>
+    </message>
+    <message>
+        <source>%1 of %2 clips, the first %3 of them below</source>
+        <translation>%2 個中 %1 個のクリップ、以下は最初の %3 個</translation>
+    </message>
+    <message>
+        <source>Compression study</source>
+        <translation>圧縮の比較</translation>
+    </message>
+    <message>
+        <source>Clips: %1, methods: %2, compressions: %3. Error weighting: %4.</source>
+        <translation>クリップ %1、方式 %2、圧縮 %3。誤差の重み付け：%4。</translation>
+    </message>
+    <message>
+        <source>Error against compression ratio, averaged over the clips</source>
+        <translation>圧縮率に対する誤差、全クリップの平均</translation>
+    </message>
+    <message>
+        <source>Error against compression ratio</source>
+        <translation>圧縮率に対する誤差</translation>
+    </message>
+    <message>
+        <source>%1: error against compression ratio</source>
+        <translation>%1：圧縮率に対する誤差</translation>
+    </message>
+    <message>
+        <source>The paper</source>
+        <translation>論文</translation>
+    </message>
+    <message>
+        <source>The paper: %1</source>
+        <translation>論文：%1</translation>
+    </message>
+    <message>
+        <source>%1 frames</source>
+        <translation>%1 フレーム</translation>
+    </message>
+    <message>
+        <source>one clip</source>
+        <translation>1 クリップ</translation>
+    </message>
+    <message>
+        <source>geometric mean of %1 clips</source>
+        <translation>%1 クリップの幾何平均</translation>
+    </message>
+    <message>
+        <source>%1 at %2 = %3 cm, %4</source>
+        <translation>%2 = %3 cm での%1、%4</translation>
+    </message>
+    <message>
+        <source> (the paper: about %1:1)</source>
+        <translation>（論文：約 %1:1）</translation>
+    </message>
+    <message>
+        <source>smaller than %1 at equal error</source>
+        <translation>同じ誤差で%1より小さい</translation>
+    </message>
+    <message>
+        <source>to compress a frame by %1, including the search for the target</source>
+        <translation>%1で 1 フレームを圧縮する時間（目標の探索を含む）</translation>
+    </message>
+    <message>
+        <source>Use %1: it has the smallest files at %2 = %3 cm over all clips.</source>
+        <translation>%1を使ってください。全クリップで %2 = %3 cm のとき、ファイルが最も小さくなります。</translation>
+    </message>
+    <message>
+        <source>Recommended method</source>
+        <translation>おすすめの方式</translation>
+    </message>
+    <message>
+        <source>The presets use %1. The table shows the ratio at the error of each preset. Presets also bound the errors of heads, hands and roots, which costs some more bytes.</source>
+        <translation>プリセットは%1を使います。表は各プリセットの誤差での圧縮率です。プリセットは頭・手・ルートの誤差も制限するため、実際には少しバイト数が増えます。</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>プリセット</translation>
+    </message>
+    <message>
+        <source>mean ratio</source>
+        <translation>平均圧縮率</translation>
+    </message>
+    <message>
+        <source>wavelets by %1</source>
+        <translation>ウェーブレット（%1）</translation>
+    </message>
+    <message>
+        <source>no wavelets</source>
+        <translation>ウェーブレットなし</translation>
+    </message>
+    <message>
+        <source>Bytes of the channels as 32-bit floats, divided by the bytes of the coded motion. The skeleton counts on neither side, as in the paper. 1 KB = 1024 bytes.</source>
+        <translation>32 ビット浮動小数点でのチャンネルのバイト数を、符号化した動きのバイト数で割ったものです。論文と同じく、スケルトンはどちらにも数えません。1 KB = 1024 バイト。</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s positional distortion (section 3.1), weighted by %1: the weighted root mean square distance between points of the body and the same points of the original. The paper&apos;s own figures use the weighting joint-origins.</source>
+        <translation>論文の位置の歪み（3.1 節）を %1 で重み付けしたもので、体の点と元の同じ点の距離の重み付き二乗平均平方根です。論文の数値は joint-origins の重み付けによります。</translation>
+    </message>
+    <message>
+        <source>Judged from %1 m, by %2.</source>
+        <translation>%1 m から、%2で判定します。</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>平均</translation>
+    </message>
+    <message>
+        <source>Geometric mean over the clips of the ratio at equal %1, at errors within the measured range of every clip. Ratios between measured points are interpolated, linearly in the logarithms of ratio and error, and marked %2.</source>
+        <translation>等しい %1 での圧縮率の、全クリップの幾何平均です。すべてのクリップで測った範囲の誤差についてだけ求めます。測定点の間の圧縮率は、圧縮率と誤差の対数で線形に補間し、%2 を付けます。</translation>
+    </message>
+    <message>
+        <source>Coding</source>
+        <translation>符号化</translation>
+    </message>
+    <message>
+        <source>%1, seed %2</source>
+        <translation>%1、シード %2</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>時間</translation>
+    </message>
+    <message>
+        <source>Wall time of a compression, including the search for the target; compressions at the same time: up to %1. Work that the compressions of a clip share counts in the first of them. The paper used a 2 GHz Athlon 64.</source>
+        <translation>目標の探索を含む 1 回の圧縮の実時間です。同時に行う圧縮は最大 %1。同じクリップの圧縮に共通の処理は、最初の圧縮に数えます。論文は 2 GHz の Athlon 64 を使いました。</translation>
+    </message>
+    <message>
+        <source>Figures marked as the paper&apos;s are from Tables 1 and 2 of %1.</source>
+        <translation>論文とした数値は %1 の表 1 と表 2 によります。</translation>
+    </message>
+    <message>
+        <source>These methods have no mean, since no error is within the range of all clips: %1.</source>
+        <translation>全クリップの範囲に入る誤差がないため、次の方式には平均がありません：%1。</translation>
+    </message>
+    <message>
+        <source>Files are smaller to the right, errors smaller to the bottom. Curves are geometric means of the ratio at equal error. The dotted line is 0.5 cm: the paper saw no artifacts below it.</source>
+        <translation>右ほどファイルが小さく、下ほど誤差が小さくなります。曲線は等しい誤差での圧縮率の幾何平均です。点線は 0.5 cm で、論文ではこれより下に不自然さは見えませんでした。</translation>
+    </message>
+    <message>
+        <source>Hollow marks are the paper&apos;s Table 1.</source>
+        <translation>白抜きの印は論文の表 1 です。</translation>
+    </message>
+    <message>
+        <source>frame %1, %2 s</source>
+        <translation>フレーム %1、%2 秒</translation>
+    </message>
+    <message>
+        <source>%1 at %2: %3 %4 cm over the clip, largest error %5 cm; at this frame: %6.</source>
+        <translation>%1（%2）：クリップ全体の %3 は %4 cm、最大誤差 %5 cm。このフレームでは %6。</translation>
+    </message>
+    <message>
+        <source>%1, %2 to %3</source>
+        <translation>%1、%2～%3</translation>
+    </message>
+    <message>
+        <source>%1: foot that slides most</source>
+        <translation>%1：最も滑る足</translation>
+    </message>
+    <message>
+        <source>%1: %2 slides %3 cm while planted.</source>
+        <translation>%1：接地中に %2 が %3 cm 滑ります。</translation>
+    </message>
+    <message>
+        <source>%1 at %2:1</source>
+        <translation>%1（%2:1）</translation>
+    </message>
+    <message>
+        <source>Compressed motion in red over the original in grey, all at the same ratio. The first pictures show the frame with the largest error of %1: %2. Lines on the floor are half a metre apart.</source>
+        <translation>圧縮後の動きは赤、元の動きは灰色で、圧縮率はすべて同じです。最初の絵は%1の誤差が最大のフレームです：%2。床の線の間隔は 50 cm です。</translation>
+    </message>
+    <message>
+        <source>The foot that slides most</source>
+        <translation>最も滑る足</translation>
+    </message>
+    <message>
+        <source>Path of the foot over the floor during one contact: original in grey, compressed dark.</source>
+        <translation>1 回の接地中に足が床で描く軌跡です。元は灰色、圧縮後は濃い色です。</translation>
+    </message>
+    <message>
+        <source>Size at equal error</source>
+        <translation>等しい誤差でのサイズ</translation>
+    </message>
+    <message>
+        <source>Time of the annealing</source>
+        <translation>アニーリングの時間</translation>
+    </message>
+    <message>
+        <source>Feet held by inverse kinematics</source>
+        <translation>IK で固定した足</translation>
+    </message>
+    <message>
+        <source>Sliding feet</source>
+        <translation>足の滑り</translation>
+    </message>
+    <message>
+        <source>Rotation errors</source>
+        <translation>回転の誤差</translation>
+    </message>
+    <message>
+        <source>Missed targets</source>
+        <translation>届かなかった目標</translation>
+    </message>
+    <message>
+        <source>drift %1</source>
+        <translation>ずれ %1</translation>
+    </message>
+    <message>
+        <source>contacts</source>
+        <translation>接地</translation>
+    </message>
+    <message>
+        <source>mean of a contact</source>
+        <translation>接地 1 回の平均</translation>
+    </message>
+    <message>
+        <source>At the paper&apos;s coefficient ratio r = %1</source>
+        <translation>論文の係数比 r = %1 のとき</translation>
+    </message>
+    <message>
+        <source>At the compression ratio %1:1</source>
+        <translation>圧縮率 %1:1 のとき</translation>
+    </message>
+    <message>
+        <source>KB (ratio)</source>
+        <translation>KB（圧縮率）</translation>
+    </message>
+    <message>
+        <source>paper</source>
+        <translation>論文</translation>
+    </message>
+    <message>
+        <source>ms a frame</source>
+        <translation>1 フレームの ms</translation>
+    </message>
+    <message>
+        <source>iterations</source>
+        <translation>反復</translation>
+    </message>
+    <message>
+        <source>paper: ms</source>
+        <translation>論文：ms</translation>
+    </message>
+    <message>
+        <source>Horizontal path of the feet during contacts, beyond the original&apos;s; in brackets the mean contact and the worst contact. Contacts are detected in the original; clips without contacts are not listed.</source>
+        <translation>接地中に足が水平に動いた、元より長い道のりです。かっこ内は接地の平均と最悪の接地です。接地は元の動きで検出します。接地のないクリップは載せません。</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>秒</translation>
+    </message>
+    <message>
+        <source>Compression ratio at %1.</source>
+        <translation>%1 での圧縮率です。</translation>
+    </message>
+    <message>
+        <source>Angle between a joint&apos;s world-space rotation and the original&apos;s, root mean square over frames and joints; in brackets that of the head and of the worse hand, if they are recognised by their names. Measured at %1.</source>
+        <translation>関節のワールド空間での回転と元の回転の角度の、フレームと関節にわたる二乗平均平方根です。かっこ内は、名前で見分けられた頭と、悪いほうの手の値です。%1 で測定。</translation>
+    </message>
+    <message>
+        <source>%1 (cm) without, with IK</source>
+        <translation>%1 (cm)、IK なしとあり</translation>
+    </message>
+    <message>
+        <source>footskate (cm) without, with IK</source>
+        <translation>足の滑り (cm)、IK なしとあり</translation>
+    </message>
+    <message>
+        <source>without</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>with</source>
+        <translation>あり</translation>
+    </message>
+    <message>
+        <source>knee</source>
+        <translation>膝</translation>
+    </message>
+    <message>
+        <source>Clips with and without IK have the same compression ratio, so bytes of the correction are missing elsewhere. Knee: its highest speed, divided by that of the original.</source>
+        <translation>IK のあるクリップとないクリップの圧縮率は同じなので、補正のバイト数はほかの部分から減ります。膝：最高速度を元の最高速度で割った値です。</translation>
+    </message>
+    <message>
+        <source>every method</source>
+        <translation>すべての方式</translation>
+    </message>
+    <message>
+        <source>%1 gave %2</source>
+        <translation>%1 で %2</translation>
+    </message>
+    <message>
+        <source>%1 combinations of clip and method missed a target</source>
+        <translation>クリップと方式の %1 通りが目標に届きませんでした</translation>
+    </message>
+    <message>
+        <source>missed target</source>
+        <translation>届かなかった目標</translation>
+    </message>
+    <message>
+        <source>first reason</source>
+        <translation>最初の理由</translation>
+    </message>
+    <message>
+        <source>nearest result</source>
+        <translation>最も近い結果</translation>
+    </message>
+    <message>
+        <source>Cubic wavelets, coefficients moved between channels by annealing: the paper&apos;s Algorithm 1, candidates compared by a quadratic error model.</source>
+        <translation>3 次ウェーブレット。アニーリングで係数をチャンネル間で移します。論文のアルゴリズム 1 で、候補は 2 次の誤差モデルで比べます。</translation>
+    </message>
+    <message>
+        <source>Cubic wavelets, the largest coefficients of all channels, angles scaled by the length of the bone: the paper&apos;s section 4.</source>
+        <translation>3 次ウェーブレット。全チャンネルの大きい係数を残します。角度は骨の長さで重み付けします。論文の 4 節。</translation>
+    </message>
+    <message>
+        <source>Cubic wavelets, the largest coefficients of each channel, equally many: the paper&apos;s first approach in section 4.</source>
+        <translation>3 次ウェーブレット。各チャンネルで同じ数の大きい係数を残します。論文の 4 節の最初の方法。</translation>
+    </message>
+    <message>
+        <source>Standard selection in the Haar basis, with which Arikan (2006) compared.</source>
+        <translation>Haar 基底での標準の選択。Arikan (2006) が比較に使いました。</translation>
+    </message>
+    <message>
+        <source>Standard selection in the interpolating linear basis.</source>
+        <translation>補間する線形基底での標準の選択。</translation>
+    </message>
+    <message>
+        <source>Cubic wavelets, each coefficient quantised by what its step does to the error in the world, channels making good what others lost; adaptive coding.</source>
+        <translation>3 次ウェーブレット。各係数を、その刻みがワールドの誤差に与える影響で量子化し、失われた分をほかのチャンネルが補います。適応符号化。</translation>
+    </message>
+    <message>
+        <source>Our reading of Arikan (2006): clustered PCA of short Bezier curves of virtual markers, the database being the clip alone; k-means clusters, DEFLATE, and no special care of the feet.</source>
+        <translation>Arikan (2006) の独自実装：仮想マーカーの短いベジエ曲線のクラスター PCA。データベースはこのクリップだけで、k 平均法、DEFLATE、足への特別な配慮はありません。</translation>
+    </message>
+    <message>
+        <source>What engines do: each channel by itself, key frames left out where a line comes within the tolerance, steps as fine as the channel needs (as ACL&apos;s bit rates), DEFLATE.</source>
+        <translation>エンジンの方法：チャンネルごとに、直線が許容差に収まるキーフレームを省き、必要な細かさの刻みで量子化します（ACL のビットレートと同様）。DEFLATE。</translation>
+    </message>
+    <message>
+        <source>Our reading of Liu and McMillan (2006): PCA of segments, adaptive key frames with cubic splines; on channels weighted by what they move, not on markers, and with no special care of the feet.</source>
+        <translation>Liu と McMillan (2006) の独自実装：区間ごとの PCA と、3 次スプラインによる適応的なキーフレーム。マーカーではなく動かす量で重み付けしたチャンネルに使い、足への特別な配慮はありません。</translation>
+    </message>
+    <message>
+        <source>Principal components of the poses without the root&apos;s position, everything in 16 bits, DEFLATE: the paper&apos;s section 3.2.</source>
+        <translation>ルート位置を除いた姿勢の主成分。すべて 16 ビット、DEFLATE。論文の 3.2 節。</translation>
+    </message>
+    <message>
+        <source>Cubic wavelets on unit quaternions, coefficients moved between components by annealing on the linearised rotation: the paper&apos;s section 6.3.</source>
+        <translation>単位クォータニオンの 3 次ウェーブレット。線形化した回転でのアニーリングで係数を成分間で移します。論文の 6.3 節。</translation>
+    </message>
+    <message>
+        <source>Every s-th frame in 16 bits, DEFLATE; natural cubic splines between.</source>
+        <translation>s フレームごとに 16 ビットで保存、DEFLATE。間は自然 3 次スプライン。</translation>
     </message>
 </context>
 <context>

@@ -21,6 +21,7 @@
 #include "core/codec/methods/compared_file.h"
 #include "core/formats/motion_file.h"
 #include "core/metrics/glitches.h"
+#include "core/report/report_language.h"
 
 namespace mocapress {
 
@@ -133,7 +134,7 @@ OriginalPtr dressed(const OriginalClip& original, const PutCharacter& character)
 /// it. Throws Error.
 void saveReviewPage(const QString& path, const DecodedClip& decoded, const OriginalClip& original,
                     const CodedTracks& tracks, const SightLimits& limits,
-                    const std::vector<std::string>& remarks);
+                    const std::vector<std::string>& remarks, const ReportLanguage& language);
 
 /// Writes a compressed clip. The written bytes are read back and verified before they replace an
 /// older file: against the original for a clip encoded here, otherwise by decoding. Throws Error.

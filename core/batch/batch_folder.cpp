@@ -89,7 +89,8 @@ BatchOutcome run_batch_in(const fs::path& folder, const Batch& batch,
   if (!outcome.complete) return outcome;
   const JournalReader reader(journal_path);
   write_batch_report(
-      folder, suffix_of(options.shard), [&](const auto& visit) { reader.for_each(visit); }, 0);
+      folder, suffix_of(options.shard), [&](const auto& visit) { reader.for_each(visit); }, 0,
+      options.language);
   if (batch.bank) {
     tbb::task_arena arena(options.jobs > 0 ? options.jobs : tbb::task_arena::automatic);
     arena.execute([&] {

@@ -9,11 +9,14 @@
 #include <utility>
 
 #include "core/base/file.h"
+#include "core/base/frame_text.h"
 #include "core/base/utf8_path.h"
 #include "core/batch/report_script.h"
 #include "core/codec/methods/compression_method.h"
 #include "core/report/clip_link.h"
 #include "core/report/markup.h"
+#include "core/report/page_script.h"
+#include "core/report/report_phrases.h"
 #include "core/report/report_style.h"
 #include "core/report/review_page.h"
 #include "core/report/verdict.h"
@@ -23,7 +26,7 @@ namespace mocapress {
 namespace fs = std::filesystem;
 
 void write_batch_report(const fs::path& folder, const std::string& suffix, const BatchRows& rows,
-                        std::size_t waiting) {
+                        std::size_t waiting, const ReportLanguage& language) {
   const ReportStamp stamp = report_stamp();
   const auto named = [&](const char* extension) {
     return folder / ("report" + suffix + extension);
@@ -41,7 +44,7 @@ void write_batch_report(const fs::path& folder, const std::string& suffix, const
     out << (*before == '[' ? "[]\n" : "\n]\n");
   });
   write_stream(named(".html"),
-               [&](std::ostream& out) { write_batch_html(out, rows, waiting, stamp); });
+               [&](std::ostream& out) { write_batch_html(out, rows, waiting, stamp, language); });
 }
 
 using namespace html;
@@ -71,6 +74,7 @@ void add_worst(const BatchRow& row, std::size_t most, std::vector<BatchRow>& wor
 
 /// Totals over the batch.
 struct Totals {
+  const ReportLanguage& say;
   std::size_t done = 0;
   std::size_t failed = 0;
   std::size_t warned = 0;
@@ -114,7 +118,7 @@ struct Totals {
  private:
   void count(const BatchRow& row) {
     const Sight sight = row.measured->seen->sight();
-    limits.insert(limits_text(row.measured->seen->limits));
+    limits.insert(limits_phrase(say, row.measured->seen->limits));
     visible += sight == Sight::Visible;
     borderline += sight == Sight::Borderline;
     not_visible += sight == Sight::NotVisible;
@@ -123,12 +127,14 @@ struct Totals {
 };
 
 /// Says by which limits errors are visible.
-std::string visibility_note(const std::set<std::string>& limits) {
+std::string visibility_note(const ReportLanguage& say, const std::set<std::string>& limits) {
   std::string all;
-  for (const std::string& one : limits) all += (all.empty() ? "" : "; or by ") + one;
-  return "Errors from 1 to 2 times the noticeable size are borderline, larger ones visible. Each "
-         "clip is judged from the viewing distance that its verdict names, by " +
-         escaped(all) + ". report.csv lists distance and own limits of each clip.";
+  for (const std::string& one : limits) all += (all.empty() ? "" : "; ") + one;
+  return say(
+      "Errors from 1 to 2 times the noticeable size are borderline, larger ones visible. Each clip "
+      "is judged from the viewing distance that its verdict names, by %1. report.csv lists "
+      "distance and own limits of each clip.",
+      {escaped(all)});
 }
 
 std::string muted(std::string_view text) {
@@ -140,29 +146,30 @@ std::string tile(const std::string& value, const std::string& text) {
                  element("b", "", value) + element("span", "", text));
 }
 
-std::string tiles(const Totals& totals, std::size_t waiting) {
+std::string tiles(const ReportLanguage& say, const Totals& totals, std::size_t waiting) {
   std::string all;
   if (totals.visible + totals.borderline + totals.not_visible > 0)
-    all = tile(std::to_string(totals.visible), "clips with visible errors") +
-          tile(std::to_string(totals.borderline), "clips with borderline errors") +
-          tile(std::to_string(totals.not_visible), "without visible errors");
-  all += tile(std::to_string(totals.done), "clips done, each read back and measured");
-  if (totals.failed > 0) all += tile(std::to_string(totals.failed), "failed");
+    all = tile(std::to_string(totals.visible), say("clips with visible errors")) +
+          tile(std::to_string(totals.borderline), say("clips with borderline errors")) +
+          tile(std::to_string(totals.not_visible), say("without visible errors"));
+  all += tile(std::to_string(totals.done), say("clips done, each read back and measured"));
+  if (totals.failed > 0) all += tile(std::to_string(totals.failed), say("failed"));
   if (const std::size_t reviewed = totals.approved + totals.rejected; reviewed > 0)
-    all += tile(std::to_string(reviewed) + " of " + std::to_string(totals.done + totals.failed),
-                "reviewed: " + std::to_string(totals.approved) + " approved, " +
-                    std::to_string(totals.rejected) + " rejected");
-  if (totals.stale > 0) all += tile(std::to_string(totals.stale), "stale verdicts");
-  if (waiting > 0) all += tile(std::to_string(waiting), "still waiting");
-  if (totals.motion_bytes > 0)
     all += tile(
-        ratio_text(totals.raw_bytes / totals.motion_bytes),
-        "compression ratio of all clips together: " + format_significant(totals.raw_bytes / 1024) +
-            " KB to " + format_significant(totals.motion_bytes / 1024) + " KB");
+        say("%1 of %2", {std::to_string(reviewed), std::to_string(totals.done + totals.failed)}),
+        say("reviewed: %1 approved, %2 rejected",
+            {std::to_string(totals.approved), std::to_string(totals.rejected)}));
+  if (totals.stale > 0) all += tile(std::to_string(totals.stale), say("stale verdicts"));
+  if (waiting > 0) all += tile(std::to_string(waiting), say("still waiting"));
+  if (totals.motion_bytes > 0)
+    all += tile(ratio_text(totals.raw_bytes / totals.motion_bytes),
+                say("compression ratio of all clips together: %1 KB to %2 KB",
+                    {format_significant(totals.raw_bytes / 1024),
+                     format_significant(totals.motion_bytes / 1024)}));
   if (totals.done > 0)
     all += tile(format_significant(totals.worst_cm) + " cm",
-                "largest error of any point at any frame; largest &#949;<sub>x</sub> " +
-                    format_significant(totals.worst_eps_cm) + " cm");
+                say("largest error of any point at any frame; largest %1 %2 cm",
+                    {kEpsX, format_significant(totals.worst_eps_cm)}));
   return element("div", attribute("class", "tiles"), all);
 }
 
@@ -174,28 +181,29 @@ std::string moment(const BatchRow& row, int frame, const std::string& joint,
   return element("a", attribute("href", link_text(link)), escaped(text));
 }
 
-std::string pictures(const Totals& totals) {
+std::string pictures(const ReportLanguage& say, const Totals& totals) {
   std::string figures;
   for (const BatchRow& row : totals.worst) {
     const WorstPose& pose = *row.worst;
     const std::string scene =
-        worst_scene(pose, row.output + " over its original at its worst frame");
-    figures += element(
-        "figure", "",
-        scene + element("figcaption", "",
-                        element("b", "", escaped(row.output)) + ", " +
-                            moment(row, pose.frame, pose.landmark,
-                                   "frame " + std::to_string(pose.frame)) +
-                            ", " + fixed(pose.frame / row.measured->sample_rate_hz, 2) +
-                            " s: error of " + format_significant(pose.off_cm) + " cm at the " +
-                            escaped(pose.landmark) + ". " + escaped(row.preset.name) + ", " +
-                            ratio_text(row.measured->ratio) + "."));
+        worst_scene(pose, say("%1 over its original at its worst frame", {escaped(row.output)}));
+    figures +=
+        element("figure", "",
+                scene + element("figcaption", "",
+                                element("b", "", escaped(row.output)) + ", " +
+                                    say("%1, %2 s: error of %3 cm at the %4.",
+                                        {moment(row, pose.frame, pose.landmark,
+                                                say("frame %1", {frame_text(pose.frame)})),
+                                         fixed(pose.frame / row.measured->sample_rate_hz, 2),
+                                         format_significant(pose.off_cm), escaped(pose.landmark)}) +
+                                    " " + escaped(row.preset.name) + ", " +
+                                    ratio_text(row.measured->ratio) + "."));
   }
   if (figures.empty()) return "";
   return element("section", "",
-                 element("h2", "", "Worst frames") +
-                     muted("The frame with the largest error of each of the clips whose errors are "
-                           "most visible: original in grey, compressed in red.") +
+                 element("h2", "", say("Worst frames")) +
+                     muted(say("The frame with the largest error of each of the clips whose errors "
+                               "are most visible: original in grey, compressed in red.")) +
                      element("div", attribute("class", "multiples"), figures));
 }
 
@@ -216,48 +224,55 @@ std::string text_cell(std::string_view text, std::string_view css) {
 }
 
 /// A table cell with the verdict on visibility, and its reason.
-std::string seen_cell(const std::optional<Seen>& seen) {
+std::string seen_cell(const ReportLanguage& say, const std::optional<Seen>& seen) {
   if (!seen) return cell(kNothing, "name");
-  std::string text = sight_text(seen->sight(), seen->limits.distance_m);
-  if (!seen->reason.empty()) text += ": " + escaped(seen->reason);
+  std::string text = sight_phrase(say, seen->sight(), seen->limits.distance_m);
+  if (!seen->reason.empty()) text += ": " + escaped(say(seen->reason));
   return element("td",
-                 attribute("class", "wrap") + attribute("data-key", fixed(seen->times_noticed, 3)),
+                 attribute("class", "wrap") + attribute("data-key", fixed(seen->times_noticed, 3)) +
+                     attribute("data-sight", sight_phrase({}, seen->sight())),
                  text);
 }
 
-std::string review_cells(const BatchRow& row) {
-  return text_cell(verdict_text(row.review, stale_reason(row)), "wrap") +
+/// Verdict and note. The script of the page filters by the words of data-verdict.
+std::string review_cells(const ReportLanguage& say, const BatchRow& row) {
+  const std::optional<std::string> stale = stale_reason(row);
+  const std::string verdict = verdict_text(row.review, stale, say);
+  const std::string words = std::string(name(row.review.verdict)) + (stale ? " stale" : "");
+  return element(
+             "td",
+             attribute("class", "wrap") + attribute("data-verdict", words.empty() ? "none" : words),
+             verdict.empty() ? kNothing : escaped(verdict)) +
          text_cell(row.review.note, "wrap");
 }
 
-void write_failures(std::ostream& out, const BatchRows& rows) {
+void write_failures(std::ostream& out, const ReportLanguage& say, const BatchRows& rows) {
   const auto left = attribute("class", "name");
-  out << "<section><h2>Failed</h2>"
-      << muted("No file was written for these clips; older files of theirs are unchanged.")
+  out << "<section>" << element("h2", "", say("Failed"))
+      << muted(say("No file was written for these clips; older files of theirs are unchanged."))
       << "<div class=\"scroll\"><table><thead>"
-      << line(head("Clip", left) + head("preset", left) + head("reason", left) +
-              head("verdict", left) + head("note", left))
+      << line(head(say("Clip"), left) + head(say("preset"), left) + head(say("reason"), left) +
+              head(say("verdict"), left) + head(say("note"), left))
       << "</thead><tbody>";
   rows([&](const BatchRow& row) {
     if (!row.done())
       out << line(row_head(row.output) + cell(escaped(row.preset.name), "name") +
-                  cell(escaped(row.error), "wrap") + review_cells(row))
+                  cell(escaped(say(row.error)), "wrap") + review_cells(say, row))
           << '\n';
   });
   out << "</tbody></table></div></section>\n";
 }
 
-std::string clip_line(const BatchRow& row) {
+std::string clip_line(const ReportLanguage& say, const BatchRow& row) {
   const Measurement& m = *row.measured;
-  std::string method(method_title(row.preset.method));
-  if (row.preset.correction) method += ", feet held";
+  std::string method = say(std::string(method_title(row.preset.method)));
+  if (row.preset.correction) method += ", " + say("feet held");
   if (m.ik_ratio_used) method += ", r_IK " + format_significant(*m.ik_ratio_used);
   return line(
-      row_head(row.output) + seen_cell(m.seen) + review_cells(row) +
+      row_head(row.output) + seen_cell(say, m.seen) + review_cells(say, row) +
       cell(row.warnings.empty() ? kNothing : std::to_string(row.warnings.size())) +
       cell(ratio_text(m.ratio)) + cell(format_significant(m.max_error_cm)) +
-      cell(std::to_string(m.worst_frame)) +
-      cell(format_significant(m.eps_cm(row.preset.weighting))) +
+      cell(frame_text(m.worst_frame)) + cell(format_significant(m.eps_cm(row.preset.weighting))) +
       cell(format_significant(m.p95_error_cm)) + cell(format_significant(m.p99_error_cm)) +
       degrees_cell(m.body.angle_rms_degrees) + turn_cell(m.body.head) + turn_cell(m.body.hand) +
       figure_cell(m.slide ? std::optional(m.slide->drift_mean_cm) : std::nullopt) +
@@ -265,67 +280,68 @@ std::string clip_line(const BatchRow& row) {
       figure_cell(m.footskate_cm) +
       cell(format_significant(static_cast<double>(m.motion_bytes) / 1024)) +
       cell(std::to_string(m.frames)) + cell(escaped(row.preset.name), "name") +
-      cell(escaped(target_text(row.preset.target)), "name") + cell(escaped(method), "name"));
+      cell(escaped(say(target_text(row.preset.target))), "name") + cell(escaped(method), "name"));
 }
 
-void write_clips(std::ostream& out, const BatchRows& rows) {
+void write_clips(std::ostream& out, const ReportLanguage& say, const BatchRows& rows) {
   const auto left = attribute("class", "name");
-  out << "<section>" << element("script", "", kHidingScript) << "<h2>Every clip</h2>"
-      << muted(
+  out << "<section>" << element("script", "", kHidingScript) << element("h2", "", say("Every clip"))
+      << muted(say(
              "Errors of the file as read back from the disk, against the original: distances in "
-             "centimetres, rotation errors of joints, head and hands in degrees.")
+             "centimetres, rotation errors of joints, head and hands in degrees."))
       << "<div class=\"scroll\"><table id=\"clips\"><thead>"
-      << line(head("Clip", left) + head("visibility", left) + head("verdict", left) +
-              head("note", left) + head("warnings") + head("ratio") + head("max") +
-              head("at frame") + head("&#949;<sub>x</sub>") + head("p95") + head("p99") +
-              head("joints") + head("head") + head("hands") + head("foot drift") +
-              head("worst drift") + head("foot path") + head("KB") + head("frames") +
-              head("preset", left) + head("asked", left) + head("method", left))
+      << line(head(say("Clip"), left) + head(say("visibility"), left) + head(say("verdict"), left) +
+              head(say("note"), left) + head(say("warnings")) + head(say("ratio")) +
+              head(say("max")) + head(say("at frame")) + head(kEpsX) + head("p95") + head("p99") +
+              head(say("joints")) + head(say("head")) + head(say("hands")) +
+              head(say("foot drift")) + head(say("worst drift")) + head(say("foot path")) +
+              head("KB") + head(say("frames")) + head(say("preset"), left) +
+              head(say("asked"), left) + head(say("method"), left))
       << "</thead><tbody>\n";
   rows([&](const BatchRow& row) {
-    if (row.done() && row.measured) out << clip_line(row) << '\n';
+    if (row.done() && row.measured) out << clip_line(say, row) << '\n';
   });
   out << "</tbody></table></div></section>\n";
 }
 
 /// Writes what reviewers noted on frames, clip by clip.
-void write_notes(std::ostream& out, const BatchRows& rows) {
+void write_notes(std::ostream& out, const ReportLanguage& say, const BatchRows& rows) {
   const auto left = attribute("class", "name");
-  out << "<section><h2>Notes</h2>" << muted("Frames count from 0.")
-      << "<div class=\"scroll\"><table><thead>"
-      << line(head("Clip", left) + head("frame") + head("joint", left) + head("note", left) +
-              head("by", left) + head("when", left) + head("stale", left))
+  out << "<section>" << element("h2", "", say("Notes")) << "<div class=\"scroll\"><table><thead>"
+      << line(head(say("Clip"), left) + head(say("frame")) + head(say("joint"), left) +
+              head(say("note"), left) + head(say("by"), left) + head(say("when"), left) +
+              head(say("stale"), left))
       << "</thead><tbody>\n";
   rows([&](const BatchRow& row) {
     for (const FrameNote& note : row.review.notes)
       out << line(row_head(row.output) +
-                  cell(moment(row, note.frame, note.joint, std::to_string(note.frame))) +
+                  cell(moment(row, note.frame, note.joint, frame_text(note.frame))) +
                   text_cell(note.joint, "name") + text_cell(note.text, "wrap") +
                   text_cell(note.reviewer, "name") + text_cell(note.time, "name") +
-                  text_cell(stale_reason(row, note).value_or(""), "wrap"))
+                  text_cell(say(stale_reason(row, note).value_or("")), "wrap"))
           << '\n';
   });
   out << "</tbody></table></div></section>\n";
 }
 
 /// Writes charts of the clips with the most visible errors.
-void write_sights(std::ostream& out, const Totals& totals) {
+void write_sights(std::ostream& out, const ReportLanguage& say, const Totals& totals) {
   const std::size_t seen = totals.visible + totals.borderline;
-  std::string legend = kSightLegend;
+  std::string legend = say(kSightLegend);
   if (seen > totals.most_seen.size())
-    legend += " The charts show the " + std::to_string(totals.most_seen.size()) +
-              " clips with the most visible errors, out of " + std::to_string(seen) + ".";
-  out << "<section><h2>Visible errors over time</h2>" << muted(legend)
+    legend += ' ' + say("The charts show the %1 clips with the most visible errors, out of %2.",
+                        {std::to_string(totals.most_seen.size()), std::to_string(seen)});
+  out << "<section>" << element("h2", "", say("Visible errors over time")) << muted(legend)
       << "<div class=\"multiples\">\n";
   for (const BatchRow& row : totals.most_seen) {
     if (row.sights.empty()) continue;
     const Measurement& m = *row.measured;
-    out << element(
-               "figure", "",
-               draw(row.sights, m.frames / m.sample_rate_hz,
-                    row.output + ": visible errors over time") +
-                   element("figcaption", "",
-                           element("b", "", escaped(row.output)) + ": " + escaped(m.seen->reason)))
+    out << element("figure", "",
+                   draw(row.sights, m.frames / m.sample_rate_hz,
+                        say("%1: visible errors over time", {row.output}), say) +
+                       element("figcaption", "",
+                               element("b", "", escaped(row.output)) + ": " +
+                                   escaped(say(m.seen->reason))))
         << '\n';
   }
   out << "</div></section>\n";
@@ -338,7 +354,7 @@ std::string without_place(const std::string& warning) {
 }
 
 /// Writes each warning once, with the clips that have it.
-void write_warnings(std::ostream& out, const BatchRows& rows) {
+void write_warnings(std::ostream& out, const ReportLanguage& say, const BatchRows& rows) {
   constexpr std::size_t kNamed = 8;
   struct Clips {
     std::size_t count = 0;
@@ -352,78 +368,87 @@ void write_warnings(std::ostream& out, const BatchRows& rows) {
     }
   });
   const auto left = attribute("class", "name");
-  out << "<section><h2>Repaired or guessed on reading</h2>"
-      << muted("report.csv lists each warning with its file and line.")
+  out << "<section>" << element("h2", "", say("Repaired or guessed on reading"))
+      << muted(say("report.csv lists each warning with its file and line."))
       << "<div class=\"scroll\"><table><thead>"
-      << line(head("warning", left) + head("count") + head("clips", left)) << "</thead><tbody>\n";
+      << line(head(say("warning"), left) + head(say("count")) + head(say("clips"), left))
+      << "</thead><tbody>\n";
   for (const auto& [warning, clips] : warnings)
-    out << line(cell(escaped(warning), "wrap") + cell(std::to_string(clips.count)) +
+    out << line(cell(escaped(say(warning)), "wrap") + cell(std::to_string(clips.count)) +
                 cell(escaped(clips.named + (clips.count > kNamed ? ", ..." : "")), "wrap"))
         << '\n';
   out << "</tbody></table></div></section>\n";
 }
 
-std::string notes(const Totals& totals) {
+std::string notes(const ReportLanguage& say, const Totals& totals) {
   std::string all;
   const auto add = [&](std::string_view term, std::string_view text) {
     all += element("dt", "", term) + element("dd", "", text);
   };
-  add("Verified",
-      "Each file was read back and decoded as an engine would, by the runtime decoder within its "
-      "default limits; errors are those of the decoded motion. Engines cannot play files in the "
-      "paper's codings and of comparison methods: the library decodes these. The column "
-      "verified_by of report.csv names the decoder of each clip.");
-  add("Ratio",
-      "Bytes of the channels as 32-bit floats, divided by the bytes of the coded motion. The "
-      "skeleton counts on neither side. 1 KB = 1024 bytes.");
-  add("&#949;<sub>x</sub>",
-      "Weighted root mean square distance between points of the body and the same points of the "
-      "original. report.csv has it in two more weightings.");
-  add("p95, p99, max",
-      "Percentiles and maximum of these distances over all points and frames, unweighted.");
-  if (!totals.limits.empty()) add("Visibility", visibility_note(totals.limits));
-  add("Joints, head, hands",
-      "Angle between a joint&#8217;s world-space rotation and the original&#8217;s, root mean "
-      "square over frames and joints. Head and hands are recognised by their names.");
-  add("Foot drift, foot path",
-      "Both are measured while a foot stands in the original. Drift is the distance between a foot "
-      "and its place in the original, as the mean over contacts and in the worst contact. Path is "
-      "the length of the foot&#8217;s path beyond the original&#8217;s, summed over all contacts; "
-      "a foot that trembles in place has a long path.");
-  add("Verdict, note",
-      "The reviewer&#8217;s verdict and note, with name and date. A verdict is stale, and does not "
-      "count, if the clip&#8217;s file or its settings have changed since.");
-  add("Warnings",
-      "Number of places that were repaired or guessed when the clip was read; they are listed "
-      "below.");
+  add(say("Verified"),
+      say("Each file was read back and decoded as an engine would, by the runtime decoder within "
+          "its "
+          "default limits; errors are those of the decoded motion. Engines cannot play files in "
+          "the "
+          "paper's codings and of comparison methods: the library decodes these. The column "
+          "verified_by of report.csv names the decoder of each clip."));
+  add(say("Ratio"),
+      say("Bytes of the channels as 32-bit floats, divided by the bytes of the coded motion. The "
+          "skeleton counts on neither side. 1 KB = 1024 bytes."));
+  add(kEpsX, say("Weighted root mean square distance between points of the body and the same "
+                 "points of the "
+                 "original. report.csv has it in two more weightings."));
+  add(say("p95, p99, max"),
+      say("Percentiles and maximum of these distances over all points and frames, unweighted."));
+  if (!totals.limits.empty()) add(say("Visibility"), visibility_note(say, totals.limits));
+  add(say("Joints, head, hands"),
+      say("Angle between a joint's world-space rotation and the original's, root mean square over "
+          "frames and joints. Head and hands are recognised by their names."));
+  add(say("Foot drift, foot path"),
+      say("Both are measured while a foot stands in the original. Drift is the distance between a "
+          "foot "
+          "and its place in the original, as the mean over contacts and in the worst contact. Path "
+          "is "
+          "the length of the foot's path beyond the original's, summed over all contacts; "
+          "a foot that trembles in place has a long path."));
+  add(say("Verdict, note"),
+      say("The reviewer's verdict and note, with name and date. A verdict is stale, and does not "
+          "count, if the clip's file or its settings have changed since."));
+  add(say("Warnings"),
+      say("Number of places that were repaired or guessed when the clip was read; they are listed "
+          "above."));
   return element("section", "",
-                 element("h2", "", "How clips were measured") + element("dl", "", all));
+                 element("h2", "", say("How clips were measured")) + element("dl", "", all));
 }
 
 }  // namespace
 
 void write_batch_html(std::ostream& out, const BatchRows& rows, std::size_t waiting,
-                      const ReportStamp& stamp, std::span<const std::byte> viewer) {
-  Totals totals;
+                      const ReportStamp& stamp, const ReportLanguage& say,
+                      std::span<const std::byte> viewer) {
+  Totals totals{say};
   rows([&](const BatchRow& row) { totals.add(row); });
-  out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><meta "
+  out << "<!DOCTYPE html>\n<html" << attribute("lang", say.code)
+      << "><head><meta charset=\"utf-8\"/><meta "
          "name=\"viewport\" "
          "content=\"width=device-width, initial-scale=1\"/>"
-      << element("title", "", "Batch export") << element("style", "", kReportStyle)
+      << element("title", "", say("Batch export")) << element("style", "", kReportStyle)
       << "</head><body><main>"
-      << element(
-             "header", "",
-             element("h1", "", "Batch export") + muted(escaped(stamp.program + ", " + stamp.time)))
-      << tiles(totals, waiting) << '\n';
-  if (totals.failed > 0) write_failures(out, rows);
+      << element("header", "",
+                 element("h1", "", say("Batch export")) +
+                     muted(escaped(stamp.program + ", " + stamp.time)))
+      << tiles(say, totals, waiting) << '\n';
+  if (totals.failed > 0) write_failures(out, say, rows);
   const bool has_viewer = totals.shown > 0 && !viewer.empty();
+  if (totals.done > 0)
+    out << element("script", "", say_script(say, {kReportTexts, review_texts()})) << '\n';
   if (has_viewer) out << review_section(viewer) << '\n';
-  out << pictures(totals) << '\n';
-  if (totals.done > 0) write_clips(out, rows);
-  if (totals.noted > 0) write_notes(out, rows);
-  if (!totals.most_seen.empty()) write_sights(out, totals);
-  if (totals.warned > 0) write_warnings(out, rows);
-  out << notes(totals) << "</main>";
+  out << pictures(say, totals) << '\n';
+  if (totals.done > 0) write_clips(out, say, rows);
+  if (totals.noted > 0) write_notes(out, say, rows);
+  if (!totals.most_seen.empty()) write_sights(out, say, totals);
+  if (totals.warned > 0) write_warnings(out, say, rows);
+  out << notes(say, totals) << "</main>";
   if (totals.done > 0)
     out << element("script", "", kReportScript + (has_viewer ? review_buttons() : ""));
   out << "</body></html>\n";

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/batch/row.h"
+#include "core/report/report_language.h"
 #include "core/report/review_viewer.h"
 
 namespace mocapress {
@@ -17,15 +18,16 @@ using BatchRows = std::function<void(const std::function<void(const BatchRow&)>&
 
 /// Writes report.csv, report.json and report.html, with `suffix` before their extensions. One row
 /// is in memory at a time. Equal rows make equal bytes at the same report_time(). `waiting` clips
-/// have no row yet. Throws WriteError.
+/// have no row yet. The page is in the language; tables are English. Throws WriteError.
 void write_batch_report(const std::filesystem::path& folder, const std::string& suffix,
-                        const BatchRows& rows, std::size_t waiting);
+                        const BatchRows& rows, std::size_t waiting,
+                        const ReportLanguage& language = {});
 
 /// Writes the page alone, which needs no other file: totals, failures, drawings of the worst
 /// frames, and every clip. The viewer, if there is one, shows clips that were written for it
 /// (OutputFormat::Review).
 void write_batch_html(std::ostream& out, const BatchRows& rows, std::size_t waiting,
-                      const ReportStamp& stamp,
+                      const ReportStamp& stamp, const ReportLanguage& say = {},
                       std::span<const std::byte> viewer = review_viewer());
 
 }  // namespace mocapress

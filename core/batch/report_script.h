@@ -7,6 +7,15 @@ namespace mocapress {
 /// take a second to lay out.
 inline constexpr const char* kHidingScript = "document.currentScript.parentNode.hidden = true;";
 
+/// The texts that kReportScript and the buttons of review_buttons() pass to say().
+inline constexpr const char* kReportTexts[] = {
+    "any visibility", "visible", "borderline", "not visible", "any verdict", "approved", "rejected",
+    "stale", "none", "with warnings or without", "with warnings", "without warnings",
+    "max over, cm", "ratio below", "name, preset, reason ...", "show all", "%1 of %2 clips",
+    "%1 of %2 clips, the first %3 of them below",
+    // Headings by which columns are found
+    "visibility", "verdict", "note", "warnings", "ratio", "max", "preset"};
+
 /// Sorts the table of clips: by visibility at first, then by the heading that is clicked, largest
 /// first. Filters clips by visibility, verdict, error, ratio, warnings and words. Shows the first
 /// rows, or all when asked. The page is complete without this script. The script has neither < nor
@@ -15,7 +24,7 @@ inline constexpr const char* kReportScript = R"(
 const table = document.getElementById("clips");
 const body = table.tBodies[0];
 const heads = Array.from(table.tHead.rows[0].cells);
-const column = name => heads.findIndex(head => head.textContent === name);
+const column = name => heads.findIndex(head => head.textContent === say(name));
 const text = (row, name) => row.cells[column(name)].textContent;
 const number = (row, name) => parseFloat(text(row, name).replace(",", ""));
 const tests = [];
@@ -28,22 +37,21 @@ function add(field, test) {
 }
 function choice(first, others, test) {
   const field = document.createElement("select");
-  field.append(new Option(first, ""), ...others.map(word => new Option(word)));
+  field.append(new Option(say(first), ""), ...others.map(word => new Option(say(word), word)));
   add(field, test);
 }
 function input(type, hint, test) {
   const field = document.createElement("input");
   field.type = type;
   field.step = "any";
-  field.placeholder = hint;
-  field.setAttribute("aria-label", hint);
+  field.placeholder = say(hint);
+  field.setAttribute("aria-label", say(hint));
   add(field, test);
 }
 choice("any visibility", ["visible", "borderline", "not visible"],
-  (row, word) => text(row, "visibility").startsWith(word));
+  (row, word) => row.cells[column("visibility")].dataset.sight === word);
 choice("any verdict", ["approved", "rejected", "stale", "none"],
-  (row, word) => word === "none" ? text(row, "verdict").length === 1
-    : text(row, "verdict").includes(word));
+  (row, word) => row.cells[column("verdict")].dataset.verdict.split(" ").includes(word));
 choice("with warnings or without", ["with warnings", "without warnings"],
   (row, word) => number(row, "warnings") > 0 === (word === "with warnings"));
 input("number", "max over, cm", (row, least) => number(row, "max") > Number(least));
@@ -52,7 +60,7 @@ input("search", "name, preset, reason ...",
   (row, words) => row.textContent.toLowerCase().includes(words.toLowerCase()));
 const shown = document.createElement("span");
 const more = document.createElement("button");
-more.textContent = "show all";
+more.textContent = say("show all");
 bar.append(shown, " ", more);
 table.parentNode.before(bar);
 const first = 200;
@@ -62,8 +70,8 @@ function filter() {
   const found = rows.filter(row => tests.every(test => test(row)));
   body.replaceChildren(...found.slice(0, most));
   more.hidden = most >= found.length;
-  shown.textContent = found.length + " of " + rows.length + " clips"
-    + (more.hidden ? "" : ", the first " + most + " of them below");
+  shown.textContent = more.hidden ? say("%1 of %2 clips", found.length, rows.length)
+    : say("%1 of %2 clips, the first %3 of them below", found.length, rows.length, most);
 }
 more.onclick = () => {
   most = Infinity;

@@ -12,6 +12,7 @@
 #include "core/base/progress.h"
 #include "core/batch/clip_export.h"
 #include "core/batch/journal.h"
+#include "core/report/report_language.h"
 
 namespace mocapress {
 
@@ -76,6 +77,7 @@ struct BatchRunOptions {
   std::optional<double> clip_seconds = {};  // time limit for a clip; unset: none
   bool largest_first = true;                // false: in the order of the batch
   bool take_over = false;  // true: takes the journal of a run on another computer that has ended
+  ReportLanguage language = {};  // the page's language
 };
 
 struct BatchOutcome {

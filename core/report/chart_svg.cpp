@@ -88,7 +88,7 @@ std::string style_class(const ChartSeries& series, const char* part) {
 
 class Drawing {
  public:
-  explicit Drawing(const Chart& chart) : chart_(chart) {
+  Drawing(const Chart& chart, const ReportLanguage& say) : chart_(chart), say_(say) {
     for (const ChartSeries& series : chart.series)
       for (const Curve* curve : {&series.line, &series.markers})
         for (const CurvePoint& p : *curve) include(p);
@@ -142,13 +142,13 @@ class Drawing {
       content += line_between(left(), y().at(kGuideEpsCm), right(), y().at(kGuideEpsCm), "guide");
     content += text_at((left() + right()) / 2, chart_.height - 6,
                        attribute("class", "axis") + attribute("text-anchor", "middle"),
-                       "compression ratio &#8594; smaller");
+                       say_("compression ratio %1 smaller", {"&#8594;"}));
     const double middle = (top() + bottom()) / 2;
     content += text_at(12, middle,
                        attribute("class", "axis") + attribute("text-anchor", "middle") +
                            attribute("transform", "rotate(-90 12 " + px(middle) + ")"),
                        "&#949;<tspan dy=\"3\" font-size=\"75%\">x</tspan><tspan dy=\"-3\">"
-                       " in cm</tspan>");
+                       ", cm</tspan>");
     return content;
   }
 
@@ -162,16 +162,16 @@ class Drawing {
           element("path", attribute("class", style_class(series, "line")) + attribute("d", d), "");
     }
     for (const CurvePoint& p : series.markers)
-      content +=
-          element("path",
-                  attribute("class", style_class(series, "mark")) +
-                      attribute("d", marker_path(series.style, x().at(p.ratio), y().at(p.eps_cm),
-                                                 series.paper           ? 4.5
-                                                 : chart_.direct_labels ? 3.6
-                                                                        : 2.4)),
-                  element("title", "",
-                          escaped(series.title) + ": " + format_significant(p.eps_cm) + " cm at " +
-                              ratio_text(p.ratio)));
+      content += element(
+          "path",
+          attribute("class", style_class(series, "mark")) +
+              attribute("d", marker_path(series.style, x().at(p.ratio), y().at(p.eps_cm),
+                                         series.paper           ? 4.5
+                                         : chart_.direct_labels ? 3.6
+                                                                : 2.4)),
+          element("title", "",
+                  say_("%1: %2 cm at %3", {escaped(series.title), format_significant(p.eps_cm),
+                                           ratio_text(p.ratio)})));
     return content;
   }
 
@@ -205,14 +205,15 @@ class Drawing {
   }
 
   const Chart& chart_;
+  const ReportLanguage& say_;
   CurvePoint low_{1e300, 1e300};
   CurvePoint high_{0, 0};
 };
 
 }  // namespace
 
-std::string draw(const Chart& chart) {
-  return Drawing(chart).draw();
+std::string draw(const Chart& chart, const ReportLanguage& say) {
+  return Drawing(chart, say).draw();
 }
 
 std::string legend_mark(int style) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/report/curve.h"
+#include "core/report/report_language.h"
 
 namespace mocapress {
 
@@ -28,7 +29,7 @@ struct Chart {
 };
 
 /// Returns an inline <svg>, coloured by the classes of report_style.h.
-std::string draw(const Chart& chart);
+std::string draw(const Chart& chart, const ReportLanguage& say = {});
 
 /// A series' mark for a legend.
 std::string legend_mark(int style);

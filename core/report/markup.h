@@ -39,6 +39,9 @@ namespace mocapress::html {
 /// Text for a missing figure.
 inline constexpr const char* kNothing = "&#8211;";
 
+/// The paper's distortion.
+inline constexpr const char* kEpsX = "&#949;<sub>x</sub>";
+
 inline std::string cell(std::string_view content, std::string_view css = "") {
   return element("td", css.empty() ? "" : attribute("class", css), content);
 }

@@ -52,7 +52,7 @@ section { background: var(--card); border: 1px solid var(--rule); border-radius:
 th, td { padding: 5px 8px; text-align: right; border-bottom: 1px solid var(--rule);
   font-variant-numeric: tabular-nums; white-space: nowrap; }
 th { font-weight: 600; vertical-align: bottom; } thead th { color: var(--muted); font-size: 13px;
-  white-space: normal; max-width: 8em; }
+  white-space: normal; max-width: 9em; }
 thead th.group { max-width: none; }
 th[scope=row], td.name, th.name { text-align: left; } .group { text-align: center; }
 table:has(thead th:nth-child(9)) :is(th, td) { padding: 5px 5px; font-size: 12.5px;

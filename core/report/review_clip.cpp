@@ -4,6 +4,7 @@
 #include "core/codec/format/container.h"
 #include "core/codec/methods/compression_method.h"
 #include "core/report/markup.h"
+#include "core/report/report_phrases.h"
 #include "core/report/review_page.h"
 
 namespace mocapress {
@@ -31,11 +32,13 @@ std::string review_clip(std::string_view name, const Encoder& original,
 }
 
 std::vector<std::string> review_facts(std::string_view method, double ratio,
-                                      const Distortion& distortion, const Visibility& visibility) {
-  return {std::string(method_title(method)), ratio_text(ratio),
-          "largest error " + format_significant(distortion.max.cm) + " cm",
-          "errors " + sight_text(visibility.sight(), visibility.limits.distance_m) + ", by " +
-              limits_text(visibility.limits)};
+                                      const Distortion& distortion, const Visibility& visibility,
+                                      const ReportLanguage& say) {
+  return {
+      say(std::string(method_title(method))), ratio_text(ratio),
+      say("largest error %1 cm", {format_significant(distortion.max.cm)}),
+      say("errors %1, by %2", {sight_phrase(say, visibility.sight(), visibility.limits.distance_m),
+                               limits_phrase(say, visibility.limits)})};
 }
 
 }  // namespace mocapress

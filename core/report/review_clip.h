@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/codec/encode/encoder.h"
+#include "core/report/report_language.h"
 
 namespace mocapress {
 
@@ -20,6 +21,7 @@ std::string review_clip(std::string_view name, const Encoder& original,
 
 /// Short texts about a clip on its page.
 std::vector<std::string> review_facts(std::string_view method, double ratio,
-                                      const Distortion& distortion, const Visibility& visibility);
+                                      const Distortion& distortion, const Visibility& visibility,
+                                      const ReportLanguage& say = {});
 
 }  // namespace mocapress

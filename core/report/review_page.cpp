@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/base64.h"
-#include "core/base/json_text.h"
 #include "core/report/markup.h"
+#include "core/report/page_script.h"
 #include "core/report/report_style.h"
 #include "core/report/review_script.h"
 
@@ -14,17 +14,6 @@ namespace {
 
 std::string_view text_of(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
-/// Writes JSON for a <script>, without characters that could end it.
-std::string in_script(const Json& json) {
-  std::string text;
-  for (const char letter : dumped(json))
-    if (letter == '<' || letter == '>' || letter == '&')
-      text += letter == '<' ? "\\u003c" : letter == '>' ? "\\u003e" : "\\u0026";
-    else
-      text += letter;
-  return text;
 }
 
 /// The arguments with which a page shows a clip.
@@ -57,6 +46,10 @@ std::string review_section(std::span<const std::byte> viewer) {
          element("script", "", kReviewScript);
 }
 
+std::span<const char* const> review_texts() {
+  return kReviewTexts;
+}
+
 std::string review_button(std::string_view name, const std::vector<std::string>& facts) {
   return element("script", "", "addReviewButton" + shown(name, facts));
 }
@@ -66,18 +59,21 @@ std::string review_buttons() {
 }
 
 std::string review_page(std::string_view name, const std::vector<std::string>& facts,
-                        const std::string& script, std::span<const std::byte> viewer) {
+                        const std::string& script, const ReportLanguage& say,
+                        std::span<const std::byte> viewer) {
   std::string list;
   for (const std::string& fact : facts) list += element("li", "", escaped(fact));
-  return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><meta "
+  return "<!DOCTYPE html>\n<html" + attribute("lang", say.code) +
+         "><head><meta charset=\"utf-8\"/><meta "
          "name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>" +
          element("title", "", escaped(name)) + element("style", "", kReportStyle) +
          "</head><body><main>" +
          element("noscript", "",
                  element("h1", "", escaped(name)) + element("ul", "", list) +
-                     element("p", "", "The viewer needs JavaScript.")) +
-         review_section(viewer) + element("script", "", script) +
-         element("script", "", "showClip" + shown(name, facts)) + "</main></body></html>\n";
+                     element("p", "", say("The viewer needs JavaScript."))) +
+         element("script", "", say_script(say, {kReviewTexts})) + review_section(viewer) +
+         element("script", "", script) + element("script", "", "showClip" + shown(name, facts)) +
+         "</main></body></html>\n";
 }
 
 }  // namespace mocapress

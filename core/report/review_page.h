@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/report/report_language.h"
 #include "core/report/review_viewer.h"
 
 namespace mocapress {
@@ -29,8 +30,12 @@ std::string review_script(std::string_view name, std::span<const std::byte> orig
 
 inline constexpr const char* kReviewExtension = ".review.js";
 
-/// The viewer as a section of a page, hidden until a clip is opened. It is well-formed XML.
+/// The viewer as a section of a page, hidden until a clip is opened. It is well-formed XML. Its
+/// scripts call say() of say_script().
 std::string review_section(std::span<const std::byte> viewer = review_viewer());
+
+/// The texts for say_script() on pages with that section.
+std::span<const char* const> review_texts();
 
 /// A script that adds a button for a clip of the page where it stands, below review_section().
 std::string review_button(std::string_view name, const std::vector<std::string>& facts);
@@ -41,7 +46,7 @@ std::string review_buttons();
 
 /// A self-contained page for one clip. Facts are short texts about the clip.
 std::string review_page(std::string_view name, const std::vector<std::string>& facts,
-                        const std::string& script,
+                        const std::string& script, const ReportLanguage& say = {},
                         std::span<const std::byte> viewer = review_viewer());
 
 }  // namespace mocapress

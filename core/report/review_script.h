@@ -3,6 +3,14 @@
 
 namespace mocapress {
 
+/// The texts that the script below and the viewer pass to say().
+inline constexpr const char* kReviewTexts[] = {
+    "View", "%1 cannot be shown: %2", "%1 cannot be loaded",
+    // core/report/viewer/viewer.js
+    "Loading", "Frame", "Key: %1", "Play", "Pause", "Overlay", "Side by side", "Wipe", "Swap",
+    "Colour by error", "Follow", "Worst frame before", "Next worst frame", "Reset camera",
+    "Frame %1 of %2, %3 s.", "%1 is %2 cm off.", "The lightest colour is %1 cm."};
+
 /// Unpacks the viewer when the first clip is opened, and clips from the page or from scripts beside
 /// it. Neither < nor & may occur here, since pages are XML too.
 inline constexpr const char* kReviewScript = R"(
@@ -14,7 +22,7 @@ function runScript(fill) {
   return new Promise(function (resolve, reject) {
     const script = document.createElement("script");
     script.onload = resolve;
-    script.onerror = function () { reject(new Error(script.src + " cannot be loaded")); };
+    script.onerror = function () { reject(new Error(say("%1 cannot be loaded", script.src))); };
     fill(script);
     document.head.append(script);
   });
@@ -31,7 +39,7 @@ function loadViewer() {
 }
 function addReviewButton(name, facts) {
   const button = document.createElement("button");
-  button.textContent = "View";
+  button.textContent = say("View");
   button.onclick = function () { showClip(name, facts); };
   document.currentScript.before(button);
 }
@@ -46,9 +54,9 @@ async function showClip(name, facts) {
     }
     viewerScript = viewerScript || loadViewer();
     await viewerScript;
-    await mocapressViewer.show(section, Object.assign({ facts }, mocapressClips.get(name)));
+    await mocapressViewer.show(section, Object.assign({ facts, say }, mocapressClips.get(name)));
   } catch (error) {
-    section.textContent = name + " cannot be shown: " + error.message;
+    section.textContent = say("%1 cannot be shown: %2", name, error.message);
   }
 }
 )";
@@ -61,12 +69,12 @@ const told = ["preset", "ratio", "max", "visibility", "verdict", "note"];
 for (const row of rows) {
   const name = row.cells[0].textContent;
   const button = document.createElement("button");
-  button.textContent = "View";
+  button.textContent = say("View");
   button.onclick = function () {
     const facts = told.map(function (head) {
       const cell = row.cells[column(head)];
       const unit = head === "max" ? " cm" : "";
-      return cell.textContent.length > 1 ? head + " " + cell.textContent + unit : "";
+      return cell.textContent.length > 1 ? say(head) + " " + cell.textContent + unit : "";
     });
     showClip(name, facts.filter(Boolean));
   };

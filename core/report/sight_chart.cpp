@@ -46,7 +46,7 @@ std::string text(double x, double y, std::string_view anchor, std::string_view c
 }
 
 /// Bars have half height for borderline, so that the chart does not depend on colour.
-std::string bars(const SightLine& line, double y, double seconds) {
+std::string bars(const ReportLanguage& say, const SightLine& line, double y, double seconds) {
   const std::string who = line.joint.empty() ? "" : line.joint + ", ";
   const double columns = static_cast<double>(line.sights.size());
   std::string all = rectangle(kNames, y, kWidth - kNames, kBar, "seen0");
@@ -57,10 +57,11 @@ std::string bars(const SightLine& line, double y, double seconds) {
     const double height = is_visible ? kBar : kBar / 2;
     const double share = static_cast<double>(from) / columns;
     const double end = static_cast<double>(to) / columns;
-    all += rectangle(kNames + share * (kWidth - kNames), y + kBar - height,
-                     (end - share) * (kWidth - kNames), height, is_visible ? "seen2" : "seen1",
-                     who + fixed(share * seconds, 1) + " to " + fixed(end * seconds, 1) + " s: " +
-                         std::string(name(is_visible ? Sight::Visible : Sight::Borderline)));
+    all +=
+        rectangle(kNames + share * (kWidth - kNames), y + kBar - height,
+                  (end - share) * (kWidth - kNames), height, is_visible ? "seen2" : "seen1",
+                  who + say("%1 to %2 s: %3", {fixed(share * seconds, 1), fixed(end * seconds, 1),
+                                               say(is_visible ? "visible" : "borderline")}));
   }
   return all;
 }
@@ -81,12 +82,14 @@ SightChart sight_chart(const SightTable& table, const Skeleton& skeleton) {
   return chart;
 }
 
-std::string draw(const SightChart& chart, double seconds, const std::string& label) {
+std::string draw(const SightChart& chart, double seconds, const std::string& label,
+                 const ReportLanguage& say) {
   std::string content = element("title", "", escaped(label));
   double y = 2;
   for (const SightLine& line : chart) {
-    content += text(kNames - 6, y + kBar - 1.5, "end", line.joint.empty() ? "any" : line.joint) +
-               bars(line, y, seconds);
+    content +=
+        text(kNames - 6, y + kBar - 1.5, "end", line.joint.empty() ? say("any") : line.joint) +
+        bars(say, line, y, seconds);
     y += kLine;
   }
   content +=

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/metrics/visibility.h"
+#include "core/report/report_language.h"
 
 namespace mocapress {
 
@@ -29,6 +30,7 @@ inline constexpr const char* kSightLegend =
 
 /// Returns an inline <svg>, coloured by the classes of report_style.h. `label` is for screen
 /// readers.
-std::string draw(const SightChart& chart, double seconds, const std::string& label);
+std::string draw(const SightChart& chart, double seconds, const std::string& label,
+                 const ReportLanguage& say = {});
 
 }  // namespace mocapress

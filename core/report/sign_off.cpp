@@ -6,10 +6,12 @@
 #include <set>
 #include <span>
 
+#include "core/base/frame_text.h"
 #include "core/base/number_text.h"
 #include "core/report/clip_link.h"
 #include "core/report/json_value.h"
 #include "core/report/markup.h"
+#include "core/report/report_phrases.h"
 #include "core/report/report_style.h"
 #include "core/report/verdict.h"
 
@@ -65,17 +67,7 @@ std::string reason_text(const ReportLanguage& say, const std::optional<std::stri
 
 /// "not visible from 8 m"; empty: nobody looked.
 std::string sight_text(const ReportLanguage& say, const SignOffFigures& figures) {
-  if (!figures.sight) return "";
-  const bool is_hidden = *figures.sight == Sight::NotVisible;
-  return say("%1 from %2 m", {say(is_hidden ? "not visible" : std::string(name(*figures.sight))),
-                              significant_text(figures.limits.distance_m, 3)});
-}
-
-/// Names of cues stay English.
-std::string translated(const ReportLanguage& say, const std::string& limits) {
-  constexpr std::string_view kOwn = "own limits: ";
-  return limits.starts_with(kOwn) ? say("own limits: %1", {limits.substr(kOwn.size())})
-                                  : say(limits);
+  return figures.sight ? sight_phrase(say, *figures.sight, figures.limits.distance_m) : "";
 }
 
 /// "built-in limits"; several texts where clips were judged by different ones.
@@ -83,14 +75,14 @@ std::string limits_text(const SignOff& report) {
   std::set<std::string> texts;
   for (const SignOffClip& clip : report.clips)
     if (clip.figures && clip.figures->sight)
-      texts.insert(translated(report.language, mocapress::limits_text(clip.figures->limits)));
+      texts.insert(limits_phrase(report.language, clip.figures->limits));
   std::string all;
   for (const std::string& text : texts) all += (all.empty() ? "" : "; ") + text;
   return all;
 }
 
 std::string moment_text(const SignOffClip& clip, int frame) {
-  const std::string text = std::to_string(frame);
+  const std::string text = frame_text(frame);
   return clip.sample_rate_hz > 0 ? text + ", " + fixed_text(frame / clip.sample_rate_hz, 2) + " s"
                                  : text;
 }
@@ -126,13 +118,13 @@ std::string worst_table(const SignOff& report) {
                   cell(or_nothing(sight_text(say, figures)), "name") +
                   cell(reason_text(say, figures.stale), "wrap"));
   }
-  return element("section", "",
-                 element("h2", "", say("Worst frames")) +
-                     muted(say("The frame with the largest error of each clip, the largest first. "
-                               "Frames count from 0.")) +
-                     table(line(left(say("Clip")) + head(say("frame")) + head(say("error, cm")) +
-                                left(say("point")) + left(say("eye")) + left(say("stale"))),
-                           lines));
+  return element(
+      "section", "",
+      element("h2", "", say("Worst frames")) +
+          muted(say("The frame with the largest error of each clip, the largest first.")) +
+          table(line(left(say("Clip")) + head(say("frame")) + head(say("error, cm")) +
+                     left(say("point")) + left(say("eye")) + left(say("stale"))),
+                lines));
 }
 
 std::string notes_table(const SignOff& report) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/frame_text.h"
 #include "core/report/json_value.h"
 
 namespace mocapress {
@@ -54,13 +55,14 @@ std::vector<FrameNote> frame_notes_from(const Json& json) {
   return notes;
 }
 
-std::string note_text(const FrameNote& note, const std::optional<std::string>& stale_reason) {
-  std::string text = "frame " + std::to_string(note.frame);
+std::string note_text(const FrameNote& note, const std::optional<std::string>& stale_reason,
+                      const ReportLanguage& say) {
+  std::string text = say("frame %1", {frame_text(note.frame)});
   if (!note.joint.empty()) text += ", " + note.joint;
   text += ": " + note.text;
   std::string said = note.reviewer;
   if (!said.empty() && !note.time.empty()) said += ", " + note.time.substr(0, 10);
-  if (stale_reason) said += (said.empty() ? "stale: " : "; stale: ") + *stale_reason;
+  if (stale_reason) said += (said.empty() ? "" : "; ") + say("stale: %1", {say(*stale_reason)});
   return said.empty() ? text : text + " (" + said + ")";
 }
 
@@ -98,12 +100,13 @@ std::optional<std::string> stale_reason(const FrameNote& note, std::string_view 
                 !note.settings_hash.empty() && note.settings_hash != settings_hash);
 }
 
-std::string verdict_text(const ClipReview& review, const std::optional<std::string>& stale_reason) {
+std::string verdict_text(const ClipReview& review, const std::optional<std::string>& stale_reason,
+                         const ReportLanguage& say) {
   if (review.verdict == Verdict::None) return "";
-  std::string text(name(review.verdict));
-  if (!review.reviewer.empty()) text += " by " + review.reviewer;
+  std::string text = say(std::string(name(review.verdict)));
+  if (!review.reviewer.empty()) text = say("%1 by %2", {text, review.reviewer});
   if (!review.time.empty()) text += ", " + review.time.substr(0, 10);
-  if (stale_reason) text += "; stale: " + *stale_reason;
+  if (stale_reason) text += "; " + say("stale: %1", {say(*stale_reason)});
   return text;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/json_text.h"
+#include "core/report/report_language.h"
 #include "core/report/review.h"
 
 namespace mocapress {
@@ -27,7 +28,8 @@ Json to_json(const std::vector<FrameNote>& notes);
 std::vector<FrameNote> frame_notes_from(const Json& json);
 
 /// "frame 12, lfoot: slides (ana, 2026-11-27; stale: the settings changed)".
-std::string note_text(const FrameNote& note, const std::optional<std::string>& stale_reason = {});
+std::string note_text(const FrameNote& note, const std::optional<std::string>& stale_reason = {},
+                      const ReportLanguage& say = {});
 
 /// The reason why a verdict does not apply to a source file and settings with these hashes: "the
 /// clip's file changed", "the settings changed", or that it has no hashes. Unset: it applies, or
@@ -42,6 +44,7 @@ std::optional<std::string> stale_reason(const FrameNote& note, std::string_view 
 
 /// Text of a verdict: "approved by ana, 2026-11-26; stale: the settings changed". Empty without a
 /// verdict.
-std::string verdict_text(const ClipReview& review, const std::optional<std::string>& stale_reason);
+std::string verdict_text(const ClipReview& review, const std::optional<std::string>& stale_reason,
+                         const ReportLanguage& say = {});
 
 }  // namespace mocapress

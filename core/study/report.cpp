@@ -5,11 +5,14 @@
 
 #include <algorithm>
 
+#include "core/base/frame_text.h"
 #include "core/base/utf8_path.h"
 #include "core/codec/methods/compression_method.h"
 #include "core/mocapress/settings.h"
 #include "core/report/chart_svg.h"
 #include "core/report/markup.h"
+#include "core/report/page_script.h"
+#include "core/report/report_phrases.h"
 #include "core/report/report_stamp.h"
 #include "core/report/report_style.h"
 #include "core/report/review_page.h"
@@ -28,11 +31,6 @@ std::string paragraph(std::string_view text) {
 std::string section(std::string_view title, std::string_view content) {
   if (content.empty()) return "";
   return element("section", "", element("h2", "", title) + std::string(content));
-}
-
-/// "3 clips", "1 clip".
-std::string counted(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
 /// A colour and marker that a method keeps in every study. Methods without one of their own take
@@ -60,20 +58,21 @@ int style_of(const Results& results, const Series& series) {
   return 0;
 }
 
-std::string legend(const Results& results) {
+std::string legend(const ReportLanguage& say, const Results& results) {
   std::string items;
   for (const Series& series : results.series())
-    items += element("li", "", legend_mark(style_of(results, series)) + escaped(series.title));
+    items +=
+        element("li", "", legend_mark(style_of(results, series)) + escaped(title_of(say, series)));
   return element("ul", attribute("class", "legend"), items);
 }
 
-Chart mean_chart(const Results& results) {
-  Chart chart{.label = "Error against compression ratio, averaged over the clips",
+Chart mean_chart(const ReportLanguage& say, const Results& results) {
+  Chart chart{.label = say("Error against compression ratio, averaged over the clips"),
               .width = 1060,
               .height = 520,
               .direct_labels = true};
   for (const Series& series : results.series()) {
-    ChartSeries line{.title = series.title, .style = style_of(results, series)};
+    ChartSeries line{.title = title_of(say, series), .style = style_of(results, series)};
     line.line = results.mean_curve(series);
     chart.series.push_back(std::move(line));
   }
@@ -81,12 +80,14 @@ Chart mean_chart(const Results& results) {
 }
 
 /// Adds the paper's points as hollow markers.
-void add_published(Chart& chart, const Results& results, const PublishedClip& clip) {
+void add_published(const ReportLanguage& say, Chart& chart, const Results& results,
+                   const PublishedClip& clip) {
   const auto add = [&](const char* method, auto size_of) {
     const Series* series = results.find_series(method);
     if (!series) return;
-    ChartSeries points{
-        .title = "The paper: " + series->title, .style = style_of(results, *series), .paper = true};
+    ChartSeries points{.title = say("The paper: %1", {title_of(say, *series)}),
+                       .style = style_of(results, *series),
+                       .paper = true};
     for (const PublishedSizes& row : clip.sizes)
       points.markers.push_back({size_of(row).ratio, row.eps_cm});
     chart.series.push_back(std::move(points));
@@ -96,22 +97,24 @@ void add_published(Chart& chart, const Results& results, const PublishedClip& cl
   add("annealed", [](auto& row) { return row.annealed; });
 }
 
-std::string clip_chart(const Results& results, const StudiedClip& clip) {
-  Chart chart{
-      .label = clip.title + ": error against compression ratio", .width = 350, .height = 270};
+std::string clip_chart(const ReportLanguage& say, const Results& results, const StudiedClip& clip) {
+  Chart chart{.label = say("%1: error against compression ratio", {clip.title}),
+              .width = 350,
+              .height = 270};
   for (const Series& series : results.series()) {
-    ChartSeries one{.title = series.title, .style = style_of(results, series)};
+    ChartSeries one{.title = title_of(say, series), .style = style_of(results, series)};
     one.line = one.markers = results.curve(clip, series);
     chart.series.push_back(std::move(one));
   }
-  if (clip.published) add_published(chart, results, *clip.published);
+  if (clip.published) add_published(say, chart, results, *clip.published);
   const std::string title =
       clip.published ? clip.title + ", " + std::string(clip.published->title) : clip.title;
-  return element("figure", attribute("class", "clip"),
-                 element("h3", "",
-                         escaped(title) + " " +
-                             element("small", "", std::to_string(clip.frames) + " frames")) +
-                     draw(chart));
+  return element(
+      "figure", attribute("class", "clip"),
+      element("h3", "",
+              escaped(title) + " " +
+                  element("small", "", say("%1 frames", {std::to_string(clip.frames)}))) +
+          draw(chart, say));
 }
 
 std::string tile(const std::string& value, const std::string& text) {
@@ -119,12 +122,12 @@ std::string tile(const std::string& value, const std::string& text) {
                  element("b", "", value) + element("span", "", text));
 }
 
-std::string mean_of(const MeanRatio& mean) {
-  return mean.clips == 1 ? "one clip"
-                         : "geometric mean of " + std::to_string(mean.clips) + " clips";
+std::string mean_of(const ReportLanguage& say, const MeanRatio& mean) {
+  return mean.clips == 1 ? say("one clip")
+                         : say("geometric mean of %1 clips", {std::to_string(mean.clips)});
 }
 
-std::string tiles(const Results& results) {
+std::string tiles(const ReportLanguage& say, const Results& results) {
   if (!results.leading_series()) return "";
   const double eps_cm = headline_eps_cm(results);
   const Series& first = *results.leading_series();
@@ -133,10 +136,10 @@ std::string tiles(const Results& results) {
   if (ratio)
     all += tile(
         ratio_text(ratio->ratio),
-        escaped(first.title) + " at &#949;<sub>x</sub> = " + format_shortest(eps_cm) + " cm, " +
-            mean_of(*ratio) +
+        say("%1 at %2 = %3 cm, %4", {escaped(title_of(say, first)), html::kEpsX,
+                                     format_shortest(eps_cm), mean_of(say, *ratio)}) +
             (results.weighting() == Weighting::JointOrigins && eps_cm == kPublishedInvisibleEpsCm
-                 ? " (the paper: about " + format_shortest(kPublishedMeanRatio) + ":1)"
+                 ? say(" (the paper: about %1:1)", {format_shortest(kPublishedMeanRatio)})
                  : ""));
   for (const char* other_method : {"annealed", "standard"}) {
     const Series* other = results.find_series(other_method);
@@ -144,16 +147,16 @@ std::string tiles(const Results& results) {
     const auto other_ratio = results.mean_ratio_at(*other, eps_cm);
     if (other_ratio && other_ratio->clips == ratio->clips)
       all += tile(fixed(ratio->ratio / other_ratio->ratio, 2) + "&#215;",
-                  "smaller than " + escaped(other->title) + " at equal error");
+                  say("smaller than %1 at equal error", {escaped(title_of(say, *other))}));
   }
   std::vector<double> ms;
   for (const StudyRow& row : results.rows())
     if (row.measured && row.settings.method == first.method && row.measured->ms_per_frame() > 0)
       ms.push_back(row.measured->ms_per_frame());
   if (const auto mean = geometric_mean(ms))
-    all +=
-        tile(format_significant(*mean) + " ms", "to compress a frame by " + escaped(first.title) +
-                                                    ", including the search for the target");
+    all += tile(format_significant(*mean) + " ms",
+                say("to compress a frame by %1, including the search for the target",
+                    {escaped(title_of(say, first))}));
   return element("div", attribute("class", "tiles"), all);
 }
 
@@ -173,16 +176,15 @@ const Series* smallest_at(const Results& results, double eps_cm) {
 }
 
 /// Says which method and which preset to take, by what was measured.
-std::string recommendation(const Results& results) {
+std::string recommendation(const ReportLanguage& say, const Results& results) {
   using namespace html;
   const double eps_cm = headline_eps_cm(results);
   const Series* best = smallest_at(results, eps_cm);
   if (!best) return "";
   const Series& shipped = *results.leading_series();
   std::string text =
-      "Use " + element("b", "", escaped(best->title)) +
-      ": it has the smallest files at &#949;<sub>x</sub> = " + format_shortest(eps_cm) +
-      " cm over all clips.";
+      say("Use %1: it has the smallest files at %2 = %3 cm over all clips.",
+          {element("b", "", escaped(title_of(say, *best))), kEpsX, format_shortest(eps_cm)});
   std::string lines;
   for (const Settings& preset : built_in_presets()) {
     if (preset.method != shipped.method || preset.target.kind != Target::Kind::Error ||
@@ -194,103 +196,107 @@ std::string recommendation(const Results& results) {
                   cell(ratio ? ratio_text(ratio->ratio) : std::string(kNothing)) +
                   cell(ratio ? std::to_string(ratio->clips) : std::string(kNothing)));
   }
-  if (lines.empty()) return section("Recommended method", paragraph(text));
-  text += " The presets use " + escaped(shipped.title) +
-          ". The table shows the ratio at the error of each preset. Presets also bound the errors "
-          "of heads, hands and roots, which costs some more bytes.";
-  return section("Recommended method",
-                 paragraph(text) + table(line(head("Preset") + head("&#949;<sub>x</sub>, cm") +
-                                              head("mean ratio") + head("clips")),
-                                         lines));
+  if (lines.empty()) return section(say("Recommended method"), paragraph(text));
+  text += ' ' + say("The presets use %1. The table shows the ratio at the error of each preset. "
+                    "Presets also bound the errors of heads, hands and roots, which costs some "
+                    "more bytes.",
+                    {escaped(title_of(say, shipped))});
+  return section(
+      say("Recommended method"),
+      paragraph(text) + table(line(head(say("Preset")) + head(kEpsX + std::string(", cm")) +
+                                   head(say("mean ratio")) + head(say("clips"))),
+                              lines));
 }
 
-std::string subtitle(const Results& results) {
-  return counted(results.clips().size(), "clip") + ", " +
-         counted(results.series().size(), "method") + ", " +
-         counted(results.rows().size(), "compression") +
-         ". Error weighting: " + std::string(name(results.weighting())) + ".";
+std::string subtitle(const ReportLanguage& say, const Results& results) {
+  return say("Clips: %1, methods: %2, compressions: %3. Error weighting: %4.",
+             {std::to_string(results.clips().size()), std::to_string(results.series().size()),
+              std::to_string(results.rows().size()), std::string(name(results.weighting()))});
 }
 
-std::string coding_text(const Results& results) {
+std::string coding_text(const ReportLanguage& say, const Results& results) {
   for (const StudyRow& row : results.rows())
     if (const auto coding = coding_of(row.settings))
-      return "wavelets by " + std::string(name(*coding));
-  return "no wavelets";
+      return say("wavelets by %1", {std::string(name(*coding))});
+  return say("no wavelets");
 }
 
-std::string measuring_notes(const Results& results) {
+std::string measuring_notes(const ReportLanguage& say, const Results& results) {
   const StudyRow& row = results.rows().front();
   std::string notes;
   const auto add = [&](std::string_view term, const std::string& text) {
     notes += element("dt", "", term) + element("dd", "", text);
   };
-  add("Ratio",
-      "Bytes of the channels as 32-bit floats, divided by the bytes of the coded motion. The "
-      "skeleton counts on neither side, as in the paper. 1 KB = 1024 bytes.");
-  add("&#949;<sub>x</sub>",
-      "The paper&#8217;s positional distortion (section 3.1), weighted by " +
-          std::string(name(results.weighting())) +
-          ": the weighted root mean square distance between points of the body and the same points "
-          "of the original. The paper&#8217;s own figures use the weighting joint-origins.");
+  add(say("Ratio"),
+      say("Bytes of the channels as 32-bit floats, divided by the bytes of the coded motion. The "
+          "skeleton counts on neither side, as in the paper. 1 KB = 1024 bytes."));
+  add(html::kEpsX,
+      say("The paper's positional distortion (section 3.1), weighted by %1: the weighted root mean "
+          "square distance between points of the body and the same points of the original. The "
+          "paper's own figures use the weighting joint-origins.",
+          {std::string(name(results.weighting()))}));
   if (const auto judged = std::ranges::find_if(
           results.rows(), [](const StudyRow& one) { return one.measured && one.measured->seen; });
       judged != results.rows().end()) {
     const SightLimits& limits = judged->measured->seen->limits;
-    add("Visibility", "Judged from " + format_shortest(limits.distance_m) + " m, by " +
-                          escaped(limits_text(limits)) + ".");
+    add(say("Visibility"), say("Judged from %1 m, by %2.", {format_shortest(limits.distance_m),
+                                                            escaped(limits_phrase(say, limits))}));
   }
-  add("Mean",
-      "Geometric mean over the clips of the ratio at equal &#949;<sub>x</sub>, at errors within "
-      "the measured range of every clip. Ratios between measured points are interpolated, linearly "
-      "in the logarithms of ratio and error, and marked &#8776;.");
-  add("Coding", coding_text(results) + ", seed " + std::to_string(row.settings.seed));
+  add(say("Mean"),
+      say("Geometric mean over the clips of the ratio at equal %1, at errors within the measured "
+          "range of every clip. Ratios between measured points are interpolated, linearly in the "
+          "logarithms of ratio and error, and marked %2.",
+          {html::kEpsX, "&#8776;"}));
+  add(say("Coding"),
+      say("%1, seed %2", {coding_text(say, results), std::to_string(row.settings.seed)}));
   int jobs = 0;
   for (const StudyRow& one : results.rows()) jobs = std::max(jobs, one.jobs);
-  add("Time", "Wall time of a compression, including the search for the target, with up to " +
-                  counted(static_cast<std::size_t>(jobs), "compression") +
-                  " at the same time. Work that the compressions of a clip share counts in the "
-                  "first of them. The paper used a 2 GHz Athlon 64.");
+  add(say("Time"),
+      say("Wall time of a compression, including the search for the target; compressions at the "
+          "same time: up to %1. Work that the compressions of a clip share counts in the first of "
+          "them. The paper used a 2 GHz Athlon 64.",
+          {std::to_string(jobs)}));
   for (const Series& series : results.series())
     if (const CompressionMethod* compression_method = find_compression_method(series.method))
-      add(escaped(series.title), escaped(compression_method->note));
-  add("The paper",
-      "Figures marked as the paper&#8217;s are from Tables 1 and 2 of Adapting Wavelet Compression "
-      "to Human Motion Capture Clips.");
+      add(escaped(title_of(say, series)), escaped(say(std::string(compression_method->note))));
+  add(say("The paper"), say("Figures marked as the paper's are from Tables 1 and 2 of %1.",
+                            {"Adapting Wavelet Compression to Human Motion Capture Clips"}));
   return element("dl", "", notes);
 }
 
-std::string curves_section(const Results& results) {
-  std::string drawn = draw(mean_chart(results));
+std::string curves_section(const ReportLanguage& say, const Results& results) {
+  std::string drawn = draw(mean_chart(say, results), say);
   std::string missing;
   for (const Series& series : results.series())
     if (results.mean_curve(series).empty())
-      missing += (missing.empty() ? "" : ", ") + escaped(series.title);
+      missing += (missing.empty() ? "" : ", ") + escaped(title_of(say, series));
   if (!missing.empty())
     drawn += paragraph(
-        "These methods have no mean, since no error is within the range of all clips: " + missing +
-        ".");
-  return section("Error against compression ratio",
-                 paragraph("Files are smaller to the right, errors smaller to the bottom. Curves "
-                           "are geometric means of the ratio at equal error. The dotted line is "
-                           "0.5 cm: the paper saw no artifacts below it.") +
-                     drawn + mean_size_table(results));
+        say("These methods have no mean, since no error is within the range of all clips: %1.",
+            {missing}));
+  return section(say("Error against compression ratio"),
+                 paragraph(say("Files are smaller to the right, errors smaller to the bottom. "
+                               "Curves are geometric means of the ratio at equal error. The dotted "
+                               "line is 0.5 cm: the paper saw no artifacts below it.")) +
+                     drawn + mean_size_table(say, results));
 }
 
-std::string clips_section(const Results& results) {
+std::string clips_section(const ReportLanguage& say, const Results& results) {
   std::string charts;
   bool published = false;
   for (const StudiedClip& clip : results.clips()) {
-    charts += clip_chart(results, clip);
+    charts += clip_chart(say, results, clip);
     published = published || clip.published;
   }
-  return section("Every clip",
-                 (published ? paragraph("Hollow marks are the paper&#8217;s Table 1.") : "") +
-                     legend(results) + element("div", attribute("class", "multiples"), charts) +
-                     clip_table(results));
+  return section(say("Every clip"),
+                 (published ? paragraph(say("Hollow marks are the paper's Table 1.")) : "") +
+                     legend(say, results) +
+                     element("div", attribute("class", "multiples"), charts) +
+                     clip_table(say, results));
 }
 
-std::string title_of(const PicturedMethod& method) {
-  return std::string(method_title(method.method));
+std::string title_of(const ReportLanguage& say, const PicturedMethod& method) {
+  return say(std::string(method_title(method.method)));
 }
 
 std::string captioned(const std::string& svg, const std::string& caption,
@@ -335,17 +341,18 @@ double seen_height_cm(const Picture& picture) {
   return 1.12 * height;
 }
 
-std::string seconds_text(const Picture& picture, int frame) {
-  return "frame " + std::to_string(frame) + ", " + fixed(frame / picture.sample_rate_hz, 2) + " s";
+std::string seconds_text(const ReportLanguage& say, const Picture& picture, int frame) {
+  return say("frame %1, %2 s", {frame_text(frame), fixed(frame / picture.sample_rate_hz, 2)});
 }
 
 /// A button that turns and plays a method's clip, where the page has it.
-std::string review_of(const Picture& picture, const PicturedMethod& method) {
+std::string review_of(const ReportLanguage& say, const Picture& picture,
+                      const PicturedMethod& method) {
   if (method.review.empty()) return "";
   return element("script", "", method.review) +
          review_button(review_name(picture, method.method),
-                       {title_of(method), ratio_text(method.ratio),
-                        "largest error " + format_significant(method.max_error_cm) + " cm"});
+                       {title_of(say, method), ratio_text(method.ratio),
+                        say("largest error %1 cm", {format_significant(method.max_error_cm)})});
 }
 
 bool are_reviewed(const std::vector<Picture>& pictures) {
@@ -355,7 +362,8 @@ bool are_reviewed(const std::vector<Picture>& pictures) {
   });
 }
 
-std::string worst_scene(const Picture& picture, std::size_t m, const SceneView& view) {
+std::string worst_scene(const ReportLanguage& say, const Picture& picture, std::size_t m,
+                        const SceneView& view) {
   const PosePoints& original = picture.worst.original;
   const PosePoints& decoded = picture.worst.decoded[m];
   const std::size_t worst = worst_landmark(original, decoded);
@@ -367,16 +375,17 @@ std::string worst_scene(const Picture& picture, std::size_t m, const SceneView& 
   scene.add_gap(original[worst], decoded[worst],
                 format_significant((original[worst] - decoded[worst]).norm()) + " cm");
   const PicturedMethod& method = picture.methods[m];
-  return captioned(scene.finish(title_of(method) + " over the original at its worst frame"),
-                   element("b", "", escaped(title_of(method))) + " at " + ratio_text(method.ratio) +
-                       ": &#949;<sub>x</sub> " + format_significant(method.eps_cm) +
-                       " cm over the clip, largest error " +
-                       format_significant(method.max_error_cm) + " cm; at this frame it is the " +
-                       escaped(picture.landmark_names[worst]) + "'s. " +
-                       review_of(picture, method));
+  const std::string title = escaped(title_of(say, method));
+  return captioned(scene.finish(say("%1 over its original at its worst frame", {title})),
+                   say("%1 at %2: %3 %4 cm over the clip, largest error %5 cm; at this frame: %6.",
+                       {element("b", "", title), ratio_text(method.ratio), html::kEpsX,
+                        format_significant(method.eps_cm), format_significant(method.max_error_cm),
+                        escaped(picture.landmark_names[worst])}) +
+                       " " + review_of(say, picture, method));
 }
 
-std::string strip(const Picture& picture, std::size_t m, double height_cm) {
+std::string strip(const ReportLanguage& say, const Picture& picture, std::size_t m,
+                  double height_cm) {
   std::string cells;
   for (const PicturedFrame& frame : picture.sequence) {
     SceneSvg scene(picture, {.centre = centre_of(picture, frame.original),
@@ -388,16 +397,17 @@ std::string strip(const Picture& picture, std::size_t m, double height_cm) {
     scene.add_shadow(frame.decoded[m]);
     scene.add_figure(frame.original, "ghost");
     scene.add_figure(frame.decoded[m], "figure");
-    cells += scene.finish(seconds_text(picture, frame.frame));
+    cells += scene.finish(seconds_text(say, picture, frame.frame));
   }
-  return captioned(element("div", attribute("class", "cells"), cells),
-                   element("b", "", escaped(title_of(picture.methods[m]))) + ", " +
-                       seconds_text(picture, picture.sequence.front().frame) + " to " +
-                       seconds_text(picture, picture.sequence.back().frame),
-                   "strip");
+  return captioned(
+      element("div", attribute("class", "cells"), cells),
+      say("%1, %2 to %3", {element("b", "", escaped(title_of(say, picture.methods[m]))),
+                           seconds_text(say, picture, picture.sequence.front().frame),
+                           seconds_text(say, picture, picture.sequence.back().frame)}),
+      "strip");
 }
 
-std::string foot_scene(const Picture& picture, std::size_t m) {
+std::string foot_scene(const ReportLanguage& say, const Picture& picture, std::size_t m) {
   const PicturedFoot& foot = *picture.foot;
   const auto landmark = static_cast<std::size_t>(foot.landmark);
   SceneView view{.centre = foot.pose.original[landmark],
@@ -413,21 +423,22 @@ std::string foot_scene(const Picture& picture, std::size_t m) {
   scene.add_figure(foot.pose.decoded[m], "figure");
   scene.add_trail(foot.original_trail, "trail was");
   scene.add_trail(foot.trails[m], "trail is");
-  return captioned(scene.finish(title_of(picture.methods[m]) + ": foot that slides most"),
-                   element("b", "", escaped(title_of(picture.methods[m]))) + ": the " +
-                       escaped(picture.landmark_names[landmark]) + " slides " +
-                       fixed(foot.slid_cm[m], 1) + " cm while planted.");
+  const std::string title = escaped(title_of(say, picture.methods[m]));
+  return captioned(scene.finish(say("%1: foot that slides most", {title})),
+                   say("%1: %2 slides %3 cm while planted.",
+                       {element("b", "", title), escaped(picture.landmark_names[landmark]),
+                        fixed(foot.slid_cm[m], 1)}));
 }
 
-std::string sights(const Picture& picture, std::size_t m) {
-  const std::string title = title_of(picture.methods[m]);
+std::string sights(const ReportLanguage& say, const Picture& picture, std::size_t m) {
+  const std::string title = title_of(say, picture.methods[m]);
   return captioned(draw(picture.methods[m].sights, picture.frames / picture.sample_rate_hz,
-                        title + ": visible errors over time"),
+                        say("%1: visible errors over time", {title}), say),
                    element("b", "", escaped(title)));
 }
 
 /// The worst frame of each method side by side, a sequence of frames, and the foot that slid most.
-std::string picture_section(const Picture& picture) {
+std::string picture_section(const ReportLanguage& say, const Picture& picture) {
   const double height_cm = seen_height_cm(picture);
   const SceneView view{.centre = centre_of(picture, picture.worst.original),
                        .facing = picture.facing,
@@ -437,60 +448,60 @@ std::string picture_section(const Picture& picture) {
   std::string feet;
   std::string seen;
   for (std::size_t m = 0; m < picture.methods.size(); ++m) {
-    pair += worst_scene(picture, m, view);
-    strips += strip(picture, m, height_cm);
-    seen += sights(picture, m);
-    if (picture.foot) feet += foot_scene(picture, m);
+    pair += worst_scene(say, picture, m, view);
+    strips += strip(say, picture, m, height_cm);
+    seen += sights(say, picture, m);
+    if (picture.foot) feet += foot_scene(say, picture, m);
   }
   const std::string clip = utf8(utf8_path(picture.clip).stem());
   std::string content =
-      element("h2", "", escaped(clip) + " at " + format_shortest(picture.ratio) + ":1") +
-      element("p", attribute("class", "muted"),
-              "Compressed motion in red over the original in grey, all at the same ratio. " +
-                  std::string("The first pictures show the frame with the largest error of ") +
-                  escaped(title_of(picture.methods.front())) + ": " +
-                  seconds_text(picture, picture.worst.frame) +
-                  ". Lines on the floor are half a metre apart.") +
+      element("h2", "", say("%1 at %2:1", {escaped(clip), format_shortest(picture.ratio)})) +
+      paragraph(say("Compressed motion in red over the original in grey, all at the same ratio. "
+                    "The first pictures show the frame with the largest error of %1: %2. Lines on "
+                    "the floor are half a metre apart.",
+                    {escaped(title_of(say, picture.methods.front())),
+                     seconds_text(say, picture, picture.worst.frame)})) +
       element("div", attribute("class", "pair"), pair) + strips +
-      element("h3", "", "Visible errors over time") +
-      element("p", attribute("class", "muted"), kSightLegend) +
+      element("h3", "", say("Visible errors over time")) + paragraph(say(kSightLegend)) +
       element("div", attribute("class", "pair"), seen);
   if (picture.foot)
-    content += element("h3", "", "The foot that slides most") +
-               element("p", attribute("class", "muted"),
-                       "Path of the foot over the floor during one contact: original in grey, "
-                       "compressed dark.") +
-               element("div", attribute("class", "pair"), feet);
+    content +=
+        element("h3", "", say("The foot that slides most")) +
+        paragraph(say("Path of the foot over the floor during one contact: original in grey, "
+                      "compressed dark.")) +
+        element("div", attribute("class", "pair"), feet);
   return element("section", "", content);
 }
 
 }  // namespace
 
 std::string report_html(const Results& results, const std::vector<Picture>& pictures,
-                        std::span<const std::byte> viewer) {
+                        const ReportLanguage& say, std::span<const std::byte> viewer) {
   const ReportStamp stamp = report_stamp();
-  std::string body = element("header", "",
-                             element("h1", "", "Compression study") + paragraph(subtitle(results)) +
-                                 paragraph(escaped(stamp.program + ", " + stamp.time)));
+  std::string body =
+      element("header", "",
+              element("h1", "", say("Compression study")) + paragraph(subtitle(say, results)) +
+                  paragraph(escaped(stamp.program + ", " + stamp.time)));
   if (!results.clips().empty()) {
-    body += tiles(results) + recommendation(results) + curves_section(results);
-    if (are_reviewed(pictures)) body += review_section(viewer);
-    for (const Picture& picture : pictures) body += picture_section(picture);
-    body += section("Size at equal error", size_table(results));
-    body += section("Time of the annealing", time_table(results));
-    body += section("Feet held by inverse kinematics", held_feet_table(results));
-    body += section("Sliding feet", footskate_table(results));
-    body += section("Rotation errors", angle_table(results));
-    body += clips_section(results);
+    body += tiles(say, results) + recommendation(say, results) + curves_section(say, results);
+    if (are_reviewed(pictures))
+      body += element("script", "", say_script(say, {review_texts()})) + review_section(viewer);
+    for (const Picture& picture : pictures) body += picture_section(say, picture);
+    body += section(say("Size at equal error"), size_table(say, results));
+    body += section(say("Time of the annealing"), time_table(say, results));
+    body += section(say("Feet held by inverse kinematics"), held_feet_table(say, results));
+    body += section(say("Sliding feet"), footskate_table(say, results));
+    body += section(say("Rotation errors"), angle_table(say, results));
+    body += clips_section(say, results);
   }
-  body += section("Missed targets", failure_table(results));
+  body += section(say("Missed targets"), failure_table(say, results));
   if (!results.clips().empty())
-    body += section("How clips were measured", measuring_notes(results));
+    body += section(say("How clips were measured"), measuring_notes(say, results));
   return "<!DOCTYPE html>\n" +
-         element("html", attribute("lang", "en"),
+         element("html", attribute("lang", say.code),
                  "<head><meta charset=\"utf-8\"/><meta name=\"viewport\" "
                  "content=\"width=device-width, initial-scale=1\"/>" +
-                     element("title", "", "Compression study") +
+                     element("title", "", say("Compression study")) +
                      element("style", "", kReportStyle) + "</head>" +
                      element("body", "", element("main", "", body))) +
          "\n";

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/report/picture.h"
+#include "core/report/report_language.h"
 #include "core/report/review_viewer.h"
 #include "core/study/results.h"
 
@@ -16,6 +17,7 @@ namespace mocapress {
 /// poses. With the viewer, the pictured clips turn and play. Equal rows and pictures make an equal
 /// page.
 std::string report_html(const Results& results, const std::vector<Picture>& pictures,
+                        const ReportLanguage& say = {},
                         std::span<const std::byte> viewer = review_viewer());
 
 }  // namespace mocapress

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/utf8_path.h"
+#include "core/codec/methods/compression_method.h"
 #include "core/report/markup.h"
 #include "core/study/plan.h"
 #include "core/study/published_figures.h"
@@ -162,17 +163,17 @@ std::optional<Target> nearest_target(const Results& results, Target::Kind kind, 
 }
 
 /// The total path, a contact's mean and largest path, and the largest drift.
-std::string slide_cell(const Measurement& measured) {
+std::string slide_cell(const ReportLanguage& say, const Measurement& measured) {
   std::string text = fixed(*measured.footskate_cm, 1) + " cm";
   if (measured.slide)
     text += element("small", "",
                     " (" + fixed(measured.slide->mean_cm, 2) + ", " +
-                        fixed(measured.slide->worst_cm, 2) + "; drift " +
-                        fixed(measured.slide->drift_worst_cm, 2) + ")");
+                        fixed(measured.slide->worst_cm, 2) + "; " +
+                        say("drift %1", {fixed(measured.slide->drift_worst_cm, 2)}) + ")");
   return cell(text);
 }
 
-std::string footskate_at(const Results& results, const Target& target) {
+std::string footskate_at(const ReportLanguage& say, const Results& results, const Target& target) {
   const auto measured = [&](const StudiedClip& clip, const Series& series) {
     const StudyRow* row = results.row(clip, series, target);
     return row && row->measured->footskate_cm ? &*row->measured : nullptr;
@@ -181,8 +182,8 @@ std::string footskate_at(const Results& results, const Target& target) {
     return std::any_of(results.clips().begin(), results.clips().end(),
                        [&](const StudiedClip& clip) { return measured(clip, one) != nullptr; });
   });
-  std::string heads = head("Clip", attribute("class", "name")) + head("contacts");
-  for (const Series* one : series) heads += head(escaped(one->title));
+  std::string heads = head(say("Clip"), attribute("class", "name")) + head(say("contacts"));
+  for (const Series* one : series) heads += head(escaped(title_of(say, *one)));
   std::string body;
   std::map<const Series*, double> sums;
   int all_contacts = 0;
@@ -195,25 +196,30 @@ std::string footskate_at(const Results& results, const Target& target) {
     std::string cells = row_head(clip.title) + cell(std::to_string(any->measured->contacts));
     for (const Series* one : series) {
       const Measurement* slid = measured(clip, *one);
-      cells += slid ? slide_cell(*slid) : cell(kNothing);
+      cells += slid ? slide_cell(say, *slid) : cell(kNothing);
       sums[one] += slid ? *slid->footskate_cm : std::nan("");
     }
     body += line(cells);
   }
   if (all_contacts == 0) return "";
-  std::string cells = row_head("mean of a contact") + cell(std::to_string(all_contacts));
+  std::string cells = row_head(say("mean of a contact")) + cell(std::to_string(all_contacts));
   for (const Series* one : series)
     cells += cell(std::isnan(sums[one]) ? kNothing : fixed(sums[one] / all_contacts, 2) + " cm");
   body += line(cells, attribute("class", "sum"));
   const bool paper_ratio = target.kind == Target::Kind::CoefficientRatio;
   return element("h3", "",
-                 paper_ratio
-                     ? "At the paper&#8217;s coefficient ratio r = " + format_shortest(target.value)
-                     : "At the compression ratio " + format_shortest(target.value) + ":1") +
+                 say(paper_ratio ? "At the paper's coefficient ratio r = %1"
+                                 : "At the compression ratio %1:1",
+                     {format_shortest(target.value)})) +
          table(line(heads), body);
 }
 
 }  // namespace
+
+std::string title_of(const ReportLanguage& say, const Series& series) {
+  const std::string method(method_title(series.method));
+  return say(method) + series.title.substr(method.size());
+}
 
 double headline_eps_cm(const Results& results) {
   double best = kPublishedInvisibleEpsCm;
@@ -233,9 +239,9 @@ double headline_eps_cm(const Results& results) {
   return best;
 }
 
-std::string mean_size_table(const Results& results) {
-  std::string heads = head("&#949;<sub>x</sub>");
-  for (const Series& series : results.series()) heads += head(escaped(series.title));
+std::string mean_size_table(const ReportLanguage& say, const Results& results) {
+  std::string heads = head(kEpsX);
+  for (const Series& series : results.series()) heads += head(escaped(title_of(say, series)));
   std::string body;
   const int clips = static_cast<int>(results.clips().size());
   for (const double eps_cm : common_errors(results)) {
@@ -255,15 +261,15 @@ std::string mean_size_table(const Results& results) {
       if (mean && mean->clips == clips)
         cells += cell(ratio_text(mean->ratio), all && mean->ratio == best ? "best" : "");
       else
-        cells += cell(element(
-            "small", "",
-            std::to_string(mean ? mean->clips : 0) + " of " + std::to_string(clips) + " clips"));
+        cells += cell(element("small", "",
+                              say("%1 of %2 clips", {std::to_string(mean ? mean->clips : 0),
+                                                     std::to_string(clips)})));
     body += line(cells);
   }
   return body.empty() ? "" : table(line(heads), body);
 }
 
-std::string size_table(const Results& results) {
+std::string size_table(const ReportLanguage& say, const Results& results) {
   auto series = series_with(results, [](const Series& s) {
     return s.method == "pca" || s.method == "standard" || s.method == "annealed";
   });
@@ -272,33 +278,34 @@ std::string size_table(const Results& results) {
   if (clips.empty() || series.empty()) return "";
   const bool with_paper = clips.front()->published != nullptr;
   std::string groups = head("", attribute("rowspan", "2")) +
-                       head("&#949;<sub>x</sub>, cm", attribute("rowspan", "2"));
+                       head(kEpsX + std::string(", cm"), attribute("rowspan", "2"));
   std::string heads;
   for (const Series* one : series) {
     const bool beside = with_paper && !one->ik_ratio;
-    groups += group(escaped(one->title), beside ? 2 : 1);
-    heads += head("KB (ratio)");
-    if (beside) heads += head("paper", attribute("class", "paper"));
+    groups += group(escaped(title_of(say, *one)), beside ? 2 : 1);
+    heads += head(say("KB (ratio)"));
+    if (beside) heads += head(say("paper"), attribute("class", "paper"));
   }
   std::string body;
   for (const StudiedClip* clip : clips) body += size_lines(results, *clip, series, with_paper);
   return table(line(groups) + line(heads), body);
 }
 
-std::string time_table(const Results& results) {
+std::string time_table(const ReportLanguage& say, const Results& results) {
   const Series* annealed = results.find_series("annealed");
   const auto ratios = timed_ratios(results);
   const auto clips = shown_clips(results, 2);
   if (!annealed || ratios.empty() || clips.empty()) return "";
-  std::string groups = head("Ratio", attribute("rowspan", "2"));
+  std::string groups = head(say("Ratio"), attribute("rowspan", "2"));
   std::string heads;
   for (const StudiedClip* clip : clips) {
-    groups += group(escaped(clip_head(*clip)) + ", " + std::to_string(clip->frames) + " frames",
-                    clip->published ? 4 : 2);
-    heads += head("ms a frame") + head("iterations");
+    groups +=
+        group(escaped(clip_head(*clip)) + ", " + say("%1 frames", {std::to_string(clip->frames)}),
+              clip->published ? 4 : 2);
+    heads += head(say("ms a frame")) + head(say("iterations"));
     if (clip->published)
-      heads += head("paper: ms", attribute("class", "paper")) +
-               head("iterations", attribute("class", "paper"));
+      heads += head(say("paper: ms"), attribute("class", "paper")) +
+               head(say("iterations"), attribute("class", "paper"));
   }
   std::string body;
   for (const double ratio : ratios) {
@@ -311,31 +318,32 @@ std::string time_table(const Results& results) {
   return table(line(groups) + line(heads), body);
 }
 
-std::string footskate_table(const Results& results) {
+std::string footskate_table(const ReportLanguage& say, const Results& results) {
   std::string tables;
   for (const Target::Kind kind : {Target::Kind::CoefficientRatio, Target::Kind::Ratio})
     if (const auto target = nearest_target(
             results, kind, kPublishedVideoRatio,
             [](const StudyRow& row) { return row.measured->footskate_cm.has_value(); }))
-      tables += footskate_at(results, *target);
+      tables += footskate_at(say, results, *target);
   return tables.empty()
              ? ""
              : element("p", attribute("class", "muted"),
-                       "Horizontal path of the feet during contacts, beyond the original&#8217;s; "
-                       "in brackets the mean contact and the worst contact. Contacts are detected "
-                       "in the original; clips without contacts are not listed.") +
+                       say("Horizontal path of the feet during contacts, beyond the original's; in "
+                           "brackets the mean contact and the worst contact. Contacts are detected "
+                           "in the original; clips without contacts are not listed.")) +
                    tables;
 }
 
-std::string clip_table(const Results& results) {
+std::string clip_table(const ReportLanguage& say, const Results& results) {
   const double eps_cm = headline_eps_cm(results);
-  std::string heads = head("Clip", attribute("class", "name")) + head("frames") + head("seconds");
-  for (const Series& series : results.series()) heads += head(escaped(series.title));
+  std::string heads =
+      head(say("Clip"), attribute("class", "name")) + head(say("frames")) + head(say("seconds"));
+  for (const Series& series : results.series()) heads += head(escaped(title_of(say, series)));
   const bool reviewed =
       std::any_of(results.clips().begin(), results.clips().end(),
                   [](const StudiedClip& clip) { return clip.review != ClipReview(); });
   const auto left = attribute("class", "name");
-  if (reviewed) heads += head("verdict", left) + head("note", left);
+  if (reviewed) heads += head(say("verdict"), left) + head(say("note"), left);
   std::string body;
   for (const StudiedClip& clip : results.clips()) {
     std::string cells = row_head(clip_head(clip)) + cell(std::to_string(clip.frames)) +
@@ -346,14 +354,14 @@ std::string clip_table(const Results& results) {
                          : std::string(kNothing));
     }
     if (reviewed)
-      cells += cell(escaped(name(clip.review.verdict)), "name") +
+      cells += cell(say(std::string(name(clip.review.verdict))), "name") +
                cell(escaped(clip.review.note), "wrap");
     body += line(cells);
   }
   return body.empty()
              ? ""
              : element("p", attribute("class", "muted"),
-                       "Compression ratio at &#949;<sub>x</sub> = " + eps_text(eps_cm) + ".") +
+                       say("Compression ratio at %1.", {kEpsX + (" = " + eps_text(eps_cm))})) +
                    table(line(heads), body);
 }
 
@@ -369,7 +377,7 @@ std::optional<Target> angle_target(const Results& results) {
 std::string angle_target_text(const Target& target) {
   return target.kind == Target::Kind::Ratio
              ? format_shortest(target.value) + ":1"
-             : "&#949;<sub>x</sub> = " + format_shortest(target.value) + " cm";
+             : kEpsX + (" = " + format_shortest(target.value)) + " cm";
 }
 
 std::string degrees_text(const std::optional<double>& value) {
@@ -389,11 +397,11 @@ std::string angle_cell(const BodyFigures& body) {
 
 }  // namespace
 
-std::string angle_table(const Results& results) {
+std::string angle_table(const ReportLanguage& say, const Results& results) {
   const auto target = angle_target(results);
   if (!target) return "";
-  std::string heads = head("Clip", attribute("class", "name"));
-  for (const Series& series : results.series()) heads += head(escaped(series.title));
+  std::string heads = head(say("Clip"), attribute("class", "name"));
+  for (const Series& series : results.series()) heads += head(escaped(title_of(say, series)));
   std::string body;
   for (const StudiedClip& clip : results.clips()) {
     std::string cells = row_head(clip.title);
@@ -404,10 +412,10 @@ std::string angle_table(const Results& results) {
     body += line(cells);
   }
   return element("p", attribute("class", "muted"),
-                 "Angle between a joint&#8217;s world-space rotation and the original&#8217;s, "
-                 "root mean square over frames and joints; in brackets that of the head and of the "
-                 "worse hand, if they are recognised by their names. Measured at " +
-                     angle_target_text(*target) + ".") +
+                 say("Angle between a joint's world-space rotation and the original's, root mean "
+                     "square over frames and joints; in brackets that of the head and of the worse "
+                     "hand, if they are recognised by their names. Measured at %1.",
+                     {angle_target_text(*target)})) +
          table(line(heads), body);
 }
 
@@ -453,18 +461,18 @@ std::string line_of(const StudiedClip& clip, const Pair& pair, Weighting weighti
 
 }  // namespace
 
-std::string held_feet_table(const Results& results) {
+std::string held_feet_table(const ReportLanguage& say, const Results& results) {
   const Series* held = held_series(results);
   const auto target =
       nearest_target(results, Target::Kind::Ratio, kShownRatio,
                      [](const StudyRow& row) { return row.ik_ratio().has_value(); });
   if (!held || !target) return "";
   const std::string groups = head("") + head("") +
-                             group("&#949;<sub>x</sub> (cm) without, with IK", 3) +
-                             group("footskate (cm) without, with IK", 3) + head("");
-  const std::string heads = head("Clip", attribute("class", "name")) + head("ratio") +
-                            head("without") + head("with") + head("") + head("without") +
-                            head("with") + head("") + head("knee");
+                             group(say("%1 (cm) without, with IK", {kEpsX}), 3) +
+                             group(say("footskate (cm) without, with IK"), 3) + head("");
+  const std::string heads = head(say("Clip"), attribute("class", "name")) + head(say("ratio")) +
+                            head(say("without")) + head(say("with")) + head("") +
+                            head(say("without")) + head(say("with")) + head("") + head(say("knee"));
   std::string body;
   for (const StudiedClip& clip : results.clips()) {
     const Pair pair = pair_of(results, clip, *held, *target);
@@ -473,9 +481,9 @@ std::string held_feet_table(const Results& results) {
   }
   if (body.empty()) return "";
   return element("p", attribute("class", "muted"),
-                 "Clips with and without IK have the same compression ratio, so bytes of the "
-                 "correction are missing elsewhere. Knee: its highest speed, divided by that of "
-                 "the original.") +
+                 say("Clips with and without IK have the same compression ratio, so bytes of the "
+                     "correction are missing elsewhere. Knee: its highest speed, divided by that "
+                     "of the original.")) +
          table(line(groups) + line(heads), body);
 }
 
@@ -496,35 +504,35 @@ std::string joined(const std::vector<std::string>& words) {
 
 }  // namespace
 
-std::string failure_table(const Results& results) {
+std::string failure_table(const ReportLanguage& say, const Results& results) {
   std::map<std::pair<std::string, std::string>, Failure> failures;  // by clip and method
   for (const StudyRow& row : results.rows()) {
     if (row.reached()) continue;
     const bool unread = row.fingerprint.empty();
-    Failure& failure = failures[{row.clip, unread ? "every method" : row.settings.method}];
+    Failure& failure = failures[{row.clip, unread ? say("every method") : row.settings.method}];
     if (row.measured) {
-      failure.steps.push_back(target_text(row.settings.target) + " gave " +
-                              ratio_text(row.measured->ratio));
+      failure.steps.push_back(say(
+          "%1 gave %2", {say(target_text(row.settings.target)), ratio_text(row.measured->ratio)}));
       continue;
     }
-    if (!unread) failure.targets.push_back(target_text(row.settings.target));
+    if (!unread) failure.targets.push_back(say(target_text(row.settings.target)));
     if (failure.why.empty()) failure.why = row.error;
   }
   std::string body;
   for (const auto& [of, failure] : failures)
     body += line(row_head(utf8(utf8_path(of.first).filename())) + cell(escaped(of.second), "name") +
-                 cell(joined(failure.targets), "wrap") + cell(escaped(failure.why), "wrap") +
+                 cell(joined(failure.targets), "wrap") + cell(escaped(say(failure.why)), "wrap") +
                  cell(joined(failure.steps), "wrap"));
   if (body.empty()) return "";
   const auto left = attribute("class", "name");
-  return element(
-      "details", "",
-      element(
-          "summary", "",
-          std::to_string(failures.size()) + " combinations of clip and method missed a target") +
-          table(line(head("Clip", left) + head("method", left) + head("missed target", left) +
-                     head("first reason", left) + head("nearest result", left)),
-                body));
+  return element("details", "",
+                 element("summary", "",
+                         say("%1 combinations of clip and method missed a target",
+                             {std::to_string(failures.size())})) +
+                     table(line(head(say("Clip"), left) + head(say("method"), left) +
+                                head(say("missed target"), left) + head(say("first reason"), left) +
+                                head(say("nearest result"), left)),
+                           body));
 }
 
 }  // namespace mocapress

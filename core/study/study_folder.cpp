@@ -121,12 +121,12 @@ StudyOutcome run_study_kept(const fs::path& folder, const StudyPlan& plan,
 
 std::optional<std::string> study_report(const StudyPlan& plan, const Results& results,
                                         const Observer<EncodeProgress>& observer,
-                                        Warnings* warnings) {
+                                        Warnings* warnings, const ReportLanguage& language) {
   Warnings unheard;
   const auto pictures =
       take_pictures(plan, results, observer, warnings == nullptr ? unheard : *warnings);
   if (!pictures) return std::nullopt;
-  return report_html(results, *pictures);
+  return report_html(results, *pictures, language);
 }
 
 StudyOutcome run_study_in(const fs::path& folder, const StudyPlan& plan,

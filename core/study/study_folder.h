@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/codec/encode/encoder.h"
+#include "core/report/report_language.h"
 #include "core/study/results.h"
 #include "core/study/run.h"
 
@@ -28,7 +29,8 @@ StudyOutcome run_study_kept(const std::filesystem::path& folder, const StudyPlan
 /// call, stopped it.
 std::optional<std::string> study_report(const StudyPlan& plan, const Results& results,
                                         const Observer<EncodeProgress>& observer = {},
-                                        Warnings* warnings = nullptr);
+                                        Warnings* warnings = nullptr,
+                                        const ReportLanguage& language = {});
 
 /// Runs run_study_kept() and, once all rows are there, writes the tables and the report. If the
 /// observer stops it before, those of an earlier run stay.

@@ -5,9 +5,7 @@
 
 #include <QCoreApplication>
 #include <QDir>
-#include <QFile>
 #include <QLocale>
-#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTranslator>
@@ -18,7 +16,6 @@
 #include "core/formats/motion_file.h"
 #include "tests/qt/patience.h"
 #include "tests/support/test_motion.h"
-#include "translations/languages.h"
 #include "widgets/models/library_model.h"
 #include "widgets/models/report_texts.h"
 
@@ -61,36 +58,6 @@ TEST(SignOffExport, WritesTheLibraryInEachFormat) {
   EXPECT_EQ(pdf.rfind("%PDF-", 0), 0u);
   EXPECT_NE(pdf.find("%%EOF"), pdf.npos);
   EXPECT_GT(pdf.size(), 5000u) << "its text is drawn";
-}
-
-/// The texts that a source passes to its ReportLanguage.
-QStringList saidIn(const QString& path) {
-  QFile file(QStringLiteral(MOCAPRESS_SOURCE_DIR "/%1").arg(path));
-  EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << qPrintable(path);
-  QString source = QString::fromUtf8(file.readAll());
-  source.remove(QRegularExpression(QStringLiteral(R"("\s*\n\s*")")));
-  static const QRegularExpression kSaid(QStringLiteral(R"re(\bsay\(\s*"((?:[^"\\]|\\.)*)")re"));
-  QStringList texts;
-  auto said = kSaid.globalMatch(source);
-  while (said.hasNext()) texts << said.next().captured(1);
-  return texts;
-}
-
-TEST(SignOffExport, HasItsTextsInEveryLanguage) {
-  QStringList texts = saidIn(QStringLiteral("core/report/sign_off.cpp"));
-  EXPECT_GT(texts.size(), 20);
-  texts << QStringLiteral("the clip's file changed") << QStringLiteral("the settings changed")
-        << QStringLiteral("the clip's file and the settings changed")
-        << QStringLiteral("it does not say which file and settings were reviewed")
-        << QStringLiteral("approved") << QStringLiteral("rejected");
-  for (const QString& language : shippedLanguages()) {
-    if (language == QLatin1String("en")) continue;
-    QTranslator translator;
-    ASSERT_TRUE(translator.load(QStringLiteral(":/i18n/mocapress_%1.qm").arg(language)));
-    for (const QString& text : texts)
-      EXPECT_FALSE(translator.translate("mocapress::Report", text.toUtf8()).isEmpty())
-          << qPrintable(language) << ": " << qPrintable(text);
-  }
 }
 
 TEST(SignOffExport, FollowsTheProgramsLanguage) {

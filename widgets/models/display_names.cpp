@@ -33,6 +33,10 @@ struct Methods {
 
 }  // namespace
 
+QString translatedMethod(const char* title) {
+  return Methods::tr(title);
+}
+
 QString methodTitle(std::string_view name) {
   return Methods::tr(std::string(method_title(name)).c_str());
 }

@@ -13,6 +13,9 @@
 
 namespace mocapress {
 
+/// A title from compression_methods() in the user's language; other texts stay as they are.
+QString translatedMethod(const char* title);
+
 /// The method's title from compression_methods() in the user's language, or the name itself for an
 /// unknown method.
 QString methodTitle(std::string_view name);

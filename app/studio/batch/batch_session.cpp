@@ -15,6 +15,7 @@
 #include "core/batch/queue_json.h"
 #include "core/batch/slurm_script.h"
 #include "core/formats/motion_file.h"
+#include "widgets/models/report_texts.h"
 #include "widgets/models/sentence.h"
 
 namespace mocapress {
@@ -377,7 +378,10 @@ void BatchSession::start() {
   worked_seconds_ = 0;
   clock_.start();
   setState(State::Running);
-  runner_.start({batch(), settings_.folder, {.overwrite = settings_.overwrite, .resumed = true}});
+  runner_.start(
+      {batch(),
+       settings_.folder,
+       {.overwrite = settings_.overwrite, .resumed = true, .language = reportLanguage()}});
 }
 
 void BatchSession::pause() {

@@ -18,6 +18,7 @@
 #include "core/motion/rig.h"
 #include "core/motion/surface_points.h"
 #include "widgets/models/library_model.h"
+#include "widgets/models/report_texts.h"
 
 namespace mocapress {
 namespace {
@@ -443,8 +444,9 @@ void Session::exportReview(const QString& path, const std::vector<std::string>& 
   const OriginalPtr original = document_.original();
   if (!decoded || !original) return;
   exporting_.start(
-      [=, tracks = document_.codedTracks(), limits = document_.options().limits](const Job&) {
-        saveReviewPage(path, *decoded, *original, tracks, limits, remarks);
+      [=, tracks = document_.codedTracks(), limits = document_.options().limits,
+       language = reportLanguage()](const Job&) {
+        saveReviewPage(path, *decoded, *original, tracks, limits, remarks, language);
         return path;
       },
       [this](const QString& written) { emit exported(written); },

@@ -8,6 +8,7 @@
 #include "app/studio/document/session.h"
 #include "app/studio/library/library.h"
 #include "core/report/verdict.h"
+#include "widgets/models/report_texts.h"
 
 namespace mocapress {
 
@@ -99,11 +100,12 @@ std::vector<std::string> Library::remarksOn(const QString& key) const {
   std::vector<std::string> remarks;
   for (const ProjectClip& clip : project_.clips) {
     if (clip.key() != key) continue;
-    remarks = {
-        verdict_text(clip.review, stale_reason(clip.review, clip.stamp.source, settingsHash(clip))),
-        clip.review.note};
+    const ReportLanguage say = reportLanguage();
+    remarks = {verdict_text(clip.review,
+                            stale_reason(clip.review, clip.stamp.source, settingsHash(clip)), say),
+               clip.review.note};
     for (const FrameNote& note : clip.review.notes)
-      remarks.push_back(note_text(note, staleNote(clip, note)));
+      remarks.push_back(note_text(note, staleNote(clip, note), say));
   }
   std::erase(remarks, "");
   return remarks;

@@ -10,6 +10,7 @@
 #include "core/formats/clip_files.h"
 #include "core/study/row.h"
 #include "core/study/study_folder.h"
+#include "widgets/models/report_texts.h"
 #include "widgets/models/sentence.h"
 
 namespace mocapress {
@@ -241,10 +242,12 @@ void StudySession::exportRows(const QString& path) {
 }
 
 void StudySession::exportReport(const QString& path) {
-  exportMade(path, [rows = reviewedRows(), plan = plan_](const Job& job) {
-    return study_report(plan, Results(rows),
-                        [&](const EncodeProgress&) { return !job.stopRequested(); });
-  });
+  exportMade(path,
+             [rows = reviewedRows(), plan = plan_, language = reportLanguage()](const Job& job) {
+               return study_report(
+                   plan, Results(rows), [&](const EncodeProgress&) { return !job.stopRequested(); },
+                   nullptr, language);
+             });
 }
 
 void StudySession::exportFile(const QString& path, const QByteArray& content) {

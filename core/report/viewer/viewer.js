@@ -8,7 +8,7 @@ import wasm from 'mocapress.wasm.gz';
 import { errorColour, findWorstFrames, measure } from './errors.js';
 import { Figure } from './figure.js';
 
-const modes = ['Overlay', 'Side by side', 'Wipe'];
+const modes = ['Overlay', 'Side by side', 'Wipe']; // passed to say()
 const grey = new THREE.Color(0x9aa3ad);
 const accent = new THREE.Color(0xd8543f);
 
@@ -68,11 +68,12 @@ class Viewer {
   #switches = [];  // show whether they are on
   #centre = new THREE.Vector3();
 
-  constructor(container) {
+  constructor(container, say) {
+    this.say = say;
     this.canvas = element('canvas', { tabIndex: 0 });
     this.strip = element('canvas', { className: 'strip', height: 44 });
     this.time = element('input', { type: 'range', min: 0, step: 1, value: 0 });
-    this.time.setAttribute('aria-label', 'Frame');
+    this.time.setAttribute('aria-label', say('Frame'));
     this.title = element('h2');
     this.facts = element('p', { className: 'muted' });
     this.status = element('p', { className: 'status' });
@@ -105,7 +106,7 @@ class Viewer {
     this.#play(false);
     this.title.textContent = name;
     this.facts.textContent = facts.join(' · ');
-    this.status.textContent = 'Loading';
+    this.status.textContent = this.say('Loading');
     [this.#original, this.#compressed] = await Promise.all([load(original), load(compressed)]);
     for (const figure of [this.before, this.after]) figure?.remove();
     const { points, positions } = this.#original; // both bodies have the shape of the original
@@ -136,10 +137,12 @@ class Viewer {
     this.before.colour(() => grey);
     this.after.colour((point) => (this.#colours ? errorColour(errors[point] / largest) : accent));
     this.before.setOpacity(this.#mode === 0 ? 0.35 : 1);
-    this.status.textContent =
-      `Frame ${whole} of ${this.#original.frames}, ${(whole / this.#original.sampleRate).toFixed(2)} s. ` +
-      `${this.#original.points[worst].name} is ${(100 * ofFrames[whole]).toFixed(3)} cm off. ` +
-      `The lightest colour is ${(100 * largest).toFixed(2)} cm.`;
+    const { frames, sampleRate, points } = this.#original;
+    this.status.textContent = [
+      this.say('Frame %1 of %2, %3 s.', whole + 1, frames, (whole / sampleRate).toFixed(2)),
+      this.say('%1 is %2 cm off.', points[worst].name, (100 * ofFrames[whole]).toFixed(3)),
+      this.say('The lightest colour is %1 cm.', (100 * largest).toFixed(2)),
+    ].join(' ');
     this.#drawStrip();
     for (const show of this.#switches) show();
     if (moved) this.controls.update();
@@ -160,7 +163,8 @@ class Viewer {
 
   #addButtons() {
     const add = (text, key, act, isOn) => {
-      const button = element('button', { textContent: text, title: `Key: ${key}`, onclick: act });
+      const title = this.say('Key: %1', key);
+      const button = element('button', { textContent: this.say(text), title, onclick: act });
       if (isOn) this.#switches.push(() => button.setAttribute('aria-pressed', isOn()));
       this.buttons.append(button);
     };
@@ -226,7 +230,7 @@ class Viewer {
 
   #play(playing) {
     this.#playing = playing;
-    this.buttons.firstChild.textContent = playing ? 'Pause' : 'Play';
+    this.buttons.firstChild.textContent = this.say(playing ? 'Pause' : 'Play');
     this.#before = performance.now();
     this.#ask();
   }
@@ -316,9 +320,9 @@ class Viewer {
 
 let viewer;
 
-/** Shows a clip in `container`: base64 of two .mcpr files, and facts about it. */
-export async function show(container, clip) {
-  if (viewer?.title.parentNode !== container) viewer = new Viewer(container);
+/** Shows a clip in `container`: base64 of two .mcpr files, facts about it, and say(), which translates the viewer. */
+export async function show(container, { say, ...clip }) {
+  if (viewer?.title.parentNode !== container) viewer = new Viewer(container, say);
   await viewer.show(clip);
   viewer.canvas.focus();
 }

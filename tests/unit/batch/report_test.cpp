@@ -54,7 +54,7 @@ TEST(BatchReport, CountsWhatIsReviewed) {
 TEST(BatchReport, NotesAreOneFieldOfItsTable) {
   EXPECT_THAT(csv_head(), HasSubstr(",notes,"));
   EXPECT_THAT(to_csv_line(noted_row()),
-              HasSubstr("\"frame 12, lfoot: slides <here> (ana, 2026-11-27); frame 40: pops\""));
+              HasSubstr("\"frame 13, lfoot: slides <here> (ana, 2026-11-27); frame 41: pops\""));
 }
 
 TEST(BatchReport, NotesAreStaleAndLinked) {

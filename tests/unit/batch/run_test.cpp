@@ -207,7 +207,7 @@ BatchRow seen_row(std::size_t index, double times_noticed) {
                   .sample_rate_hz = 60,
                   .ratio = 80,
                   .seen = Seen{times_noticed, 0.5,
-                               "velocity of rtoes at frame 65: 4.31 cm/s, noticed from 2.4 cm/s"}};
+                               "velocity of rtoes at frame 66: 4.31 cm/s, noticed from 2.4 cm/s"}};
   row.sights = {{"", std::string(300, '2')}, {"rtoes", std::string(300, '2')}};
   row.warnings = {row.output + ".bvh:" + std::to_string(index) + ": the unit is guessed"};
   return row;
@@ -248,7 +248,7 @@ TEST(BatchReport, ThousandsOfClipsAndTheLargestViewerStayBelowThreeMegabytes) {
   };
   const auto page = [&](std::span<const std::byte> viewer) {
     std::ostringstream out;
-    write_batch_html(out, rows, 0, {"Mocapress 1", "2026-11-26T14:05:00Z"}, viewer);
+    write_batch_html(out, rows, 0, {"Mocapress 1", "2026-11-26T14:05:00Z"}, {}, viewer);
     return out.str();
   };
   const std::vector<std::byte> viewer(kLargestViewer, std::byte{7});

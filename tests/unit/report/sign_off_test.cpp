@@ -58,7 +58,7 @@ TEST(SignOff, PageNamesWorstFramesNotesAndWhatIsStale) {
     const std::string page = sign_off_html(report(), medium);
     EXPECT_NE(page.find("Knights &lt;1&gt;"), page.npos);
     EXPECT_LT(page.find("3.5"), page.find("1.75")) << "the worst frame is first";
-    EXPECT_NE(page.find("60, 2.00 s"), page.npos);
+    EXPECT_NE(page.find("61, 2.00 s"), page.npos);
     EXPECT_NE(page.find("mocapress://open?clip=/m/walk.bvh&amp;frame=15&amp;joint=lfoot"),
               page.npos);
     EXPECT_NE(page.find("mocapress://open?clip=/m/moves.fbx&amp;take=Run&amp;frame=60"), page.npos);
@@ -70,9 +70,8 @@ TEST(SignOff, PageNamesWorstFramesNotesAndWhatIsStale) {
 
 TEST(SignOff, PageIsInTheLanguageOfItsReader) {
   SignOff loud = report();
-  loud.language = {.code = "fr", .translate = [](const std::string& english) {
-                     return "<" + english + ">";
-                   }};
+  loud.language = {.code = "fr",
+                   .translate = [](const std::string& english) { return "<" + english + ">"; }};
   const std::string page = sign_off_html(loud);
   EXPECT_NE(page.find("<html lang=\"fr\">"), page.npos);
   EXPECT_NE(page.find("&lt;1 of 3 reviewed: 1 approved, 0 rejected&gt;"), page.npos);
@@ -84,7 +83,7 @@ TEST(SignOff, PageIsInTheLanguageOfItsReader) {
 TEST(SignOff, TableHasARowAClipWithAllFields) {
   const std::string table = sign_off_csv(report());
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 4);
-  EXPECT_NE(table.find("\"frame 15, lfoot: slides, a bit (stale: the settings changed)\""),
+  EXPECT_NE(table.find("\"frame 16, lfoot: slides, a bit (stale: the settings changed)\""),
             table.npos);
   EXPECT_NE(table.find("/m/idle.bvh,,,,,,,,,,,,,,,is damaged,,mocapress://open?clip=/m/idle.bvh,"),
             table.npos);

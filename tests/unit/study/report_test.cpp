@@ -107,7 +107,7 @@ TEST(Results, IkMakesASeriesOfItsOwn) {
   const Results results(rows);
   ASSERT_EQ(results.series().size(), 3u);
   EXPECT_THAT(results.series()[2].title, HasSubstr("IK 16:1"));
-  EXPECT_THAT(footskate_table(results), HasSubstr("IK 16:1"));
+  EXPECT_THAT(footskate_table({}, results), HasSubstr("IK 16:1"));
 }
 
 TEST(ReportTables, SetFeetHeldAgainstTheSameSizeWithout) {
@@ -120,10 +120,10 @@ TEST(ReportTables, SetFeetHeldAgainstTheSameSizeWithout) {
   with.measured->footskate_cm = 1;
   with.measured->knee_speed_ratio = 1.05;
   with.settings.correction = CorrectionSettings{.ratio = 16};
-  EXPECT_EQ(held_feet_table(Results(rows)), "");
+  EXPECT_EQ(held_feet_table({}, Results(rows)), "");
   rows.push_back(without);
   rows.push_back(with);
-  const std::string table = held_feet_table(Results(rows));
+  const std::string table = held_feet_table({}, Results(rows));
   EXPECT_THAT(table, HasSubstr("-90 %"));
   EXPECT_THAT(table, HasSubstr("1.05 x"));
 }
@@ -135,7 +135,7 @@ TEST(ReportTables, TellOfSlidingAContactBesideTheTotal) {
     row.measured->footskate_cm = 10;
     row.measured->slide = {2.5, 7.25};
   }
-  const std::string table = footskate_table(Results(rows));
+  const std::string table = footskate_table({}, Results(rows));
   EXPECT_THAT(table, HasSubstr("10.0 cm<small> (2.50, 7.25; drift 0.00)</small>"));
 }
 
@@ -145,7 +145,7 @@ TEST(ReportTables, TellByHowManyDegreesJointsHeadAndHandsAreTurned) {
     row.measured->body.angle_rms_degrees = row.settings.target.value / 10;
     row.measured->body.hand = PartTurn{7.25, 9};
   }
-  const std::string table = angle_table(Results(rows));
+  const std::string table = angle_table({}, Results(rows));
   EXPECT_THAT(table, HasSubstr("Measured at 40:1"));  // of 10 and 40, the nearer to the paper's 30
   EXPECT_THAT(table, HasSubstr("<td>4.00&#176;<small> (&#8211;, 7.25&#176;)</small></td>"));
   EXPECT_THAT(report_html(Results(rows), {}), HasSubstr(table));
@@ -153,16 +153,16 @@ TEST(ReportTables, TellByHowManyDegreesJointsHeadAndHandsAreTurned) {
 
 TEST(ReportTables, CarryVerdictsAndNotesWhereThereAreAny) {
   auto rows = known_rows();
-  EXPECT_THAT(clip_table(Results(rows)), Not(HasSubstr("verdict")));
+  EXPECT_THAT(clip_table({}, Results(rows)), Not(HasSubstr("verdict")));
   for (StudyRow& row : rows)
     if (row.clip.starts_with("b/")) row.review = {Verdict::Rejected, "the left <foot>"};
-  const std::string table = clip_table(Results(rows));
+  const std::string table = clip_table({}, Results(rows));
   EXPECT_THAT(table, HasSubstr(">rejected</td>"));
   EXPECT_THAT(table, HasSubstr("the left &lt;foot&gt;"));
 }
 
 TEST(ReportTables, PutThePapersFiguresBesideTheMeasuredOnes) {
-  const std::string sizes = size_table(Results(known_rows()));
+  const std::string sizes = size_table({}, Results(known_rows()));
   EXPECT_THAT(sizes, HasSubstr("Running (09_01)"));
   EXPECT_THAT(sizes, HasSubstr("1.24 (29:1)"));  // the paper's, at 0.58 cm
   // 0.58 cm lies at 29:1 of the known curve: 35.8 KB / 29.
@@ -174,7 +174,7 @@ TEST(ReportTables, TimeIsAFrameAndBesideThePapers) {
   rows[0].settings.target.value = 30;
   rows[0].measured->iterations = 321;
   rows[0].measured->encode_seconds = 0.148;
-  const std::string times = time_table(Results(rows));
+  const std::string times = time_table({}, Results(rows));
   EXPECT_THAT(times, HasSubstr("<td>1.00</td><td>321</td>"));
   EXPECT_THAT(times, HasSubstr("254"));
   EXPECT_THAT(times, HasSubstr("496"));
@@ -183,10 +183,11 @@ TEST(ReportTables, TimeIsAFrameAndBesideThePapers) {
 TEST(ReportTables, AreEmptyWithoutAnythingToShow) {
   const Results nothing(
       {StudyRow{.clip = "x.bvh", .settings = {.method = "pca"}, .error = "not there"}});
-  for (const auto& table : {mean_size_table(nothing), size_table(nothing), time_table(nothing),
-                            footskate_table(nothing), clip_table(nothing), angle_table(nothing)})
+  for (const auto& table :
+       {mean_size_table({}, nothing), size_table({}, nothing), time_table({}, nothing),
+        footskate_table({}, nothing), clip_table({}, nothing), angle_table({}, nothing)})
     EXPECT_EQ(table, "");
-  EXPECT_THAT(failure_table(nothing), HasSubstr("not there"));
+  EXPECT_THAT(failure_table({}, nothing), HasSubstr("not there"));
 }
 
 TEST(Report, IsWellFormedAndNeedsNothingElse) {
@@ -260,7 +261,7 @@ TEST(Report, ShowsTheWorstFrameOfTheFirstMethod) {
   EXPECT_EQ(imbalance(html), "");
   EXPECT_EQ(test::misfit(html), "");
   EXPECT_THAT(html, Not(HasSubstr("nan ")));
-  EXPECT_THAT(html, HasSubstr("frame " + std::to_string(picture->worst.frame)));
+  EXPECT_THAT(html, HasSubstr("frame " + std::to_string(picture->worst.frame + 1) + ","));
   EXPECT_FALSE(picture->methods[1].sights.empty());
   EXPECT_THAT(html, HasSubstr("Annealed wavelets: visible errors over time"));
 }
@@ -273,7 +274,7 @@ TEST(Report, ShowsAPicturedClipInTheViewerWhereThePageHasIt) {
   const std::string name = review_name(*picture, "standard");
   picture->methods[0].review = "mocapressReview(\"" + name + "\", \"Zm9v\", \"Zg==\");";
   constexpr std::byte kViewer[] = {std::byte{'f'}, std::byte{'o'}, std::byte{'o'}};
-  const std::string with = report_html(Results(known_rows()), {*picture}, kViewer);
+  const std::string with = report_html(Results(known_rows()), {*picture}, {}, kViewer);
   EXPECT_EQ(test::misfit(with), "");
   const auto viewer = with.find("<script id=\"viewer\" type=\"text/plain\">Zm9v</script>");
   const auto script = with.find(picture->methods[0].review);
@@ -282,7 +283,7 @@ TEST(Report, ShowsAPicturedClipInTheViewerWhereThePageHasIt) {
   EXPECT_LT(script, button);
   EXPECT_NE(button, std::string::npos);
   picture->methods[0].review = "";
-  EXPECT_THAT(report_html(Results(known_rows()), {*picture}, kViewer),
+  EXPECT_THAT(report_html(Results(known_rows()), {*picture}, {}, kViewer),
               Not(HasSubstr("id=\"viewer\"")));
 }
 

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#include "core/report/report_phrases.h"
+
+#include "core/base/number_text.h"
+
+namespace mocapress {
+
+std::string sight_phrase(const ReportLanguage& say, Sight sight) {
+  return say(sight == Sight::NotVisible ? "not visible" : std::string(name(sight)));
+}
+
+std::string sight_phrase(const ReportLanguage& say, Sight sight, double distance_m) {
+  return say("%1 from %2 m", {sight_phrase(say, sight), significant_text(distance_m, 3)});
+}
+
+std::string limits_phrase(const ReportLanguage& say, const SightLimits& limits) {
+  constexpr std::string_view kOwn = "own limits: ";
+  const std::string text = limits_text(limits);
+  return text.starts_with(kOwn) ? say("own limits: %1", {text.substr(kOwn.size())}) : say(text);
+}
+
+}  // namespace mocapress
