@@ -84,6 +84,13 @@ class ClipCount {
   std::uint64_t ik_bytes_ = 0;
 };
 
+/// Says what is in the bank just written.
+void describe_written(const std::string& path) {
+  const mcpk_bank bank = read_bank_head(utf8_path(path)).value_or(mcpk_bank{});
+  std::fprintf(stderr, "%s: %u clips, %llu bytes, %s\n", printable(path).c_str(), bank.clips,
+               static_cast<unsigned long long>(bank.bytes), name(bank.form).data());
+}
+
 /// Says that the bank just written is sound, or that it was not written.
 void tell_of(const std::string& path, bool is_whole, const ClipCount& count) {
   count.end();
@@ -91,9 +98,7 @@ void tell_of(const std::string& path, bool is_whole, const ClipCount& count) {
     std::fprintf(stderr, "Stopped after %s. Nothing was written.\n", count.text().c_str());
     throw EndedWith{128 + stop_signal};
   }
-  const mcpk_bank bank = read_bank_head(utf8_path(path)).value_or(mcpk_bank{});
-  std::fprintf(stderr, "%s: %u clips, %llu bytes, %s\n", printable(path).c_str(), bank.clips,
-               static_cast<unsigned long long>(bank.bytes), name(bank.form).data());
+  describe_written(path);
   if (count.ik_bytes() > 0)
     std::fprintf(stderr,
                  "IK corrections take %llu of the bytes that were cooked now. A larger --ik-error "
@@ -116,8 +121,8 @@ struct BankFilling {
     command.add_option("bank", bank, "A .mcpk file")->required()->type_name("BANK.mcpk");
     command
         .add_option("input", inputs,
-                    ".mcpr files, folders of them, or packed banks. If several inputs have a clip "
-                    "of one name, the first counts")
+                    ".mcpr files, folders of them, or packed banks. No two may give a clip of one "
+                    "name")
         ->required()
         ->type_name("INPUT...");
     command.add_option("--tag", tags, "Tag for all clips of INPUT; may be repeated")
@@ -147,12 +152,19 @@ struct BankFilling {
         ->check(CLI::Range(1, MCPR_MOST_DETAIL_BANDS));
   }
 
+  /// Throws CLI::ValidationError if the bank is packed, and an option is for cooked ones.
+  void require_use_of_options(bool make) const {
+    if (!no_ik && !ik_error && !detail_bands) return;
+    if (make ? cooked : BankFile(utf8_path(bank)).is_cooked()) return;
+    throw CLI::ValidationError(no_ik      ? "--no-ik"
+                               : ik_error ? "--ik-error"
+                                          : "--detail-bands",
+                               make ? "is for a cooked bank: give --cooked"
+                                    : "is for a cooked bank: " + printable(bank) + " is packed");
+  }
+
   void run(bool make) const {
-    if (make && !cooked && (no_ik || ik_error || detail_bands))
-      throw CLI::ValidationError(no_ik      ? "--no-ik"
-                                 : ik_error ? "--ik-error"
-                                            : "--detail-bands",
-                                 "is for a cooked bank: give --cooked");
+    require_use_of_options(make);
     BankOptions options;
     options.form = cooked ? runtime::BankForm::Cooked : runtime::BankForm::Packed;
     options.tags = tags;
@@ -213,9 +225,13 @@ void print_json(const BankFile& bank, const std::string& path) {
                        {"clips", skeleton.clips},
                        {"first_clip", bank.entry(skeleton.clip).name}});
   for (const auto& [key, value] : bank.texts()) texts[key] = value;
+  std::uint32_t present = 0;
+  const std::uint32_t tiers = mcpk_tiers(&bank.bank(), &present);
   const std::string around = dumped(Json{{"bank", path},
                                          {"form", name(bank.bank().form)},
                                          {"bytes", bank.bank().bytes},
+                                         {"tiers", tiers},
+                                         {"tiers_present", present},
                                          {"meta", texts},
                                          {"skeletons", of_bank},
                                          {"clips", Json::array()}},
@@ -241,8 +257,11 @@ void list_bank(const std::string& path, bool json) {
       const BankClip described = bank.describe(clip);
       std::string tags;
       for (const std::string& tag : described.tags) tags += "  " + printable(tag);
-      std::printf("%-32s %9llu bytes %7d frames at %s Hz, skeleton %u%s\n",
-                  printable(described.name).c_str(),
+      const std::string name = printable(described.name);
+      const auto inner_bytes =  // of letters of several bytes, which take one place
+          std::ranges::count_if(name, [](char byte) { return (byte & 0xC0) == 0x80; });
+      std::printf("%-*s %9llu bytes %7d frames at %s Hz, skeleton %u%s\n",
+                  32 + static_cast<int>(inner_bytes), name.c_str(),
                   static_cast<unsigned long long>(described.bytes), described.frames,
                   significant_text(described.sample_rate_hz, 6).c_str(), skeletons.of_clip[clip],
                   tags.c_str());
@@ -252,6 +271,9 @@ void list_bank(const std::string& path, bool json) {
                   skeletons.all[s].hash != 0 ? hash_text(skeletons.all[s].hash).c_str()
                                              : "no engine plays it",
                   bank.describe(skeletons.all[s].clip).joints, skeletons.all[s].clips);
+    std::uint32_t present = 0;
+    const std::uint32_t tiers = mcpk_tiers(&bank.bank(), &present);
+    if (tiers > 1) std::printf("tiers: %u of %u\n", present, tiers);
     return;
   }
   print_json(bank, path);
@@ -407,6 +429,7 @@ void add_bank(CLI::App& app) {
       ->capture_default_str();
   strip->callback([stripping] {
     strip_bank(utf8_path(stripping->bank), utf8_path(stripping->output), stripping->tiers);
+    describe_written(stripping->output);
   });
 
   struct Listing {

@@ -6,7 +6,9 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/terminal.h"
+#include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/file_identity.h"
 #include "core/base/utf8_path.h"
 #include "core/batch/batch_folder.h"
 #include "core/batch/batch_sign_off.h"
@@ -14,22 +16,40 @@
 namespace mocapress::cli {
 namespace {
 
+namespace fs = std::filesystem;
+
+/// Throws WriteError if the sign-off would take the place of a report of its batch.
+void refuse_report(const fs::path& file, const fs::path& batch) {
+  const fs::path folder = fs::absolute(file).parent_path();
+  const std::string name = utf8(file.filename());
+  if ((name.starts_with("report.") || name.starts_with("report-")) &&
+      identity_of(folder) == identity_of(batch))
+    throw WriteError(utf8(file) + ": is a report of the batch: not overwritten");
+}
+
 struct SignOffCall {
   std::string folder;
   std::string output;
   bool all_approved = false;
 
   void run() const {
-    const std::filesystem::path file = utf8_path(output);
+    const fs::path file = utf8_path(output);
+    const fs::path batch = utf8_path(folder);
     const bool is_table = file.extension() == ".csv";
     if (!is_table && file.extension() != ".html")
       throw CLI::ValidationError(output, "a sign-off is written as .html or .csv");
-    std::filesystem::path named = std::filesystem::absolute(utf8_path(folder)).lexically_normal();
+    fs::path named = fs::absolute(batch).lexically_normal();
     if (!named.has_filename()) named = named.parent_path();
     std::size_t unfinished = 0;
-    const SignOff report =
-        sign_off_of([&](const auto& visit) { unfinished = visit_rows(utf8_path(folder), visit); },
-                    utf8(named.filename()));
+    const std::string extension = utf8(file.extension());
+    const auto rows = [&](const auto& visit) {
+      unfinished = visit_rows(batch, [&](const BatchRow& row) {
+        refuse_source(file, {batch / utf8_path(row.output + extension)});
+        visit(row);
+      });
+    };
+    const SignOff report = sign_off_of(rows, utf8(named.filename()));
+    refuse_report(file, batch);
     write_text(file, is_table ? sign_off_csv(report) : sign_off_html(report));
     const SignOffCounts counts = count(report);
     std::printf("%zu clips: %zu approved, %zu rejected, %zu stale, %zu without a verdict\n",

@@ -154,6 +154,24 @@ TEST_F(CliBank, SaysWhatIkCorrectionsTake) {
   EXPECT_LT(usual, exact);
 }
 
+TEST_F(CliBank, SaysHowManyTiersAreLeft) {
+  const std::string clip = write("walk.bvh", test_bvh());
+  const std::string name = "h\xC3\xA9ros";
+  ASSERT_EQ(mocapress({"compress", clip, "--tiers", "3", "-o", file(name + ".mcpr")}).exit_code, 0);
+  ASSERT_EQ(mocapress({"bank", "make", file("b.mcpk"), file(name + ".mcpr")}).exit_code, 0);
+  const Outcome stripped =
+      mocapress({"bank", "strip", file("b.mcpk"), "--tiers", "2", "-o", file("s.mcpk")});
+  EXPECT_EQ(stripped.exit_code, 0);
+  EXPECT_THAT(stripped.err, HasSubstr("s.mcpk: 1 clips, "));
+  const std::string text = mocapress({"bank", "list", file("s.mcpk")}).out;
+  EXPECT_THAT(text, HasSubstr("tiers: 2 of 3\n"));
+  EXPECT_EQ(text.find(" bytes"), 43U) << "columns are as wide as letters, not as bytes: " << text;
+  const auto list =
+      nlohmann::json::parse(mocapress({"bank", "list", file("s.mcpk"), "--json"}).out);
+  EXPECT_EQ(list["tiers"], 3);
+  EXPECT_EQ(list["tiers_present"], 2);
+}
+
 TEST_F(CliBank, RemovesClips) {
   compress_two();
   const std::string bank = file("b.mcpk");
@@ -198,6 +216,14 @@ TEST_F(CliBank, SaysWhatIsWrong) {
   const Outcome packed = mocapress({"bank", "make", file("p.mcpk"), file("clips"), "--no-ik"});
   EXPECT_EQ(packed.exit_code, 2);
   EXPECT_THAT(packed.err, HasSubstr("is for a cooked bank"));
+  const Outcome added =
+      mocapress({"bank", "add", file("b.mcpk"), file("clips"), "--detail-bands", "2"});
+  EXPECT_EQ(added.exit_code, 2);
+  EXPECT_THAT(added.err, HasSubstr("b.mcpk is packed"));
+  ASSERT_EQ(mocapress({"bank", "make", file("c.mcpk"), file("clips"), "--cooked"}).exit_code, 0);
+  EXPECT_EQ(
+      mocapress({"bank", "add", file("c.mcpk"), file("clips"), "--detail-bands", "2"}).exit_code,
+      0);
   const Outcome twice = mocapress(
       {"bank", "make", file("b.mcpk"), file("clips/walk.mcpr"), file("clips/slow/walk.mcpr")});
   EXPECT_EQ(twice.exit_code, 3);

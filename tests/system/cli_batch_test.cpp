@@ -241,6 +241,24 @@ TEST_F(CliBatch, SignsOffWhatAProjectsReviewersSaid) {
   EXPECT_EQ(mocapress({"signoff", file("nowhere"), "-o", file("a.csv")}).exit_code, 3);
 }
 
+TEST_F(CliBatch, ASignOffReplacesNoFileOfItsBatch) {
+  write_clips(1);
+  mocapress(batch("out", {"--target-error", "1", "--format", "mcpr,csv"}));
+  for (const std::string name :
+       {"report.csv", "report.html", "report-1-of-2.csv", "in/clip_100.csv"}) {
+    const std::string own = file("out/" + name);
+    const bool was_there = std::filesystem::exists(own);
+    const std::string before = was_there ? read_text(own) : "";
+    const Outcome refused = mocapress({"signoff", file("out"), "-o", own});
+    EXPECT_EQ(refused.exit_code, 5) << name;
+    EXPECT_THAT(refused.err, HasSubstr("not overwritten"));
+    EXPECT_EQ(std::filesystem::exists(own), was_there);
+    if (was_there) EXPECT_EQ(read_text(own), before);
+  }
+  EXPECT_EQ(mocapress({"signoff", file("out"), "-o", file("out/sign-off.csv")}).exit_code, 0);
+  EXPECT_EQ(mocapress({"signoff", file("out"), "-o", file("out/sign-off.csv")}).exit_code, 0);
+}
+
 TEST_F(CliBatch, DoesAProjectOfTheStudio) {
   write_clips(2);
   const std::string project = write("hero.mocapress", R"({"format": "mocapress-project",

@@ -82,7 +82,8 @@ class Shared {
     std::vector<float> poses(kCharacters * values);
     std::vector<mcpr_character> characters;
     for (std::size_t i = 0; i < kCharacters; ++i)
-      characters.push_back({.clip = clip, .time = 0.21 * i, .out = poses.data() + i * values});
+      characters.push_back(
+          {.clip = clip, .time = 0.21 * static_cast<double>(i), .out = poses.data() + i * values});
     const AlignedBytes scratch(mcpr_crowd_scratch_bytes());
     mcpr_sample_crowd(&request, characters.data(), kCharacters, scratch.data(), scratch.size(),
                       nullptr);
