@@ -43,13 +43,13 @@ function element(name, properties = {}, ...children) {
 }
 
 /** A grid of metres. Each of its lines is a metre long: software renderers drop lines that begin behind the camera. */
-function floorOf(reach) {
+function floorOf(reach, color) {
   const ends = [];
   for (let a = -reach; a <= reach; ++a)
     for (let b = -reach; b < reach; ++b) ends.push(a, 0, b, a, 0, b + 1, b, 0, a, b + 1, 0, a);
   const lines = new THREE.BufferGeometry();
   lines.setAttribute('position', new THREE.Float32BufferAttribute(ends, 3));
-  return new THREE.LineSegments(lines, new THREE.LineBasicMaterial({ color: 0xbac0c5 }));
+  return new THREE.LineSegments(lines, new THREE.LineBasicMaterial({ color }));
 }
 
 class Viewer {
@@ -87,11 +87,11 @@ class Viewer {
     this.controls.addEventListener('change', () => this.#ask());
     this.scene = new THREE.Scene();
     const isDark = matchMedia('(prefers-color-scheme: dark)').matches;
-    this.scene.background = new THREE.Color(isDark ? 0x1b1e22 : 0xeceef0);
+    this.scene.background = new THREE.Color(isDark ? 0x34393f : 0xeceef0); // the darkest error colour is told from it
     this.scene.add(new THREE.HemisphereLight(0xffffff, 0x8a8378, 2.2));
     const sun = new THREE.DirectionalLight(0xffffff, 1.8);
     sun.position.set(3, 6, 4);
-    this.floor = floorOf(20);
+    this.floor = floorOf(20, isDark ? 0x555b63 : 0xbac0c5);
     this.scene.add(sun, this.floor);
 
     this.#addButtons();
