@@ -102,8 +102,8 @@ struct Ended {
   WindowState state;
 };
 
-Ended showFirst(const LaunchOptions& options) {
-  MainWindow window;
+Ended showFirst(Work& work, const LaunchOptions& options) {
+  MainWindow window(&work);
   window.trace().setWriting(options.trace);
   if (!options.screenshot.isEmpty()) screenshotAndQuit(window, options.screenshot);
   EncodeSettings encode = window.session().document().options();
@@ -129,14 +129,12 @@ Ended showFirst(const LaunchOptions& options) {
   return {code, window.state()};
 }
 
-/// Opens the project of the window before, as it was shown, in the language chosen since.
-Ended showAgain(const WindowState& before) {
-  MainWindow window;
+/// Shows the same in the language chosen since.
+Ended showAgain(Work& work, const WindowState& before) {
+  MainWindow window(&work);
   window.takeOver(before);
   receiveLinks(window);
   window.show();
-  if (!window.library().begin(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)))
-    window.files().openFirst();
   const int code = QApplication::exec();
   return {code, window.state()};
 }
@@ -152,10 +150,11 @@ int run(int argc, char** argv) {
   const LaunchOptions options = parseLaunchOptions(application);
   const bool is_link = options.files.size() == 1 && ClipLinks::isLink(options.files.front());
   if (is_link && options.screenshot.isEmpty() && handOver(options.files.front())) return 0;
-  Ended ended = showFirst(options);
+  Work work;
+  Ended ended = showFirst(work, options);
   while (ended.code == kOtherLanguage) {
     setLanguage(application);
-    ended = showAgain(ended.state);
+    ended = showAgain(work, ended.state);
   }
   return ended.code;
 }

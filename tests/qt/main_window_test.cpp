@@ -33,6 +33,7 @@
 #include "core/formats/motion_file.h"
 #include "tests/qt/patience.h"
 #include "tests/support/test_motion.h"
+#include "widgets/models/library_tree.h"
 #include "widgets/panels/compression_panel.h"
 #include "widgets/panels/correction_control.h"
 #include "widgets/panels/joints_panel.h"
@@ -517,11 +518,13 @@ TEST_F(StudioWithoutAScreen, CommandsThatWorkOnAClipAreGreyWithoutOne) {
     EXPECT_TRUE(action->isEnabled()) << qPrintable(action->text());
 }
 
-TEST_F(StudioWithoutAScreen, AWindowInAnotherLanguageTakesOverRangeSlotsAndView) {
+TEST_F(StudioWithoutAScreen, AWindowInAnotherLanguageShowsTheSameWorkWithItsHistories) {
   settleAfter([&] { window_.files().open(clip("walk.bvh")); });
-  Tuning tuning = document_.tuning();
-  tuning.both[1].encode.target = {Target::Kind::Ratio, 30};
-  window_.session().recallTuning(tuning);
+  EncodeSettings options = document_.options();
+  options.target = {Target::Kind::Ratio, 30};
+  settleAfter([&] { window_.session().setOptions(options); });
+  window_.work().pinned.pinCurrent();
+  window_.library().setVerdict({0}, Verdict::Approved);
   window_.playback().setRange(std::pair(10, 20));
   window_.playback().seek(15);
   window_.actions().view.mode[1]->trigger();
@@ -529,20 +532,28 @@ TEST_F(StudioWithoutAScreen, AWindowInAnotherLanguageTakesOverRangeSlotsAndView)
   window_.actions().view.follow->trigger();
   window_.actions().view.side->trigger();
   document_.setCurrentJoint(3);
-  MainWindow next;
+  MainWindow next(&window_.work());
   next.takeOver(window_.state());
   next.show();
-  next.files().open(clip("walk.bvh"));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return next.playback().frame() == 15; }, kPatience));
+  EXPECT_EQ(next.playback().frame(), 15);
   EXPECT_EQ(next.playback().range(), (std::pair(10, 20)));
-  EXPECT_EQ(next.session().document().tuning().both[1].encode.target.value, 30);
+  EXPECT_EQ(next.libraryPanel().view()->currentIndex(),
+            next.libraryPanel().tree()->indexOf(next.library().currentRow()));
+  EXPECT_EQ(next.views().compression->target()->number()->value(), 30);
+  EXPECT_EQ(next.views().viewport->pinned().size(), 1u);
   EXPECT_EQ(next.views().viewport->options(), window_.views().viewport->options());
   EXPECT_TRUE(next.actions().view.mode[1]->isChecked());
   EXPECT_TRUE(next.actions().view.in_place->isChecked());
   EXPECT_FALSE(next.actions().view.follow->isChecked());
-  EXPECT_EQ(next.session().document().currentJoint(), 3);
   EXPECT_FLOAT_EQ(next.views().viewport->cameraPlace().azimuth,
                   window_.views().viewport->cameraPlace().azimuth);
+  // The library's step, then the clip's: the pin and the target.
+  next.library().history()->undo();
+  EXPECT_EQ(next.library().project().clips[0].review.verdict, Verdict::None);
+  next.session().history()->undo();
+  EXPECT_TRUE(next.views().viewport->pinned().empty());
+  next.session().history()->undo();
+  EXPECT_NE(document_.options().target.value, 30);
 }
 
 TEST_F(StudioWithoutAScreen, AClickOnWhatIsSeenGoesThereAndSelectsTheJoint) {

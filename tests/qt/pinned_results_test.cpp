@@ -29,6 +29,7 @@ EncodeSettings standardAt(double ratio) {
 class Pinning : public testing::Test {
  protected:
   Pinning() {
+    results_.showIn(&panel_, &viewport_);
     session_.setOptions(standardAt(10));
     open("walk.bvh", 1);
   }
@@ -55,7 +56,7 @@ class Pinning : public testing::Test {
   PinnedModel model_;
   PinnedPanel panel_{&model_};
   Viewport viewport_;
-  PinnedResults results_{&session_, &model_, &panel_, &viewport_};
+  PinnedResults results_{&session_, &model_};
 };
 
 TEST_F(Pinning, AResultStaysAsItWasWhileOthersAreTried) {

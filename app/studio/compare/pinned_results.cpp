@@ -47,6 +47,9 @@ PinnedResults::PinnedResults(Session* session, PinnedModel* model, QObject* pare
     : QObject(parent), session_(session), model_(model) {
   const Document* document = &session->document();
   connect(document, &Document::clipChanged, this, [this] {
+    const OriginalPtr& clip = session_->document().original();
+    if (clip && clip == clip_) return show();
+    clip_ = clip;
     pins_.clear();
     engine_.abandon();
     final_ = false;
@@ -59,10 +62,15 @@ PinnedResults::PinnedResults(Session* session, PinnedModel* model, QObject* pare
   connect(document, &Document::optionsChanged, this, [this] {
     if (!pins_.empty()) show();  // the weighting may have changed
   });
+  connect(model, &PinnedModel::nameEdited, this, &PinnedResults::rename);
+}
+
+void PinnedResults::showIn(PinnedPanel* panel, Viewport* viewport) {
+  panel_ = panel;
+  viewport_ = viewport;
   connect(panel, &PinnedPanel::pinRequested, this, &PinnedResults::pinCurrent);
   connect(panel, &PinnedPanel::unpinRequested, this, &PinnedResults::unpin);
   connect(panel, &PinnedPanel::makeCurrentRequested, this, &PinnedResults::makeCurrent);
-  connect(model, &PinnedModel::nameEdited, this, &PinnedResults::rename);
 }
 
 bool PinnedResults::canPin() const {
@@ -246,12 +254,12 @@ void PinnedResults::show() {
     entries.push_back(std::move(entry));
   }
   model_->setEntries(std::move(entries));
-  viewport_->setPinned(std::move(figures));
+  if (viewport_) viewport_->setPinned(std::move(figures));
   showWhetherToPin();
 }
 
 void PinnedResults::showWhetherToPin() {
-  panel_->setCanPin(canPin());
+  if (panel_) panel_->setCanPin(canPin());
   emit canPinChanged(canPin());
 }
 

@@ -3,6 +3,7 @@
 
 #include <QColor>
 #include <QObject>
+#include <QPointer>
 #include <deque>
 #include <functional>
 #include <vector>
@@ -24,8 +25,10 @@ class PinnedResults : public QObject {
   Q_OBJECT
 
  public:
-  PinnedResults(Session* session, PinnedModel* model, PinnedPanel* panel, Viewport* viewport,
-                QObject* parent = nullptr);
+  PinnedResults(Session* session, PinnedModel* model, QObject* parent = nullptr);
+
+  /// Shows them in the views of a window, in place of those of a window before.
+  void showIn(PinnedPanel* panel, Viewport* viewport);
 
   /// True if the current result is final, measured and not pinned yet, and there is room for it.
   bool canPin() const;
@@ -76,9 +79,10 @@ class PinnedResults : public QObject {
 
   Session* session_;
   PinnedModel* model_;
-  PinnedPanel* panel_;
-  Viewport* viewport_;
+  QPointer<PinnedPanel> panel_;
+  QPointer<Viewport> viewport_;
   Memory memory_;
+  OriginalPtr clip_;  // that they are of
   std::vector<Result> pins_;
   std::deque<Pin> unmade_;  // pins still to be encoded
   JobRunner making_{Workers::LongRunning};

@@ -47,9 +47,13 @@ Presenter::Presenter(Session* session, Playback* playback, const Models& models,
       error_display_(error_display) {
   connectDocument();
   connectViews();
-  showOptions();
-  showDecoded();
-  showShown();
+  if (session->document().skeleton()) {
+    showClip();
+  } else {
+    showOptions();
+    showDecoded();
+    showShown();
+  }
 }
 
 void Presenter::connectDocument() {

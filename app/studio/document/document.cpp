@@ -143,6 +143,17 @@ void Document::setClip(OriginalPtr original, DecodedPtr decoded, const QString& 
   emit titleChanged();
 }
 
+void Document::announce() {
+  emit clipChanged();
+  emit skinChanged();
+  emit optionsChanged();
+  emit decodedChanged();
+  emit shownChanged();
+  emit curvesChanged();
+  emit currentJointChanged();
+  emit titleChanged();
+}
+
 /// Leaves a weighting by skin that the clip no longer has.
 void Document::leaveMissingSkin() {
   if (!skeleton() || skeleton()->skin()) return;

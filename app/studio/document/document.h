@@ -141,6 +141,9 @@ class Document : public QObject {
   void setCurves(const CurveSelection& curves);
   void setCurrentJoint(int joint);
 
+  /// Emits all signals, for views that were made after the clip was opened.
+  void announce();
+
   /// Says that `decoded` has been saved to `path`.
   void setSaved(const DecodedPtr& decoded, const QString& path);
 

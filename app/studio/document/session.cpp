@@ -350,9 +350,10 @@ void Session::copyToOtherSlot() {
   changeTuning(document_.tuning(), tuning);
 }
 
-void Session::recallTuning(const Tuning& tuning) {
-  document_.loadTuning(tuning);
+void Session::announce() {
+  document_.announce();
   emit slotsChanged();
+  if (document_.decoded() && document_.final() && !busy()) emit settled();
 }
 
 void Session::apply(const Tuning& tuning) {

@@ -43,6 +43,9 @@ class Session : public QObject {
   void open(const QString& path, const QString& skeleton = {},
             const std::optional<ReadOptions>& reading = {});
 
+  /// Emits the signals that tell of the open clip, for views that were made after it.
+  void announce();
+
   /// Closes the clip and abandons one that is being opened.
   void closeClip();
 
@@ -96,9 +99,6 @@ class Session : public QObject {
   /// Switches between the document's settings A and B.
   void switchSlot();
   void copyToOtherSlot();
-
-  /// Sets A and B of the open clip as a window before had them; not a step of the history.
-  void recallTuning(const Tuning& tuning);
 
   /// Figures of a slot's last answer; unset: unknown.
   std::optional<SlotFigures> slotFigures(int slot) const;

@@ -5,6 +5,7 @@
 #include <QSet>
 #include <algorithm>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 #include "app/jobs/open_clip.h"
@@ -83,6 +84,16 @@ void Library::enter() {
   checkFiles();
   session_->recallCharacters(project_.characters);
   if (const int row = currentRow(); row >= 0) openClip(row);
+}
+
+void Library::announce() {
+  std::vector<int> rows(project_.clips.size());
+  std::iota(rows.begin(), rows.end(), 0);
+  showRows(rows);
+  emit currentChanged();
+  emit projectChanged();
+  const auto is_compared = [](const ProjectClip& clip) { return clip.earlier.has_value(); };
+  if (std::any_of(project_.clips.begin(), project_.clips.end(), is_compared)) emit compared();
 }
 
 void Library::add(const QStringList& paths) {

@@ -35,6 +35,9 @@ class Library : public KeptProject {
  public:
   Library(Session* session, LibraryModel* model, QObject* parent = nullptr);
 
+  /// Shows all rows again, in the language of today, and emits the signals that tell of the list.
+  void announce();
+
   /// History of the list and its reviews; changes to a clip are in its document's history.
   QUndoStack* history() { return &history_; }
 

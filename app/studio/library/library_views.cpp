@@ -57,7 +57,7 @@ LibraryViews::LibraryViews(Session* session, Library* library, LibraryPanel* pan
   connect(library, &Library::entered, panel, [panel] { panel->showComparison(false); });
   connect(panel, &LibraryPanel::findMissingRequested, this, &LibraryViews::findMissing);
   // Files change mostly while the user is in another program.
-  connect(qApp, &QGuiApplication::applicationStateChanged, library,
+  connect(qApp, &QGuiApplication::applicationStateChanged, this,
           [library](Qt::ApplicationState state) {
             if (state == Qt::ApplicationActive) library->checkFiles();
           });

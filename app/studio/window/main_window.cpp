@@ -59,6 +59,7 @@ Leaving::Leaving(Session* session, ClipFiles* files, Library* library, ProjectFi
       window_(window) {}
 
 bool Leaving::mayClose() {
+  if (returns_) return true;
   if (!may_lose_clip_ && session_->document().modified()) {
     files_->leave([this] {
       may_lose_clip_ = true;
@@ -83,7 +84,7 @@ constexpr QSize kFirstSize(1440, 900);
 
 }  // namespace
 
-MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
+MainWindow::MainWindow(Work* work) : work_(work ? work : new Work(this)) {
   setWindowIcon(QIcon(QStringLiteral(":/icons/app.svg")));
   qApp->installEventFilter(new ShortcutsFirst(this));
   resize(kFirstSize);
@@ -94,10 +95,9 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   actions_.in_degrees = error_display_->inDegrees();
   actions_.as_seen = error_display_->asSeen();
   const Models models{new JointErrorModel(this), new SlideModel(this)};
-  auto* pinned_model = new PinnedModel(this);
   auto* byte_model = new ByteCostModel(this);
-  panels_ = makePanels(this, &layout_, {models, clips_, pinned_model, byte_model}, playback_,
-                       actions_.transport);
+  panels_ = makePanels(this, &layout_, {models, clips_, &work_->pinned_model, byte_model},
+                       playback_, actions_.transport);
   undo->setLibraryPanel(panels_.library);
   recent_ = addMenus(this, actions_, layout_.docks());
   layout_.restore(panels_.views.viewport);
@@ -108,11 +108,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
       new LibraryViews(session_, library_, panels_.library, panels_.slot_control, this);
   library_views_->offer(presets_);
   library_views_->offer(panels_.library_plot);
-  presets_->setHistory([this] { return session_->history(); });
   preset_views_ = new PresetViews(session_, presets_, panels_.views.compression->presets(), this);
-  pinned_ = new PinnedResults(session_, pinned_model, panels_.pinned, panels_.views.viewport, this);
-  pinned_->setMemory([this](const QString& path) { return library_->pinsOf(path); });
-  connect(pinned_, &PinnedResults::edited, library_, &Library::setPins);
+  pinned_->showIn(panels_.pinned, panels_.views.viewport);
   inspector_ = new Inspector(session_, playback_, panels_.inspection, error_display_, this);
   new ByteView(session_, playback_, panels_.inspection.timeline->bytes(), byte_model, panels_.bytes,
                this);
@@ -217,6 +214,7 @@ void MainWindow::connectEditActions() {
   const Views& views = panels_.views;
   connect(actions_.switch_slot, &QAction::triggered, session_, &Session::switchSlot);
   connect(actions_.copy_slot, &QAction::triggered, session_, &Session::copyToOtherSlot);
+  actions_.without_ik->setChecked(session_->document().uncorrected());
   connect(actions_.without_ik, &QAction::toggled, &session_->document(), &Document::setUncorrected);
   connect(actions_.hold_feet, &QAction::triggered, views.compression->correction()->hold(),
           &QCheckBox::toggle);
@@ -225,7 +223,7 @@ void MainWindow::connectEditActions() {
   connect(pinned_, &PinnedResults::failed, panels_.messages,
           [this](const QString& message) { panels_.messages->showError(message); });
   connect(pinned_, &PinnedResults::canPinChanged, actions_.pin, &QAction::setEnabled);
-  actions_.pin->setEnabled(false);
+  actions_.pin->setEnabled(pinned_->canPin());
   connect(actions_.next_review, &QAction::triggered, library_views_,
           &LibraryViews::showNextToReview);
   connect(actions_.approve, &QAction::triggered, library_views_,
@@ -315,12 +313,11 @@ void MainWindow::addContextMenus() {
   panels_.views.joints->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
-/// Closes the window; main() makes another one, which opens the project where it was left.
+/// Closes the window; main() makes another one, which shows the same work.
 void MainWindow::changeLanguage(const QString& code) {
   if (code == chosenLanguage()) return;
   chooseLanguage(code);
-  const bool comes_back = !session_->document().skeleton() || library_->currentRow() >= 0;
-  if (tools_->busy() || !comes_back || library_->stuck())
+  if (tools_->busy())
     return notices_->say(tr("The language changes when Mocapress is started again."));
   changes_language_ = true;
   leaving_->expectReturn();
@@ -394,30 +391,17 @@ void MainWindow::updateCommands() {
 
 WindowState MainWindow::state() const {
   const Viewport& view = *panels_.views.viewport;
-  return {session_->openKey(),
-          playback_->frame(),
-          playback_->range(),
-          session_->document().tuning(),
-          view.options(),
-          actions_.view.follow->isChecked(),
-          view.framesByItself() ? std::nullopt : std::optional(view.cameraPlace()),
-          session_->document().currentJoint()};
+  return {playback_->frame(), playback_->range(), view.options(), actions_.view.follow->isChecked(),
+          view.framesByItself() ? std::nullopt : std::optional(view.cameraPlace())};
 }
 
 void MainWindow::takeOver(const WindowState& state) {
-  const auto take_over = [this, state] {
-    showOptions(actions_.view, panels_.views.viewport, state.view);
-    actions_.view.follow->setChecked(state.follows);
-    if (session_->openKey() != state.clip) return;
-    session_->recallTuning(state.tuning);
-    playback_->setRange(state.range);
-    playback_->seek(state.frame);
-    session_->document().setCurrentJoint(state.joint);
-    if (state.camera) panels_.views.viewport->setCameraPlace(*state.camera);
-  };
-  // Others answer the signal first: the library remembers the clip's settings.
-  connect(session_, &Session::opened, this, take_over,
-          static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
+  work_->announce();
+  showOptions(actions_.view, panels_.views.viewport, state.view);
+  actions_.view.follow->setChecked(state.follows);
+  playback_->setRange(state.range);
+  playback_->seek(state.frame);
+  if (state.camera) panels_.views.viewport->setCameraPlace(*state.camera);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -17,6 +17,7 @@
 #include "app/studio/window/panels.h"
 #include "app/studio/window/theme.h"
 #include "app/studio/window/window_state.h"
+#include "app/studio/window/work.h"
 #include "widgets/models/library_model.h"
 #include "widgets/timeline/playback.h"
 
@@ -52,8 +53,8 @@ class Leaving : public QObject {
   /// it.
   bool mayClose();
 
-  /// The window is made anew with the same project: its current clip loses nothing.
-  void expectReturn() { may_lose_clip_ = true; }
+  /// Another window will show the same work: nothing is left.
+  void expectReturn() { returns_ = true; }
 
  private:
   Session* session_;
@@ -61,6 +62,7 @@ class Leaving : public QObject {
   Library* library_;
   ProjectFiles* projects_;
   QWidget* window_;
+  bool returns_ = false;
   bool may_lose_clip_ = false;
   bool may_lose_project_ = false;  // the project cannot be written, and the user quits regardless
 };
@@ -70,8 +72,10 @@ class MainWindow : public QMainWindow {
   Q_OBJECT
 
  public:
-  explicit MainWindow(QWidget* parent = nullptr);
+  /// Shows this work, which must outlive the window; null: work of its own.
+  explicit MainWindow(Work* work = nullptr);
 
+  Work& work() { return *work_; }
   Session& session() { return *session_; }
   Playback& playback() { return *playback_; }
   ClipFiles& files() { return *files_; }
@@ -89,10 +93,10 @@ class MainWindow : public QMainWindow {
   Trace& trace() { return *trace_; }
   ViewPictures& pictures() { return *pictures_; }
 
-  /// State that a window in another language takes over.
+  /// What a window in another language takes over, beside the work.
   WindowState state() const;
 
-  /// Takes it over once the clip is open that it belongs to.
+  /// Shows the work as far as it has come, as the window before did.
   void takeOver(const WindowState& state);
 
   /// See IncomingFiles::open().
@@ -115,11 +119,12 @@ class MainWindow : public QMainWindow {
   void updateCommands();
 
   // Children instead of members: they must outlive the widgets' hide events in ~QWidget().
-  Session* session_ = new Session(this);
+  Work* work_;
+  Session* session_ = &work_->session;
   Playback* playback_ = new Playback(Playback::steadyClock(), this);
-  LibraryModel* clips_ = new LibraryModel(this);
-  Library* library_ = new Library(session_, clips_, this);
-  PresetShelf* presets_ = new PresetShelf(PresetShelf::usualFile(), this);
+  LibraryModel* clips_ = &work_->clips;
+  Library* library_ = &work_->library;
+  PresetShelf* presets_ = &work_->presets;
   ClipFiles* files_ = new ClipFiles(session_, this);
   ProjectFiles* projects_ = new ProjectFiles(library_, this);
   WindowLayout layout_{this};
@@ -135,7 +140,7 @@ class MainWindow : public QMainWindow {
   ClipLinks* links_;
   SignOffExport* sign_off_;
   PresetViews* preset_views_;
-  PinnedResults* pinned_;
+  PinnedResults* pinned_ = &work_->pinned;
   Trace* trace_;
   Notices* notices_;
   IncomingFiles* incoming_;

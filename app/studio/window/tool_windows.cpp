@@ -128,7 +128,11 @@ bool ToolWindows::busy() const {
 
 void ToolWindows::close() {
   if (study_) study_->close();
-  if (batch_) batch_->close();
+  if (batch_) {
+    batch_->session()->rememberNow();
+    library_->setLeaveCheck({});  // the library may outlive the window
+    batch_->close();
+  }
   if (blind_test_) blind_test_->close();
 }
 

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+#include "app/studio/compare/pinned_results.h"
+#include "app/studio/document/preset_shelf.h"
+#include "app/studio/document/session.h"
+#include "app/studio/library/library.h"
+#include "widgets/models/library_model.h"
+#include "widgets/models/pinned_model.h"
+
+namespace mocapress {
+
+/// What the user works on, with its undo histories. A window shows it; the window that replaces it
+/// in another language shows the same.
+class Work : public QObject {
+ public:
+  explicit Work(QObject* parent = nullptr) : QObject(parent) {
+    presets.setHistory([this] { return session.history(); });
+    pinned.setMemory([this](const QString& clip) { return library.pinsOf(clip); });
+    connect(&pinned, &PinnedResults::edited, &library, &Library::setPins);
+  }
+
+  /// Emits all signals that tell of changes, for a window that was made after them.
+  void announce() {
+    library.announce();
+    session.announce();
+  }
+
+  Session session{this};
+  LibraryModel clips{this};
+  Library library{&session, &clips, this};
+  PresetShelf presets{PresetShelf::usualFile(), this};
+  PinnedModel pinned_model{this};
+  PinnedResults pinned{&session, &pinned_model, this};
+};
+
+}  // namespace mocapress
