@@ -36,11 +36,14 @@ const page = {
     const mocapress = await createMocapress(module ? new URL(module, location) : undefined);
     const clip = mocapress.openClip(await bytesOf(url));
     const poses = seconds.flatMap((second) => [...clip.sample(second)]);
-    const count = 100000;
     const timed = (instant) => {
-      const start = performance.now();
-      for (let i = 0; i < count; ++i) clip.sample(instant(i));
-      return ((performance.now() - start) * 1000) / count;
+      let least = Infinity; // of many rounds, for other programs may run
+      for (let round = 0; round < 100; ++round) {
+        const start = performance.now();
+        for (let i = 0; i < 1200; ++i) clip.sample(instant(i));
+        least = Math.min(least, ((performance.now() - start) * 1000) / 1200);
+      }
+      return least;
     };
     return {
       poses,

@@ -293,7 +293,8 @@ class Viewer {
       if (this.#playing) {
         const next = this.#frame + ((now - this.#before) / 1000) * this.#original.sampleRate;
         this.#before = now;
-        this.seek(next > this.#original.frames - 1 ? 0 : next);
+        const last = this.#original.frames - 1;
+        this.seek(next > last ? next % Math.max(last, 1) : next); // goes round, also where drawing is slow
       }
       this.#draw();
     });
