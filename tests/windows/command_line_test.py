@@ -12,6 +12,7 @@ import hashlib
 import json
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -25,6 +26,7 @@ CORPUS = sys.argv[5] if len(sys.argv) > 5 else None
 WINE = shutil.which("wine64")
 ANY_LETTERS = "動き 🕺 Łódź é"
 PATIENCE_S = 300
+os.environ["SOURCE_DATE_EPOCH"] = "1700000000"  # the date that both write into reports
 CLIPS = ["human_walk.amc", "human_jump.amc", "character.glb", "character.fbx"]
 FROM_CORPUS = ["study/02_01.amc", "study/86_01.amc", "gltf/character_meshopt.glb", "gltf/character_draco.glb"]
 
@@ -44,6 +46,19 @@ def windows(*words, **more):
 
 def linux(*words, **more):
     return run([LINUX, *map(str, words)], **more)
+
+
+def named_in_help(pattern, command, between=","):
+    """The names that Linux's help lists, so that none is forgotten here."""
+    text = " ".join(linux(command, "--help").stdout.decode().split())
+    return re.search(pattern, text)[1].split(between)
+
+
+def alike(text):
+    """Texts with measured figures as both programs must write them: figures to 12 digits, for functions such as hypot() of
+    the two C libraries differ in the last bit, and paths with slashes."""
+    text = text.replace("\\\\", "/").replace("\\", "/")
+    return re.sub(r"-?\d+\.\d+(e-?\d+)?", lambda number: f"{float(number[0]):.12g}", text)
 
 
 def hashes(folder, names=("*.mcpr", "*.mcpk", "*.csv", "*.bvh", "*.glb")):
@@ -88,6 +103,15 @@ class Program(unittest.TestCase):
 
 
 class SameBytes(CommandLine):
+    def setUp(self):
+        super().setUp()
+        # Both programs work in folders of their own, where files have the same relative names.
+        for name in ("windows", "linux"):
+            clips = self.folder / name / "in"
+            clips.mkdir(parents=True)
+            for sample in ("human.asf", *CLIPS):
+                shutil.copy(pathlib.Path(SAMPLES) / sample, clips)
+
     def sources(self):
         yield from (pathlib.Path(SAMPLES) / name for name in CLIPS)
         for name in FROM_CORPUS if CORPUS else []:
@@ -95,10 +119,28 @@ class SameBytes(CommandLine):
                 yield pathlib.Path(CORPUS) / name
 
     def both(self, *words):
-        """Runs both programs with an output of the same name in a folder each."""
-        for program, name in ((windows, "windows"), (linux, "linux")):
-            (self.folder / name).mkdir(exist_ok=True)
-            self.done(program(*words, cwd=self.folder / name))
+        """Runs both programs; what they say is returned."""
+        return [self.done(program(*words, cwd=self.folder / name))
+                for program, name in ((windows, "windows"), (linux, "linux"))]
+
+    def written(self, folder):
+        """The bytes of all files that were made, but journals, which have times, and reports as texts."""
+        made = {}
+        for file in (self.folder / folder).rglob("*.*"):
+            name = file.relative_to(self.folder / folder)
+            if name.parts[0] != "in" and file.is_file() and file.suffix != ".jsonl":
+                is_report = file.suffix == ".json" or file.stem == "report"
+                made[str(name)] = (
+                    alike(file.read_text("utf-8")) if is_report else hashlib.sha256(file.read_bytes()).hexdigest())
+        return made
+
+    def same_files(self, least):
+        of_windows, of_linux = self.written("windows"), self.written("linux")
+        self.assertEqual(sorted(of_windows), sorted(of_linux))
+        different = [name for name in of_linux if of_windows[name] != of_linux[name]]
+        print(f"{len(of_linux) - len(different)} of {len(of_linux)} files equal Linux's", file=sys.stderr)
+        self.assertEqual(different, [])
+        self.assertGreaterEqual(len(of_linux), least)
 
     def test_of_encoded_clips_and_of_what_is_decoded(self):
         compared = 0
@@ -110,25 +152,84 @@ class SameBytes(CommandLine):
                     self.both("decompress", f"{name}.mcpr", "-o", f"{name}.csv")
                     self.both("decompress", f"{name}.mcpr", "-o", f"{name}.glb")
                     compared += 1
-        of_windows, of_linux = hashes(self.folder / "windows"), hashes(self.folder / "linux")
-        different = [name for name in of_linux if of_windows.get(name) != of_linux[name]]
-        print(f"{len(of_linux) - len(different)} of {len(of_linux)} files equal Linux's", file=sys.stderr)
+        self.same_files(least=3 * compared)
         self.assertGreater(compared, 0)
-        self.assertEqual(different, [])
+
+    def test_of_every_method_and_option(self):
+        methods = named_in_help(r"--method \S*\{(.*?)\}", "compress")
+        self.assertIn("closed-loop", methods)
+        codings = named_in_help(r"--coding \S*:(\S+)", "compress", "|")
+        weightings = [name for name in named_in_help(r"--weighting \S*:(\S+)", "compress", "|") if name != "skin"]
+        choices = [["--method", method] for method in methods]
+        choices += [["--method", "standard", "--coding", coding] for coding in codings]
+        choices += [["--weighting", weighting] for weighting in weightings]
+        choices += [["--tiers", "3"], ["--ends", "exact"], ["--effort", "best"], ["--importance", "feet=4"],
+                    ["--importance-range", "10-60=5"], ["--additive", "in/human_walk.amc"], ["--ik", "20"],
+                    ["--method", "annealed", "--seed", "7", "--ik", "auto"]]
+        for number, options in enumerate(choices):
+            with self.subTest(options=options):
+                self.both("compress", "in/human_jump.amc", "--ratio", "25", *options, "-o", f"{number}.mcpr")
+        with self.subTest(options="a mesh"):
+            self.both("compress", "in/character.glb", "--weighting", "skin", "--target-error", "0.3", "-o", "skin.mcpr")
+        self.same_files(least=len(choices) + 1)
+
+    def test_of_batches_in_every_format_with_reports_and_banks(self):
+        presets = [preset.strip() for preset in named_in_help(r"Preset: (.*?), or a preset file", "batch")]
+        self.assertIn("gameplay", presets)
+        for number, preset in enumerate(presets):
+            with self.subTest(preset=preset):
+                self.both("batch", "in/human_walk.amc", "in/character.glb", "-o", preset, "--preset", preset, "--format",
+                          "mcpr,bvh,csv,glb,fbx", "--bank", ("packed", "cooked")[number % 2])
+        self.same_files(least=14 * len(presets))
+
+    def test_of_projects(self):
+        project = {"format": "mocapress-project", "version": 1, "clips": [
+            {"path": "in/human_walk.amc", "verdict": "approved", "reviewer": "ana", "settings": {
+                "name": "Mine", "target": {"kind": "error", "value": 0.5}}},
+            {"path": "in/human_jump.amc", "notes": [{"frame": 3, "text": "lands hard"}]}]}
+        for name in ("windows", "linux"):
+            (self.folder / name / "hero.mocapress").write_text(json.dumps(project))
+        self.both("batch", "hero.mocapress", "-o", "out")
+        self.assertIn(b"in\\human_walk.amc", (self.folder / "windows/out/report.csv").read_bytes())
+        self.same_files(least=5)
+        self.assertIn("in/human_jump.mcpr", hashes(self.folder / "windows/out"))
+
+    def test_of_what_is_measured(self):
+        self.both("compress", "in/human_walk.amc", "--ratio", "30", "--tiers", "2", "-o", "walk.mcpr")
+        self.both("contacts", "in/human_walk.amc", "-o", "walk.contacts.json")
+        for words in (["info", "walk.mcpr", "--bytes", "--json"], ["info", "in/character.fbx", "--json"],
+                      ["measure", "in/human_walk.amc", "walk.mcpr", "--json"],
+                      ["contacts", "in/human_walk.amc", "walk.mcpr", "--json"]):
+            with self.subTest(words=words):
+                of_windows, of_linux = map(alike, self.both(*words))
+                self.assertEqual(of_windows, of_linux)
+                self.assertGreater(len(of_linux), 100)
+        self.same_files(least=2)
 
     def test_of_what_linux_encoded_when_it_is_decoded(self):
         self.done(linux("compress", pathlib.Path(SAMPLES) / "human_walk.amc", "--ratio", "30", "-o",
                         self.folder / "walk.mcpr"))
-        for output in ("walk.csv", "walk.bvh", "walk.glb"):
+        outputs = ("walk.csv", "walk.bvh", "walk.amc", "walk.glb", "walk.fbx")
+        for output in outputs:
             self.both("decompress", self.folder / "walk.mcpr", "-o", output)
-        self.assertEqual(hashes(self.folder / "windows"), hashes(self.folder / "linux"))
+        self.same_files(least=len(outputs))
 
     def test_of_banks(self):
-        self.done(linux("compress", pathlib.Path(SAMPLES) / "human_walk.amc", "--ratio", "30", "-o",
-                        self.folder / "walk.mcpr"))
-        self.both("bank", "make", "packed.mcpk", self.folder / "walk.mcpr")
-        self.both("bank", "make", "cooked.mcpk", self.folder / "walk.mcpr", "--cooked")
-        self.assertEqual(hashes(self.folder / "windows"), hashes(self.folder / "linux"))
+        for name in ("walk", "jump"):
+            self.done(linux("compress", pathlib.Path(SAMPLES) / f"human_{name}.amc", "--ratio", "30", "--tiers", "2",
+                            "-o", self.folder / f"{name}.mcpr"))
+        walk, jump = self.folder / "walk.mcpr", self.folder / "jump.mcpr"
+        for bank, options in (("packed.mcpk", []), ("learned.mcpk", ["--learn"]), ("cooked.mcpk", ["--cooked"]),
+                              ("wide.mcpk", ["--cooked", "--detail-bands", "2"])):
+            self.both("bank", "make", bank, walk, *options, "--tag", "walks", "--meta", "by=ana")
+            self.both("bank", "add", bank, jump)
+            of_windows, of_linux = self.both("bank", "list", bank, "--json")
+            self.assertEqual(of_windows, of_linux)
+            self.both("bank", "verify", bank)
+        self.both("bank", "strip", "packed.mcpk", "-o", "coarse.mcpk")
+        self.both("bank", "extract", "packed.mcpk", "-o", "again")
+        self.both("bank", "remove", "cooked.mcpk", "walk")
+        self.same_files(least=7)
 
     def test_whatever_ends_the_lines(self):
         clip = self.clip()
@@ -218,6 +319,10 @@ class Names(CommandLine):
         self.assertEqual((self.folder / "a.mcpr").read_bytes(), (self.folder / "b.mcpr").read_bytes())
         self.done(windows("batch", "Q:\\walk.amc", "-o", "Q:\\", "--name", "made/{stem}"))
         self.assertTrue((self.folder / "made" / "walk.mcpr").exists())
+        self.done(windows("batch", "Q:\\", "-o", "Q:\\whole"))
+        self.assertEqual(list(hashes(self.folder / "whole", ["*.mcpr"])), ["walk.mcpr"])
+        self.done(windows("batch", "Q:/", "-o", "Q:\\whole", "--resume"))
+        self.done(windows("info", "Q:walk.amc", cwd=self.folder))
         self.refused(windows("compress", "Q:\\walk.amc", "--ratio", "30", "-o", "Q:\\"), 2)
         self.refused(windows("info", "X:\\none.bvh"), 3, "none.bvh")
 
@@ -259,6 +364,46 @@ class Files(CommandLine):
         with subprocess.Popen([WINE, HOLD_FILE, str(clip)], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as holder:
             self.assertEqual(holder.stdout.readline().strip(), b"held")
             self.done(windows("info", clip))
+
+    def test_of_a_batch_that_are_held_are_written_when_it_is_resumed(self):
+        clip, out = self.clip(), self.folder / "out"
+        self.done(windows("batch", clip, "-o", out))
+        report = (out / "report.csv").read_bytes()
+        made = hashes(out)
+        self.clip("jump.amc", "human_jump.amc")
+        with subprocess.Popen([WINE, HOLD_FILE, str(out / "report.csv")], stdin=subprocess.PIPE,
+                              stdout=subprocess.PIPE) as holder:
+            self.assertEqual(holder.stdout.readline().strip(), b"held")
+            self.refused(windows("batch", clip, self.folder / "jump.amc", "-o", out, "--resume"), 5,
+                         "report.csv", "is open in another program")
+        self.assertEqual((out / "report.csv").read_bytes(), report)
+        self.assertIn("jump.mcpr", hashes(out))
+        self.done(windows("batch", clip, self.folder / "jump.amc", "-o", out, "--resume"))
+        self.assertIn(b"jump.amc", (out / "report.csv").read_bytes())
+        self.assertEqual(hashes(out)["walk.mcpr"], made["walk.mcpr"])
+        self.leaves_nothing()
+
+    def test_of_banks_that_are_held_stay(self):
+        self.done(linux("compress", self.clip(), "--ratio", "30", "-o", self.folder / "walk.mcpr"))
+        bank = self.folder / "all.mcpk"
+        self.done(windows("bank", "make", bank, self.folder / "walk.mcpr"))
+        before = bank.read_bytes()
+        with subprocess.Popen([WINE, HOLD_FILE, str(bank)], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as holder:
+            self.assertEqual(holder.stdout.readline().strip(), b"held")
+            self.done(windows("bank", "verify", bank))
+            self.refused(windows("bank", "add", bank, self.folder / "walk.mcpr", "--tag", "new"), 5,
+                         "is open in another program")
+        self.assertEqual(bank.read_bytes(), before)
+        self.done(windows("bank", "add", bank, self.folder / "walk.mcpr", "--tag", "new"))
+        self.assertNotEqual(bank.read_bytes(), before)
+        self.leaves_nothing()
+
+    def test_that_are_read_only_can_be_read(self):
+        clip = self.clip()
+        for file in (clip, clip.with_suffix(".asf")):
+            file.chmod(0o444)
+        self.done(windows("compress", clip, "--ratio", "30", "-o", self.folder / "walk.mcpr"))
+        self.done(windows("decompress", self.folder / "walk.mcpr", "-o", self.folder / "again.bvh"))
 
     def test_that_are_read_only_stay(self):
         clip, mcpr = self.clip(), self.folder / "walk.mcpr"
