@@ -54,8 +54,11 @@ std::optional<double> gravity(const LibraryEntry& entry) {
   return -static_cast<double>(entry.since->changes.front());
 }
 
-QString signedText(double value, const QString& amount) {
-  return (value < 0 ? QStringLiteral("−") : QStringLiteral("+")) + amount;
+/// The amount with a sign; 0 where nobody would call it a change.
+template <typename Text>
+QString signedText(double value, double least, const Text& text) {
+  if (std::abs(value) < least) return text(0.0);
+  return (value < 0 ? QStringLiteral("−") : QStringLiteral("+")) + text(std::abs(value));
 }
 
 QString changesText(const LibraryEntry& entry) {
@@ -214,12 +217,14 @@ QString textOf(const LibraryEntry& entry, LibraryColumn column) {
       return entry.preset;
     case LibraryColumn::BytesSince: {
       const auto more = moreBytes(entry);
-      return more ? signedText(*more, Columns::tr("%1 %").arg(shownFigure(100 * std::abs(*more))))
-                  : QString();
+      const auto percent = [](double share) {
+        return Columns::tr("%1 %").arg(shown(100 * share, 1));
+      };
+      return more ? signedText(*more, 0.0005, percent) : QString();
     }
     case LibraryColumn::ErrorSince: {
       const auto more = moreError(entry);
-      return more ? signedText(*more, lengthText(std::abs(*more))) : QString();
+      return more ? signedText(*more, 0.001, lengthText) : QString();
     }
     case LibraryColumn::Since:
       return changesText(entry);
@@ -234,7 +239,7 @@ bool isNumber(LibraryColumn column) {
 }
 
 bool isOfComparison(LibraryColumn column) {
-  return column >= LibraryColumn::BytesSince;
+  return column >= LibraryColumn::Since;
 }
 
 QString displayName(ClipChange change) {

@@ -22,12 +22,12 @@ enum class LibraryColumn {
   Length,
   FromPreset,
   // Since the batch that is compared.
+  Since,
   BytesSince,
-  ErrorSince,
-  Since
+  ErrorSince
 };
 
-inline constexpr int kLibraryColumns = static_cast<int>(LibraryColumn::Since) + 1;
+inline constexpr int kLibraryColumns = static_cast<int>(LibraryColumn::ErrorSince) + 1;
 
 QString titleOf(LibraryColumn column);
 

@@ -395,7 +395,10 @@ void LibraryPanel::addOrders(QMenu* menu) {
 
 void LibraryPanel::showComparison(bool shown) {
   for (int column = 1; column < kLibraryColumns; ++column)
-    if (isOfComparison(static_cast<LibraryColumn>(column))) view_->setColumnHidden(column, !shown);
+    if (isOfComparison(static_cast<LibraryColumn>(column))) {
+      view_->setColumnHidden(column, !shown);
+      if (shown) view_->resizeColumnToContents(column);
+    }
   const int changes = static_cast<int>(LibraryColumn::Since);
   if (shown)
     view_->sortByColumn(changes, Qt::DescendingOrder);
