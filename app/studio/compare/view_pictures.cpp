@@ -48,6 +48,7 @@ ViewPictures::ViewPictures(Session* session, Playback* playback, Viewport* viewp
     const auto then = std::move(on_picture_.front());
     on_picture_.pop_front();
     then(image);
+    if (!on_picture_.empty()) viewport_->capture();
   });
   connect(recorder_, &FilmRecorder::progressed, this, [this](int pictures) {
     if (progress_) progress_->setValue(pictures);
@@ -80,7 +81,7 @@ void ViewPictures::take(std::function<void(const QImage&)> then) {
   on_picture_.emplace_back([this, then = std::move(then)](const QImage& image) {
     image.isNull() ? emit failed(tr("The 3D view gave no picture.")) : then(image);
   });
-  viewport_->capture();
+  if (on_picture_.size() == 1) viewport_->capture();  // the view gives one at a time
 }
 
 void ViewPictures::copy() {
