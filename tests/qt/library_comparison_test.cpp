@@ -75,14 +75,17 @@ class AComparedLibrary : public testing::Test {
 
 TEST_F(AComparedLibrary, SaysWhatChangedSinceAnEarlierBatch) {
   const QString folder = directory_.filePath(QStringLiteral("farm"));
-  Batch batch{.presets = {standard(10), standard(20)}, .formats = {}};
+  Batch batch{.presets = {standard(10), standard(20)}};
   for (std::size_t i = 0; i < 2; ++i)
     batch.items.push_back({.input = paths_[static_cast<int>(i)].toStdString(),
                            .output = std::to_string(i),
                            .preset = i});
   BatchControl control;
-  run_batch_in(folder.toStdU16String(), batch, {}, control);
+  const BatchOutcome outcome = run_batch_in(folder.toStdU16String(), batch, {}, control);
+  ASSERT_EQ(outcome.counts.done, 2u);
+  visit_rows(folder.toStdU16String(), [](const BatchRow& row) { EXPECT_EQ(row.error, ""); });
   const QString told = compareWith(folder + QStringLiteral("/batch.jsonl"));
+  EXPECT_TRUE(told.contains(QStringLiteral("2 clip"))) << qPrintable(told);
   EXPECT_TRUE(told.contains(QStringLiteral("farm"))) << qPrintable(told);
   EXPECT_TRUE(told.contains(QStringLiteral("1 larger"))) << qPrintable(told);
   EXPECT_EQ(text(0, LibraryColumn::Since), QString()) << "as it was";

@@ -532,6 +532,7 @@ TEST_F(StudioWithoutAScreen, AWindowInAnotherLanguageShowsTheSameWorkWithItsHist
   window_.actions().view.follow->trigger();
   window_.actions().view.side->trigger();
   document_.setCurrentJoint(3);
+  const float azimuth = window_.views().viewport->cameraPlace().azimuth;
   MainWindow next(&window_.work());
   next.takeOver(window_.state());
   next.show();
@@ -545,8 +546,7 @@ TEST_F(StudioWithoutAScreen, AWindowInAnotherLanguageShowsTheSameWorkWithItsHist
   EXPECT_TRUE(next.actions().view.mode[1]->isChecked());
   EXPECT_TRUE(next.actions().view.in_place->isChecked());
   EXPECT_FALSE(next.actions().view.follow->isChecked());
-  EXPECT_FLOAT_EQ(next.views().viewport->cameraPlace().azimuth,
-                  window_.views().viewport->cameraPlace().azimuth);
+  EXPECT_FLOAT_EQ(next.views().viewport->cameraPlace().azimuth, azimuth);
   // The library's step, then the clip's: the pin and the target.
   next.library().history()->undo();
   EXPECT_EQ(next.library().project().clips[0].review.verdict, Verdict::None);
