@@ -124,6 +124,7 @@ void expectIn(const std::string& page, std::initializer_list<const char*> texts)
 
 std::string batchPage() {
   BatchRow row{.input = "/m/walk.bvh", .output = "walk"};
+  row.stamp.source = "aa";
   row.measured = Measurement{};
   row.measured->seen = Seen{.times_noticed = 3,
                             .reason =
@@ -139,10 +140,11 @@ std::string batchPage() {
 TEST(ReportTexts, ReportsOfBatchesFollowTheProgram) {
   expectIn(batchPage(), {"<html lang=\"en\">", "<h2>Every clip</h2>", "const said = {};"});
   const Speaking french("fr");
-  expectIn(batchPage(),
-           {"<html lang=\"fr\">", "<h2>Tous les clips</h2>", "rejeté par ana", "tremblement",
-            "image 7", "1.5°", "la dernière image", "data-sight=\"visible\"",
-            "data-verdict=\"rejected stale\"", "\"show all\":\"tout afficher\""});
+  const std::string page = batchPage();
+  keep(page, "batch-fr.html");
+  expectIn(page, {"<html lang=\"fr\">", "<h2>Tous les clips</h2>", "rejeté par ana", "tremblement",
+                  "image 7", "1.5°", "de sa dernière image", "data-sight=\"visible\"",
+                  "data-verdict=\"rejected stale\"", "\"show all\":\"tout afficher\""});
 }
 
 TEST(ReportTexts, ReviewPagesFollowTheProgram) {
@@ -152,6 +154,7 @@ TEST(ReportTexts, ReviewPagesFollowTheProgram) {
   distortion.max.cm = 1.25;
   const std::string page =
       review_page("walk", review_facts("closed-loop", 20, distortion, {}, say), "", say);
+  keep(page, "review-ja.html");
   expectIn(page, {"<html lang=\"ja\">", "閉ループ", "最大誤差 1.25 cm", "\"Play\":\"再生\"",
                   "ビューアーには JavaScript が必要です。"});
 }
@@ -167,6 +170,7 @@ TEST(ReportTexts, ReportsOfStudiesFollowTheProgram) {
   }
   const Speaking spanish("es");
   const std::string page = report_html(Results(rows), {}, reportLanguage(), {});
+  keep(page, "study-es.html");
   expectIn(page, {"<html lang=\"es\">", "Estudio de compresión", "Ondículas recocidas",
                   "<h2>Todos los clips</h2>", "100 fotogramas"});
 }
