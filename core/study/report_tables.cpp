@@ -511,8 +511,9 @@ std::string failure_table(const ReportLanguage& say, const Results& results) {
     const bool unread = row.fingerprint.empty();
     Failure& failure = failures[{row.clip, unread ? say("every method") : row.settings.method}];
     if (row.measured) {
-      failure.steps.push_back(say(
-          "%1 gave %2", {say(target_text(row.settings.target)), ratio_text(row.measured->ratio)}));
+      const std::string nearest = say(
+          "%1 gave %2", {say(target_text(row.settings.target)), ratio_text(row.measured->ratio)});
+      failure.steps.push_back(nearest);
       continue;
     }
     if (!unread) failure.targets.push_back(say(target_text(row.settings.target)));
