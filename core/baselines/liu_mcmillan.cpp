@@ -28,7 +28,8 @@ double scale_of(std::int8_t exponent) {
   return std::exp2(exponent / kStepsPerOctave);
 }
 
-/// The average movement by a channel, in cm for a radian (or a cm), as an exponent.
+/// For each channel, the mean movement of the body in cm for a radian (or a cm) of the channel, as
+/// the exponent that scale_of() takes.
 std::vector<std::int8_t> scale_exponents(const Motion& motion, Weighting weighting) {
   constexpr double kLeast = 1;  // cm: so that no channel is lost altogether
   const ErrorModel model(motion.skeleton, motion.clip, weighting);

@@ -34,7 +34,7 @@ struct SignOffClip {
   std::string take;           // in a file with several; else empty
   double sample_rate_hz = 0;  // 0: unknown
   ClipReview review;
-  std::string source_hash;  // of the clip's files and settings today, for stale_reason()
+  std::string source_hash;  // hashes of the clip's files and settings today, for stale_reason()
   std::string settings_hash;
   std::optional<SignOffFigures> figures;  // unset: never compressed
   std::string problem;                    // why it cannot be read or compressed; empty: it can
@@ -44,7 +44,7 @@ struct SignOff {
   std::string title;  // the project's name
   std::vector<SignOffClip> clips;
   ReportStamp stamp;
-  ReportLanguage language;  // of pages; tables are English
+  ReportLanguage language;  // the pages' language; tables are English
 };
 
 /// Verdicts of clips, by what still applies.

@@ -100,7 +100,7 @@ class Session : public QObject {
   void switchSlot();
   void copyToOtherSlot();
 
-  /// Figures of a slot's last answer; unset: unknown.
+  /// Figures of the last encoding by settings A (0) or B (1); unset: there is none.
   std::optional<SlotFigures> slotFigures(int slot) const;
 
   /// Returns the earlier settings of a clip by its clipKey(); unset: it is compressed like the last

@@ -19,7 +19,8 @@ struct CompressionMethod {
   std::string_view note;   // description, author, and what is simplified
 };
 
-/// annealed, standard, per-channel, haar, linear, closed-loop, then comparison_methods().
+/// All methods: annealed, standard, per-channel, haar, linear and closed-loop, then those of
+/// comparison_methods().
 std::span<const CompressionMethod> compression_methods();
 
 /// nullptr when there is none of that name.

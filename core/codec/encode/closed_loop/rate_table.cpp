@@ -90,9 +90,9 @@ std::uint64_t first_bytes(int count) {
   return eight_from(all.data());
 }
 
-// kBesideIt selects, from eight bytes that start two before a coefficient, its context neighbours.
-// kAboutChildren selects, from eight bytes that start three before its two own children, them and
-// their neighbours.
+// Masks over eight neighbouring coefficients, a byte each. In kBesideIt the coefficient itself is
+// the third byte: the mask keeps two neighbours on either side. In kAboutChildren its two children
+// are the fourth and fifth byte: the mask keeps them, three before and one after.
 const std::uint64_t kBesideIt = first_bytes(5) ^ first_bytes(3) ^ first_bytes(2);
 const std::uint64_t kAboutChildren = first_bytes(6);
 
