@@ -14,6 +14,7 @@
 #include "core/base/file.h"
 #include "core/base/file_lock.h"
 #include "core/base/random.h"
+#include "core/base/utf8_path.h"
 #include "core/codec/encode/encoder.h"
 #include "core/codec/encode/track_encoder.h"
 #include "core/codec/format/container.h"
@@ -76,10 +77,10 @@ class BankTest : public testing::Test {
   ~BankTest() override { fs::remove_all(folder_); }
 
   void put(const std::string& name, const std::vector<std::byte>& bytes) {
-    write_bytes(folder_ / "clips" / (name + ".mcpr"), bytes);
+    write_bytes(folder_ / "clips" / utf8_path(name + ".mcpr"), bytes);
   }
   std::vector<std::byte> file(const std::string& name) const {
-    return read_bytes(folder_ / "clips" / (name + ".mcpr"));
+    return read_bytes(folder_ / "clips" / utf8_path(name + ".mcpr"));
   }
   fs::path bank() const { return folder_ / "bank.mcpk"; }
 
