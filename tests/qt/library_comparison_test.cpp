@@ -22,7 +22,7 @@ namespace mocapress {
 namespace {
 
 Settings standard(double ratio) {
-  Settings settings{.method = "standard"};
+  Settings settings{.name = "Mine", .method = "standard"};
   settings.target = {Target::Kind::Ratio, ratio};
   return settings;
 }
