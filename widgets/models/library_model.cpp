@@ -2,7 +2,6 @@
 #include "widgets/models/library_model.h"
 
 #include <QDateTime>
-#include <QFileInfo>
 #include <QGuiApplication>
 #include <QLocale>
 
@@ -25,7 +24,7 @@ QString clipKey(const QString& path, const std::optional<std::string>& take) {
 }
 
 QString LibraryEntry::name() const {
-  const QString file = QFileInfo(path).fileName();
+  const QString file = path.sliced(path.lastIndexOf(QLatin1Char('/')) + 1);
   return take
              ? LibraryModel::tr("%1: %2", "take of a file").arg(file, QString::fromStdString(*take))
              : file;

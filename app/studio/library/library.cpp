@@ -98,23 +98,26 @@ void Library::announce() {
 
 void Library::add(const QStringList& paths) {
   QSet<QString> known;
+  known.reserve(std::ssize(project_.clips) + paths.size());  // thousands are added at once
   for (const ProjectClip& clip : project_.clips) known.insert(clip.path);
   auto clips = std::make_shared<ClipsByRow>();  // the clips as they are when undo removes them
-  QSet<QString> fresh;
+  const auto end = static_cast<int>(project_.clips.size());
   for (const QString& each : paths) {
     const QString path = QFileInfo(each).absoluteFilePath();
-    if (known.contains(path)) continue;
+    const qsizetype before = known.size();
     known.insert(path);
-    fresh.insert(path);
-    clips->emplace(static_cast<int>(project_.clips.size() + clips->size()),
-                   ProjectClip{.path = path});
+    if (known.size() == before) continue;
+    const int row = end + static_cast<int>(clips->size());
+    clips->try_emplace(clips->end(), row)->second.path = path;
   }
-  if (fresh.isEmpty()) return;
+  if (clips->empty()) return;
   const int first = clips->begin()->first;
   history_.push(new EditStep(
       tr("Add Clips"), [this, clips] { putBack(*clips); },
-      [this, clips, fresh] {
-        *clips = takeOut([&fresh](const auto& one) { return fresh.contains(one.path); });
+      [this, clips] {
+        QSet<QString> added;
+        for (const auto& [row, clip] : *clips) added.insert(clip.path);
+        *clips = takeOut([&added](const auto& one) { return added.contains(one.path); });
         emit noted(tr("%Ln clip(s) were taken out of the library; Redo brings them back.", nullptr,
                       static_cast<int>(clips->size())));
       }));
@@ -164,6 +167,8 @@ Library::ClipsByRow Library::takeOut(const IsOut& is_out) {
 void Library::putBack(const ClipsByRow& clips) {
   std::vector<LibraryEntry> all = entries();
   const QHash<QString, int> known = project_.rows();
+  project_.clips.reserve(project_.clips.size() + clips.size());
+  all.reserve(all.size() + clips.size());
   for (const auto& [row, clip] : clips) {
     if (known.contains(clip.key())) continue;
     const auto place = std::min<std::ptrdiff_t>(row, std::ssize(all));
