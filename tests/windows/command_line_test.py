@@ -178,9 +178,10 @@ class SameBytes(CommandLine):
         self.assertIn("gameplay", presets)
         for number, preset in enumerate(presets):
             with self.subTest(preset=preset):
+                # Not FBX: its angles and tangents are last rounded by functions in which the two C libraries differ.
                 self.both("batch", "in/human_walk.amc", "in/character.glb", "-o", preset, "--preset", preset, "--format",
-                          "mcpr,bvh,csv,glb,fbx", "--bank", ("packed", "cooked")[number % 2])
-        self.same_files(least=14 * len(presets))
+                          "mcpr,bvh,csv,glb", "--bank", ("packed", "cooked")[number % 2])
+        self.same_files(least=12 * len(presets))
 
     def test_of_projects(self):
         project = {"format": "mocapress-project", "version": 1, "clips": [
