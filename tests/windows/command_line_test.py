@@ -178,7 +178,7 @@ class SameBytes(CommandLine):
         self.assertIn("gameplay", presets)
         for number, preset in enumerate(presets):
             with self.subTest(preset=preset):
-                # Not FBX: its angles and tangents are last rounded by functions in which the two C libraries differ.
+                # Not FBX: one file of ten differed in 437 of its 1,008,668 bytes. The cause is not known yet.
                 self.both("batch", "in/human_walk.amc", "in/character.glb", "-o", preset, "--preset", preset, "--format",
                           "mcpr,bvh,csv,glb", "--bank", ("packed", "cooked")[number % 2])
         self.same_files(least=12 * len(presets))
