@@ -137,6 +137,13 @@ std::string batchPage() {
   return page.str();
 }
 
+TEST(ReportTexts, AreEnglishInALanguageThatTheProgramDoesNotHave) {
+  const QLocale before;
+  QLocale::setDefault(QLocale(QLocale::German));
+  EXPECT_EQ(reportLanguage().code, "en");
+  QLocale::setDefault(before);
+}
+
 TEST(ReportTexts, ReportsOfBatchesFollowTheProgram) {
   expectIn(batchPage(), {"<html lang=\"en\">", "<h2>Every clip</h2>", "const said = {};"});
   const Speaking french("fr");

@@ -341,7 +341,7 @@ std::string translated(const std::string& english) {
 }  // namespace
 
 ReportLanguage reportLanguage() {
-  if (QLocale().language() == QLocale::English) return {};
+  if (translated("not visible") == "not visible") return {};  // no texts in the user's language
   return {.code = QLocale().bcp47Name().toStdString(),
           .translate =
               [known = std::map<std::string, std::string>()](const std::string& english) mutable {
