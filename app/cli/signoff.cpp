@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/file_identity.h"
+#include "core/base/folder_listing.h"
 #include "core/base/utf8_path.h"
 #include "core/batch/batch_folder.h"
 #include "core/batch/batch_sign_off.h"
@@ -18,13 +19,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Throws WriteError if the sign-off would take the place of a report of its batch.
+/// Throws WriteError if the sign-off would take the place of a report of its batch, by its name or
+/// through a link.
 void refuse_report(const fs::path& file, const fs::path& batch) {
   const fs::path folder = fs::absolute(file).parent_path();
   const std::string name = utf8(file.filename());
   if ((name.starts_with("report.") || name.starts_with("report-")) &&
       identity_of(folder) == identity_of(batch))
     throw WriteError(utf8(file) + ": is a report of the batch: not overwritten");
+  std::vector<fs::path> reports;
+  for (const FolderEntry& entry : list_folder(batch).entries)
+    if (utf8(entry.path.filename()).starts_with("report")) reports.push_back(entry.path);
+  refuse_source(file, reports);
 }
 
 struct SignOffCall {

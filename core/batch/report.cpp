@@ -186,7 +186,7 @@ std::string pictures(const ReportLanguage& say, const Totals& totals) {
   for (const BatchRow& row : totals.worst) {
     const WorstPose& pose = *row.worst;
     const std::string scene =
-        worst_scene(pose, say("%1 over its original at its worst frame", {escaped(row.output)}));
+        worst_scene(pose, say("%1 over its original at its worst frame", {row.output}));
     figures +=
         element("figure", "",
                 scene + element("figcaption", "",
@@ -387,17 +387,14 @@ std::string notes(const ReportLanguage& say, const Totals& totals) {
   };
   add(say("Verified"),
       say("Each file was read back and decoded as an engine would, by the runtime decoder within "
-          "its "
-          "default limits; errors are those of the decoded motion. Engines cannot play files in "
-          "the "
-          "paper's codings and of comparison methods: the library decodes these. The column "
+          "its default limits; errors are those of the decoded motion. Engines cannot play files "
+          "in the paper's codings and of comparison methods: the library decodes these. The column "
           "verified_by of report.csv names the decoder of each clip."));
   add(say("Ratio"),
       say("Bytes of the channels as 32-bit floats, divided by the bytes of the coded motion. The "
           "skeleton counts on neither side. 1 KB = 1024 bytes."));
   add(kEpsX, say("Weighted root mean square distance between points of the body and the same "
-                 "points of the "
-                 "original. report.csv has it in two more weightings."));
+                 "points of the original. report.csv has it in two more weightings."));
   add(say("p95, p99, max"),
       say("Percentiles and maximum of these distances over all points and frames, unweighted."));
   if (!totals.limits.empty()) add(say("Visibility"), visibility_note(say, totals.limits));
@@ -406,10 +403,8 @@ std::string notes(const ReportLanguage& say, const Totals& totals) {
           "frames and joints. Head and hands are recognised by their names."));
   add(say("Foot drift, foot path"),
       say("Both are measured while a foot stands in the original. Drift is the distance between a "
-          "foot "
-          "and its place in the original, as the mean over contacts and in the worst contact. Path "
-          "is "
-          "the length of the foot's path beyond the original's, summed over all contacts; "
+          "foot and its place in the original, as the mean over contacts and in the worst contact. "
+          "Path is the length of the foot's path beyond the original's, summed over all contacts; "
           "a foot that trembles in place has a long path."));
   add(say("Verdict, note"),
       say("The reviewer's verdict and note, with name and date. A verdict is stale, and does not "

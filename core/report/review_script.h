@@ -43,7 +43,9 @@ function addReviewButton(name, facts) {
   button.onclick = function () { showClip(name, facts); };
   document.currentScript.before(button);
 }
+let asked = 0;
 async function showClip(name, facts) {
+  const call = ++asked;
   const section = document.getElementById("review");
   section.hidden = false;
   section.scrollIntoView();
@@ -54,16 +56,18 @@ async function showClip(name, facts) {
     }
     viewerScript = viewerScript || loadViewer();
     await viewerScript;
+    if (call !== asked) return; // another clip was asked for meanwhile
     await mocapressViewer.show(section, Object.assign({ facts, say }, mocapressClips.get(name)));
   } catch (error) {
-    section.textContent = say("%1 cannot be shown: %2", name, error.message);
+    if (call === asked) section.textContent = say("%1 cannot be shown: %2", name, error.message);
   }
 }
 )";
 
 /// Adds a button to each row of the clips. It runs after kReportScript, which defines the rows and
-/// finds their columns. Facts from the row go with the clip. Buttons beside the clip that is shown, and
-/// the keys Q and Shift+Q, go to the next and previous clip of the table as it is sorted and filtered.
+/// finds their columns. Facts from the row go with the clip. Buttons beside the clip that is shown,
+/// and the keys Q and Shift+Q, go to the next and previous clip of the table as it is sorted and
+/// filtered.
 inline constexpr const char* kReviewButtons = R"(
 const told = ["preset", "ratio", "max", "visibility", "verdict", "note"];
 for (const row of rows) {
@@ -104,12 +108,17 @@ for (const [sign, step, key] of [["\u2039", -1, "Shift+Q"], ["\u203a", 1, "Q"]])
   };
   neighbours.append(button);
 }
+function tellNeighbours() {
+  for (const button of neighbours.children) button.tell();
+}
+bar.addEventListener("input", tellNeighbours);
+table.tHead.addEventListener("click", tellNeighbours);
 for (const row of rows)
   row.cells[0].querySelector("button").addEventListener("click", function () {
     if (viewed) viewed.classList.remove("viewed");
     viewed = row;
     viewed.classList.add("viewed");
-    for (const button of neighbours.children) button.tell();
+    tellNeighbours();
     section.before(neighbours);
   });
 section.addEventListener("keydown", function (event) {

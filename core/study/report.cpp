@@ -375,10 +375,10 @@ std::string worst_scene(const ReportLanguage& say, const Picture& picture, std::
   scene.add_gap(original[worst], decoded[worst],
                 format_significant((original[worst] - decoded[worst]).norm()) + " cm");
   const PicturedMethod& method = picture.methods[m];
-  const std::string title = escaped(title_of(say, method));
+  const std::string title = title_of(say, method);
   return captioned(scene.finish(say("%1 over its original at its worst frame", {title})),
                    say("%1 at %2: %3 %4 cm over the clip, largest error %5 cm; at this frame: %6.",
-                       {element("b", "", title), ratio_text(method.ratio), html::kEpsX,
+                       {element("b", "", escaped(title)), ratio_text(method.ratio), html::kEpsX,
                         format_significant(method.eps_cm), format_significant(method.max_error_cm),
                         escaped(picture.landmark_names[worst])}) +
                        " " + review_of(say, picture, method));
@@ -423,10 +423,10 @@ std::string foot_scene(const ReportLanguage& say, const Picture& picture, std::s
   scene.add_figure(foot.pose.decoded[m], "figure");
   scene.add_trail(foot.original_trail, "trail was");
   scene.add_trail(foot.trails[m], "trail is");
-  const std::string title = escaped(title_of(say, picture.methods[m]));
+  const std::string title = title_of(say, picture.methods[m]);
   return captioned(scene.finish(say("%1: foot that slides most", {title})),
                    say("%1: %2 slides %3 cm while planted.",
-                       {element("b", "", title), escaped(picture.landmark_names[landmark]),
+                       {element("b", "", escaped(title)), escaped(picture.landmark_names[landmark]),
                         fixed(foot.slid_cm[m], 1)}));
 }
 

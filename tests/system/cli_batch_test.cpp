@@ -255,6 +255,11 @@ TEST_F(CliBatch, ASignOffReplacesNoFileOfItsBatch) {
     EXPECT_EQ(std::filesystem::exists(own), was_there);
     EXPECT_EQ(was_there ? read_text(own) : "", before);
   }
+  const std::string linked = file("link.html");
+  std::filesystem::create_symlink(file("out/report.html"), linked);
+  const std::string page = read_text(file("out/report.html"));
+  EXPECT_EQ(mocapress({"signoff", file("out"), "-o", linked}).exit_code, 5);
+  EXPECT_EQ(read_text(file("out/report.html")), page);
   EXPECT_EQ(mocapress({"signoff", file("out"), "-o", file("out/sign-off.csv")}).exit_code, 0);
   EXPECT_EQ(mocapress({"signoff", file("out"), "-o", file("out/sign-off.csv")}).exit_code, 0);
 }

@@ -257,7 +257,10 @@ TEST_F(Cli, MeetsTheErrorOfBasePlusDifference) {
   EXPECT_EQ(report["verified_by"], "runtime");
   EXPECT_EQ(mocapress({"compress", clip_, "--additive", clip_, "--tiers", "2"}).exit_code, 2);
   EXPECT_EQ(mocapress({"compress", clip_, "--additive", clip_, "--base-frame", "600"}).exit_code,
-            3);
+            0);
+  const Outcome beyond = mocapress({"compress", clip_, "--additive", clip_, "--base-frame", "601"});
+  EXPECT_EQ(beyond.exit_code, 3);
+  EXPECT_THAT(beyond.err, testing::HasSubstr("has no frame 601"));
 }
 
 TEST_F(Cli, SolvesTheRatioWithinTwoPercent) {

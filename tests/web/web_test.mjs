@@ -431,7 +431,9 @@ test('the first example of the README shows a character', async () => {
   reader.on('pageerror', (error) => errors.push(String(error)));
   await reader.goto(`http://127.0.0.1:${server.address().port}/files/readme.html`);
   await reader.waitForSelector('canvas');
-  await reader.waitForTimeout(1000); // it shows some frames
+  await reader.evaluate(async () => {
+    for (let frame = 0; frame < 10; ++frame) await new Promise(requestAnimationFrame);
+  });
   const picture = join(WEB_PICTURES, 'readme.png');
   await reader.screenshot({ path: picture });
   await reader.close();

@@ -61,8 +61,8 @@ int main(int argc, char** argv) {
                 source.motion.skeleton.joint_count(), find_foot_contacts(source.motion).size());
     const Encoded made = compress(source);
     const Measurement again = measure(source.motion, made.file);
-    std::printf("measured again: furthest off %.3f cm at frame %d\n", again.max_error_cm,
-                again.worst_frame);
+    std::printf("measured again: furthest off %.3f cm at frame %s\n", again.max_error_cm,
+                std::to_string(again.worst_frame + 1).c_str());  // people count from 1
     play(made, argc == 3 ? argv[2] : source.motion.skeleton.joint(0).name);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "compress_clip: %s\n", error.what());

@@ -67,6 +67,7 @@ class Viewer {
   #drawn = false;
   #switches = [];  // show whether they are on
   #centre = new THREE.Vector3();
+  #loading; // the clips of the last show()
 
   constructor(container, say) {
     this.say = say;
@@ -107,7 +108,10 @@ class Viewer {
     this.title.textContent = name;
     this.facts.textContent = facts.join(' · ');
     this.status.textContent = this.say('Loading');
-    [this.#original, this.#compressed] = await Promise.all([load(original), load(compressed)]);
+    const loading = (this.#loading = Promise.all([load(original), load(compressed)]));
+    const loaded = await loading;
+    if (loading !== this.#loading) return; // another clip was asked for meanwhile
+    [this.#original, this.#compressed] = loaded;
     for (const figure of [this.before, this.after]) figure?.remove();
     const { points, positions } = this.#original; // both bodies have the shape of the original
     this.before = new Figure(this.scene, points, positions[0]);
@@ -124,6 +128,7 @@ class Viewer {
     this.#frame = Math.min(Math.max(frame, 0), this.#original.frames - 1);
     const whole = Math.round(this.#frame);
     this.time.value = whole;
+    this.time.setAttribute('aria-valuetext', whole + 1);
     const { ofPoints, ofFrames, largest } = this.#errors;
     const count = this.#original.points.length;
     const errors = ofPoints.subarray(count * whole, count * (whole + 1));

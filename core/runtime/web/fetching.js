@@ -38,7 +38,7 @@ async function fetchBytes(url, options) {
     if (!response.ok) throw refused(url, response.status);
     return new Uint8Array(await response.arrayBuffer());
   } catch (error) {
-    throw error instanceof MocapressError || error.name === 'AbortError' ? error : unreachable(url, error);
+    throw error instanceof MocapressError || options?.signal?.aborted ? error : unreachable(url, error);
   }
 }
 

@@ -514,7 +514,7 @@ function decoderOf(exports, name) {
   return exports[name];
 }
 
-/** What the module gives where it does not fail: an address, or 1. */
+/** Passes on what a call of the module gives, an address or 1, and throws where it failed. */
 function opened(exports, address) {
   if (address === 0) throw lastError(exports);
   return address;

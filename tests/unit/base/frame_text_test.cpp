@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
@@ -30,6 +31,7 @@ TEST(FrameText, TheFirstFrameIsOneForPeople) {
   skeleton.add({.name = "root"});
   EXPECT_THAT(reason({.frame = 0, .value = 2}, skeleton), HasSubstr("at frame 1:"));
   EXPECT_THAT(note_text(kNote), HasSubstr("frame 1, lfoot"));
+  EXPECT_EQ(frame_text(std::numeric_limits<int>::max()), "2147483648");
   try {
     frame_factors({{0, 9, 2}}, 5);
     FAIL() << "the clip has no tenth frame";
@@ -61,7 +63,8 @@ TEST(FrameText, ProgramsCountFromZero) {
 /// Nobody writes a frame's number beside frame_text().
 TEST(FrameText, IsWhatEveryTextUses) {
   const std::filesystem::path root = utf8_path(MOCAPRESS_SOURCE_DIR);
-  const std::regex bare(R"re(\bframes? "\s*(\+|<<)\s*(std::to_string|[\w.]*frame\b(?!_text)))re");
+  const std::regex bare(
+      R"re(\bframes? ("\s*(\+|<<)\s*(std::to_string|[\w.]*frame\b(?!_text))|%\d*[du]))re");
   for (const char* room : {"core", "app/cli"})
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root / room)) {
       const std::string path = utf8(entry.path());

@@ -85,8 +85,9 @@ class Shared {
       characters.push_back(
           {.clip = clip, .time = 0.21 * static_cast<double>(i), .out = poses.data() + i * values});
     const AlignedBytes scratch(mcpr_crowd_scratch_bytes());
-    mcpr_sample_crowd(&request, characters.data(), kCharacters, scratch.data(), scratch.size(),
-                      nullptr);
+    EXPECT_EQ(mcpr_sample_crowd(&request, characters.data(), kCharacters, scratch.data(),
+                                scratch.size(), nullptr),
+              MCPR_OK);
     return poses;
   }
 

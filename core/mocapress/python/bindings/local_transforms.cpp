@@ -148,8 +148,8 @@ Motion motion_of(const LocalTransforms& given) {
       const auto row = given.rotations.block<1, 4>(f, 4 * Eigen::Index{j});
       const Quaterniond rotation(row(0), row(1), row(2), row(3));
       if (rotation.norm() < 1e-6)
-        refuse("the rotation of joint " + std::to_string(j) + " at frame " + std::to_string(f) +
-               " is a quaternion of length 0");
+        refuse("rotations[" + std::to_string(f) + ", " + std::to_string(j) +
+               "] is a quaternion of length 0");
       angles = three_angles(kOrder, rotation.normalized().toRotationMatrix(), angles);
       motion.clip.channels.block<1, 3>(f, column) = angles.transpose();
     }

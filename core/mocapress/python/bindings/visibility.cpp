@@ -53,8 +53,7 @@ void bind_visibility(py::module_& module) {
       .def_property_readonly(
           "reason", [](const Verdict& v) { return to_str(v.seen.reason); },
           "The most visible error in words, with joint and frame (the first is 1); empty if "
-          "nothing "
-          "differs.")
+          "nothing differs.")
       .def_property_readonly(
           "window_frames", [](const Verdict& v) { return v.visibility.table.window_frames; },
           "Frames in each window of the table.")

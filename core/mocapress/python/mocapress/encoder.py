@@ -56,7 +56,7 @@ class Encoder:
         preset: "gameplay", "hero-close-up", "planted-feet", "crowd", "archive", or a file of one.
         Other settings have the names and values of the library's JSON: method, coding, weighting,
         seed, effort, importance, promises, limits, ends, loop, track_error, ik, contacts,
-        importance_ranges.
+        importance_ranges. Frames in these count from 0, in sentences from 1.
         progress: called now and then with a Progress. An exception from it stops the encoding, and comes
         out of encode(), as does KeyboardInterrupt.
 
