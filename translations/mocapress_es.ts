@@ -4377,6 +4377,10 @@
         <translation>límites propios: %1</translation>
     </message>
     <message>
+        <source>%1 or %2</source>
+        <translation>%1 o %2</translation>
+    </message>
+    <message>
         <source>The frame with the largest error of each clip, the largest first.</source>
         <translation>El fotograma con el mayor error de cada clip, el mayor primero.</translation>
     </message>

@@ -4377,6 +4377,10 @@
         <translation>limites propres : %1</translation>
     </message>
     <message>
+        <source>%1 or %2</source>
+        <translation>%1 ou %2</translation>
+    </message>
+    <message>
         <source>The frame with the largest error of each clip, the largest first.</source>
         <translation>L&apos;image de plus grande erreur de chaque clip, la plus grande d&apos;abord.</translation>
     </message>

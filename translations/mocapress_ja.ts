@@ -4346,6 +4346,10 @@
         <translation>自分の限界値：%1</translation>
     </message>
     <message>
+        <source>%1 or %2</source>
+        <translation>%1 または %2</translation>
+    </message>
+    <message>
         <source>The frame with the largest error of each clip, the largest first.</source>
         <translation>各クリップで誤差が最大のフレームを、大きい順に示します。</translation>
     </message>

@@ -13,6 +13,7 @@
 #include "core/base/utf8_path.h"
 #include "core/batch/report_script.h"
 #include "core/codec/methods/compression_method.h"
+#include "core/metrics/sight_limits.h"
 #include "core/report/clip_link.h"
 #include "core/report/markup.h"
 #include "core/report/page_script.h"
@@ -118,7 +119,7 @@ struct Totals {
  private:
   void count(const BatchRow& row) {
     const Sight sight = row.measured->seen->sight();
-    limits.insert(limits_phrase(say, row.measured->seen->limits));
+    limits.insert(say(limits_text(row.measured->seen->limits)));
     visible += sight == Sight::Visible;
     borderline += sight == Sight::Borderline;
     not_visible += sight == Sight::NotVisible;

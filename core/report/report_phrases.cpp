@@ -13,10 +13,4 @@ std::string sight_phrase(const ReportLanguage& say, Sight sight, double distance
   return say("%1 from %2 m", {sight_phrase(say, sight), significant_text(distance_m, 3)});
 }
 
-std::string limits_phrase(const ReportLanguage& say, const SightLimits& limits) {
-  constexpr std::string_view kOwn = "own limits: ";
-  const std::string text = limits_text(limits);
-  return text.starts_with(kOwn) ? say("own limits: %1", {text.substr(kOwn.size())}) : say(text);
-}
-
 }  // namespace mocapress

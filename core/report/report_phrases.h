@@ -4,7 +4,6 @@
 
 #include <string>
 
-#include "core/metrics/sight_limits.h"
 #include "core/metrics/visibility.h"
 #include "core/report/report_language.h"
 
@@ -15,8 +14,5 @@ std::string sight_phrase(const ReportLanguage& say, Sight sight);
 
 /// "not visible from 8 m".
 std::string sight_phrase(const ReportLanguage& say, Sight sight, double distance_m);
-
-/// "built-in limits". Names of cues stay English.
-std::string limits_phrase(const ReportLanguage& say, const SightLimits& limits);
 
 }  // namespace mocapress

@@ -3,6 +3,7 @@
 
 #include "core/codec/format/container.h"
 #include "core/codec/methods/compression_method.h"
+#include "core/metrics/sight_limits.h"
 #include "core/report/markup.h"
 #include "core/report/report_phrases.h"
 #include "core/report/review_page.h"
@@ -38,7 +39,7 @@ std::vector<std::string> review_facts(std::string_view method, double ratio,
       say(std::string(method_title(method))), ratio_text(ratio),
       say("largest error %1 cm", {format_significant(distortion.max.cm)}),
       say("errors %1, by %2", {sight_phrase(say, visibility.sight(), visibility.limits.distance_m),
-                               limits_phrase(say, visibility.limits)})};
+                               say(limits_text(visibility.limits))})};
 }
 
 }  // namespace mocapress

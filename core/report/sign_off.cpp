@@ -8,6 +8,7 @@
 
 #include "core/base/frame_text.h"
 #include "core/base/number_text.h"
+#include "core/metrics/sight_limits.h"
 #include "core/report/clip_link.h"
 #include "core/report/json_value.h"
 #include "core/report/markup.h"
@@ -75,7 +76,7 @@ std::string limits_text(const SignOff& report) {
   std::set<std::string> texts;
   for (const SignOffClip& clip : report.clips)
     if (clip.figures && clip.figures->sight)
-      texts.insert(limits_phrase(report.language, clip.figures->limits));
+      texts.insert(report.language(limits_text(clip.figures->limits)));
   std::string all;
   for (const std::string& text : texts) all += (all.empty() ? "" : "; ") + text;
   return all;

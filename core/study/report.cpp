@@ -8,6 +8,7 @@
 #include "core/base/frame_text.h"
 #include "core/base/utf8_path.h"
 #include "core/codec/methods/compression_method.h"
+#include "core/metrics/sight_limits.h"
 #include "core/mocapress/settings.h"
 #include "core/report/chart_svg.h"
 #include "core/report/markup.h"
@@ -240,7 +241,7 @@ std::string measuring_notes(const ReportLanguage& say, const Results& results) {
       judged != results.rows().end()) {
     const SightLimits& limits = judged->measured->seen->limits;
     add(say("Visibility"), say("Judged from %1 m, by %2.", {format_shortest(limits.distance_m),
-                                                            escaped(limits_phrase(say, limits))}));
+                                                            escaped(say(limits_text(limits)))}));
   }
   add(say("Mean"),
       say("Geometric mean over the clips of the ratio at equal %1, at errors within the measured "

@@ -17,11 +17,13 @@
 #include "core/batch/report.h"
 #include "core/batch/report_script.h"
 #include "core/codec/methods/compression_method.h"
+#include "core/metrics/sight_limits.h"
 #include "core/report/review_clip.h"
 #include "core/report/review_page.h"
 #include "core/report/sight_chart.h"
 #include "core/study/report.h"
 #include "translations/languages.h"
+#include "widgets/models/display_names.h"
 
 namespace mocapress::report_texts_test {
 namespace {
@@ -142,6 +144,16 @@ TEST(ReportTexts, AreEnglishInALanguageThatTheProgramDoesNotHave) {
   QLocale::setDefault(QLocale(QLocale::German));
   EXPECT_EQ(reportLanguage().code, "en");
   QLocale::setDefault(before);
+}
+
+TEST(ReportTexts, OwnLimitsNameTheirCuesInTheLanguage) {
+  const Speaking french("fr");
+  SightLimits limits;
+  limits.of(Cue::Velocity) = {3, 0.08};
+  limits.of(Cue::Hand).least = 6;
+  EXPECT_EQ(QString::fromStdString(reportLanguage()(limits_text(limits))),
+            QStringLiteral("limites propres : %1 3 cm/s ou 8 %, %2 6°")
+                .arg(displayName(Cue::Velocity), displayName(Cue::Hand)));
 }
 
 TEST(ReportTexts, ReportsOfBatchesFollowTheProgram) {

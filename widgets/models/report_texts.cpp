@@ -32,7 +32,6 @@ struct ReportTexts {
       QT_TR_NOOP("visible"),
       QT_TR_NOOP("%1 from %2 m"),
       QT_TR_NOOP("built-in limits"),
-      QT_TR_NOOP("own limits: %1"),
       QT_TR_NOOP("The eye judges from the viewing distance that is named, by %1."),
       // Sign-offs.
       QT_TR_NOOP("Sign-off"),
@@ -314,20 +313,47 @@ struct ReportTexts {
   };
 };
 
+std::optional<QString> translatedCue(const QString& english) {
+  for (std::size_t i = 0; i < kCues; ++i)
+    if (const auto cue = static_cast<Cue>(i); english.toStdString() == name(cue))
+      return displayName(cue);
+  return std::nullopt;
+}
+
+/// An amount with its unit.
+QString translatedAmount(QString english) {
+  return english.replace(QLatin1String(" degrees"), QStringLiteral("°"));
+}
+
 /// The reason of a verdict on visibility, as core's reason() writes it.
 std::optional<QString> translatedReason(const QString& english) {
   static const QRegularExpression kReason(
       QStringLiteral("^(.+?) of (.+) at frame (\\d+): (.+), noticed from (.+)$"));
   const QRegularExpressionMatch match = kReason.match(english);
-  if (!match.hasMatch()) return std::nullopt;
-  const auto degrees = [&](int part) {
-    return match.captured(part).replace(QLatin1String(" degrees"), QStringLiteral("°"));
-  };
-  for (std::size_t i = 0; i < kCues; ++i)
-    if (const auto cue = static_cast<Cue>(i); match.captured(1).toStdString() == name(cue))
-      return ReportTexts::tr("%1 of %2 at frame %3: %4, noticed from %5")
-          .arg(displayName(cue), match.captured(2), match.captured(3), degrees(4), degrees(5));
-  return std::nullopt;
+  const std::optional<QString> cue = translatedCue(match.captured(1));
+  if (!cue) return std::nullopt;
+  return ReportTexts::tr("%1 of %2 at frame %3: %4, noticed from %5")
+      .arg(*cue, match.captured(2), match.captured(3), translatedAmount(match.captured(4)),
+           translatedAmount(match.captured(5)));
+}
+
+/// Own limits, as core's limits_text() writes them.
+std::optional<QString> translatedLimits(const QString& english) {
+  static const QRegularExpression kOwn(QStringLiteral("^own limits: (.+)$"));
+  static const QRegularExpression kLimit(QStringLiteral("^(.+?) ([\\d.]+ \\S+)(?: or (.+))?$"));
+  const QRegularExpressionMatch own = kOwn.match(english);
+  if (!own.hasMatch()) return std::nullopt;
+  QStringList limits;
+  for (const QString& one : own.captured(1).split(QStringLiteral(", "))) {
+    const QRegularExpressionMatch limit = kLimit.match(one);
+    const std::optional<QString> cue = translatedCue(limit.captured(1));
+    if (!cue) return std::nullopt;
+    const QString least = *cue + QLatin1Char(' ') + translatedAmount(limit.captured(2));
+    limits << (limit.captured(3).isEmpty()
+                   ? least
+                   : ReportTexts::tr("%1 or %2").arg(least, limit.captured(3)));
+  }
+  return ReportTexts::tr("own limits: %1").arg(limits.join(QStringLiteral(", ")));
 }
 
 std::string translated(const std::string& english) {
@@ -335,7 +361,8 @@ std::string translated(const std::string& english) {
   const QString source = QString::fromStdString(english);
   for (const QString& text : {ReportTexts::tr(english.c_str()), translatedMethod(english.c_str())})
     if (text != source) return text.toStdString();
-  return translatedReason(source).value_or(translatedSentence(source)).toStdString();
+  if (const auto reason = translatedReason(source)) return reason->toStdString();
+  return translatedLimits(source).value_or(translatedSentence(source)).toStdString();
 }
 
 }  // namespace
