@@ -129,6 +129,21 @@ TEST_F(AComparedLibrary, FindsClipsThatMovedByTheirNames) {
   EXPECT_FALSE(model_.entry(2).since);
 }
 
+TEST_F(AComparedLibrary, ComparesAClipThatComesBackWithThePresentBatch) {
+  const QString first = directory_.filePath(QStringLiteral("first.mocapress"));
+  writeProject(first, library_.project());
+  compareWith(first);
+  EXPECT_TRUE(model_.entry(0).since);
+  library_.remove({0});
+  const QString second = directory_.filePath(QStringLiteral("second.mocapress"));
+  writeProject(second, library_.project());
+  compareWith(second);
+  library_.history()->undo();
+  ASSERT_EQ(model_.rowCount(), 3);
+  EXPECT_FALSE(model_.entry(0).since) << "the second does not have it";
+  EXPECT_TRUE(model_.entry(1).since);
+}
+
 TEST_F(AComparedLibrary, SaysWhyAFolderIsNoBatch) {
   QSignalSpy failed(&library_, &Library::failed);
   library_.compareWith(directory_.path());

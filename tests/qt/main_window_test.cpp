@@ -27,6 +27,7 @@
 #include <QTest>
 #include <QTreeView>
 #include <algorithm>
+#include <memory>
 
 #include "app/studio/batch/batch_session.h"
 #include "app/studio/window/tabs_below.h"
@@ -554,6 +555,34 @@ TEST_F(StudioWithoutAScreen, AWindowInAnotherLanguageShowsTheSameWorkWithItsHist
   EXPECT_TRUE(next.views().viewport->pinned().empty());
   next.session().history()->undo();
   EXPECT_NE(document_.options().target.value, 30);
+}
+
+TEST_F(StudioWithoutAScreen, TheWorkGoesOnOnceTheWindowBeforeIsGone) {
+  Work work;
+  auto before = std::make_unique<MainWindow>(&work);
+  QSignalSpy settled(&work.session, &Session::settled);
+  before->files().open(clip("walk.bvh"));
+  ASSERT_TRUE(settled.wait(kPatience));
+  emit before->libraryPanel().copySettingsRequested(0);
+  const WindowState state = before->state();
+  before.reset();
+  MainWindow next(&work);
+  next.takeOver(state);
+  const std::unique_ptr<QMenu> menu(next.libraryPanel().makeMenu());
+  const QList<QAction*> actions = menu->actions();
+  EXPECT_TRUE(std::any_of(actions.begin(), actions.end(), [](const QAction* action) {
+    return action->text() == QLatin1String("Paste Settings") && action->isEnabled();
+  }));
+  work.pinned.pinCurrent();
+  EXPECT_EQ(next.views().viewport->pinned().size(), 1u);
+  work.library.setVerdict({0}, Verdict::Approved);
+  EXPECT_EQ(work.clips.entry(0).review.verdict, Verdict::Approved);
+  EncodeSettings options = work.session.document().options();
+  options.target = {Target::Kind::Ratio, 30};
+  settled.clear();
+  work.session.setOptions(options);
+  ASSERT_TRUE(settled.count() > 0 || settled.wait(kPatience));
+  EXPECT_EQ(next.views().compression->target()->number()->value(), 30);
 }
 
 TEST_F(StudioWithoutAScreen, AClickOnWhatIsSeenGoesThereAndSelectsTheJoint) {

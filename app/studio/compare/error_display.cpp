@@ -76,7 +76,7 @@ ErrorDisplay::ErrorDisplay(QObject* parent)
     action->setCheckable(true);
     action->setChecked(QSettings().value(setting, false).toBool());
     one_of_them->addAction(action);
-    connect(action, &QAction::toggled, this, [this, setting](bool checked) {
+    connect(action, &QAction::toggled, this, [this, setting = setting](bool checked) {
       QSettings().setValue(setting, checked);
       emit changed();
     });

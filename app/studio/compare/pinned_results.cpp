@@ -56,6 +56,9 @@ PinnedResults::PinnedResults(Session* session, PinnedModel* model, QObject* pare
     recall();
     show();
   });
+  // The same clip in a character's skin.
+  connect(document, &Document::skinChanged, this,
+          [this] { clip_ = session_->document().original(); });
   connect(session, &Session::recompressing, this, [this] { setFinal(false); });
   connect(session, &Session::settled, this, [this] { setFinal(true); });
   connect(document, &Document::decodedChanged, this, &PinnedResults::showWhetherToPin);

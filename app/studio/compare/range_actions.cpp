@@ -54,7 +54,7 @@ void RangeActions::fillCare() {
   care_->clear();
   const auto range = playback_->range();
   if (!range) return;
-  const auto [first, last] = *range;
+  const int first = range->first, last = range->second;
   const std::vector<ImportantRange> ranges = session_->document().options().ranges;
   const double now = careOver(ranges, first, last);
   for (const double factor : {1.0, 2.0, 3.0, 5.0, 10.0}) {
@@ -71,7 +71,7 @@ void RangeActions::fillContacts() {
   contacts_->clear();
   const auto range = playback_->range();
   if (!range) return;
-  const auto [first, last] = *range;
+  const int first = range->first, last = range->second;
   const Document& document = session_->document();
   const std::vector<ContactSpan> contacts = document.contacts();
   const std::vector<QString> names = document.landmarkNames();

@@ -116,16 +116,15 @@ void ViewPictures::savePicture(const QString& path) {
 
 void ViewPictures::writeNext() {
   if (unwritten_.empty() || saving_.busy()) return;
-  const auto [image, path] = unwritten_.front();
   const auto go_on = [this] {
     unwritten_.pop_front();
     // The runner is still busy inside its delivery.
     QMetaObject::invokeMethod(this, &ViewPictures::writeNext, Qt::QueuedConnection);
   };
   saving_.start(
-      [image, path](const Job&) {
-        writePicture(image, path);
-        return QFileInfo(path).fileName();
+      [next = unwritten_.front()](const Job&) {
+        writePicture(next.first, next.second);
+        return QFileInfo(next.second).fileName();
       },
       [this, go_on](const QString& name) {
         go_on();
@@ -184,7 +183,7 @@ void ViewPictures::turntable(const QString& path) {
     const float turned = viewport_->camera().place().azimuth - before.azimuth;
     viewport_->turnCamera(-qRadiansToDegrees(static_cast<double>(turned)));
   };
-  const auto turn = [this, pictures](int picture) {
+  const auto turn = [this](int picture) {
     if (picture > 0) viewport_->turnCamera(360.0 / pictures);
   };
   record({pictures, kMostPictures, turn}, path);

@@ -354,6 +354,8 @@ void Session::announce() {
   document_.announce();
   emit slotsChanged();
   if (document_.decoded() && document_.final() && !busy()) emit settled();
+  if (compressor_.busy()) emit recompressing();
+  if (refining()) emit refiningChanged(true);
 }
 
 void Session::apply(const Tuning& tuning) {

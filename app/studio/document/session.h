@@ -43,7 +43,8 @@ class Session : public QObject {
   void open(const QString& path, const QString& skeleton = {},
             const std::optional<ReadOptions>& reading = {});
 
-  /// Emits the signals that tell of the open clip, for views that were made after it.
+  /// Emits the signals that tell of the open clip and of work on it, for views that were made after
+  /// it.
   void announce();
 
   /// Closes the clip and abandons one that is being opened.

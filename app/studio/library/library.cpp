@@ -66,6 +66,7 @@ void Library::leave() {
   finding_.abandon();
   reading_character_.abandon();
   comparing_.abandon();
+  earlier_.clear();
   carrying_notes_.abandon();
   reading_new_notes_.abandon();
   new_.clear();
@@ -92,8 +93,7 @@ void Library::announce() {
   showRows(rows);
   emit currentChanged();
   emit projectChanged();
-  const auto is_compared = [](const ProjectClip& clip) { return clip.earlier.has_value(); };
-  if (std::any_of(project_.clips.begin(), project_.clips.end(), is_compared)) emit compared();
+  if (!earlier_.isEmpty()) emit compared();
 }
 
 void Library::add(const QStringList& paths) {
@@ -175,6 +175,11 @@ void Library::putBack(const ClipsByRow& clips) {
     project_.clips.insert(project_.clips.begin() + place, clip);
     all.insert(all.begin() + place, entryOf(clip, {}));
     outlines_.add(clip.key());
+  }
+  if (!earlier_.isEmpty()) {  // another batch may be compared since they were taken out
+    findEarlier();
+    for (std::size_t row = 0; row < all.size(); ++row)
+      all[row].since = differenceSince(project_.clips[row]);
   }
   model_->setEntries(std::move(all));
   checkFiles();

@@ -185,7 +185,8 @@ class Library : public KeptProject {
   using ClipsByRow = std::map<int, ProjectClip>;
 
   using EarlierClips = QHash<QString, ClipFigures>;  // by key
-  void compare(const QString& name, const EarlierClips& earlier);
+  void compare(const QString& name);
+  void findEarlier();
 
   template <typename IsOut>
   ClipsByRow takeOut(const IsOut& is_out);
@@ -226,6 +227,7 @@ class Library : public KeptProject {
   JobRunner reading_new_notes_{Workers::LongRunning};
   std::vector<QString> new_;  // files whose notes will be read next
   std::optional<NamedSettings> copied_;
+  EarlierClips earlier_;  // of the batch that is compared; empty: none is
 };
 
 }  // namespace mocapress

@@ -46,7 +46,8 @@ QHash<QString, ClipFigures> earlierClips(const QString& path) {
 
 /// File name and take.
 QString nameIn(const QString& key) {
-  return key.mid(key.lastIndexOf(QLatin1Char('/')) + 1);
+  const auto take = key.indexOf(QLatin1Char('\n'));  // its name may have a slash; -1: none
+  return key.mid(key.lastIndexOf(QLatin1Char('/'), take) + 1);
 }
 
 /// Keys by nameIn() them; an empty one where several have the name.
@@ -72,33 +73,41 @@ void Library::compareWith(const QString& path) {
   comparing_.start(
       [path](const Job&) { return earlierClips(path); },
       [this, path](const EarlierClips& earlier) {
+        earlier_ = earlier;
         const QFileInfo file(path);
-        compare(isProjectFile(path) || file.isDir() ? file.fileName() : file.dir().dirName(),
-                earlier);
+        compare(isProjectFile(path) || file.isDir() ? file.fileName() : file.dir().dirName());
       },
       [this](const QString& message) { emit failed(message); });
 }
 
-void Library::compare(const QString& name, const EarlierClips& earlier) {
-  const QHash<QString, QString> earlier_by_name = byName(earlier.keys());
+/// Gives each clip what it was in the batch that is compared.
+void Library::findEarlier() {
+  const QHash<QString, QString> earlier_by_name = byName(earlier_.keys());
   const QHash<QString, QString> own_by_name = byName(project_.rows().keys());
+  for (ProjectClip& clip : project_.clips) {
+    QString key = clip.key();
+    if (!earlier_.contains(key) && own_by_name.value(nameIn(key)) == key)
+      key = earlier_by_name.value(nameIn(key));
+    clip.earlier.reset();
+    if (earlier_.contains(key)) clip.earlier = earlier_.value(key);
+  }
+}
+
+void Library::compare(const QString& name) {
+  findEarlier();
   std::vector<int> rows;
   std::map<ClipChange, int> counts;
   qulonglong before = 0, after = 0;
   int found = 0;
   for (std::size_t row = 0; row < project_.clips.size(); ++row) {
-    ProjectClip& clip = project_.clips[row];
-    QString key = clip.key();
-    if (!earlier.contains(key) && own_by_name.value(nameIn(key)) == key)
-      key = earlier_by_name.value(nameIn(key));
-    clip.earlier.reset();
-    if (earlier.contains(key)) clip.earlier = earlier.value(key);
     rows.push_back(static_cast<int>(row));
-    const std::optional<ClipDifference> since = differenceSince(clip);
+    const std::optional<ClipDifference> since = differenceSince(project_.clips[row]);
     if (!since) continue;
     ++found;
-    before += since->before->bytes;
-    after += since->after->bytes;
+    if (since->before->done && since->after->done) {
+      before += since->before->bytes;
+      after += since->after->bytes;
+    }
     for (const ClipChange change : since->changes) ++counts[change];
   }
   showRows(rows);

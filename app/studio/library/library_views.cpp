@@ -48,6 +48,7 @@ LibraryViews::LibraryViews(Session* session, Library* library, LibraryPanel* pan
     library_->copySettings(row);
     panel_->setCanPaste(true);
   });
+  panel->setCanPaste(library->hasCopy());
   connect(panel, &LibraryPanel::pasteSettingsRequested, library, &Library::pasteSettings);
   connect(panel, &LibraryPanel::pasteImportanceRequested, library, &Library::pasteImportance);
   connect(panel, &LibraryPanel::putCharacterRequested, this, &LibraryViews::putCharacter);
@@ -144,6 +145,14 @@ void LibraryViews::putCharacter(const std::vector<int>& rows) {
   const QString file = QFileDialog::getOpenFileName(window_, tr("Put a Character On"), {},
                                                     tr("Characters (*.fbx *.glb *.gltf *.vrm)"));
   if (!file.isEmpty()) library_->putCharacter(rows, file);
+}
+
+bool LibraryViews::encodes() const {
+  return encoding_->active();
+}
+
+void LibraryViews::setEncodes(bool encodes) {
+  encoding_->setActive(encodes);
 }
 
 void LibraryViews::compareWithBatch() {

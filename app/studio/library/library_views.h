@@ -3,6 +3,8 @@
 
 #include <QObject>
 
+#include "core/report/review.h"
+
 class QWidget;
 
 namespace mocapress {
@@ -39,6 +41,10 @@ class LibraryViews : public QObject {
   void addClips();
   void addFolder();
   void findMissing();
+
+  /// Whether clips are compressed in the background.
+  bool encodes() const;
+  void setEncodes(bool encodes);
 
   /// Asks for an earlier batch or project, and compares the library with it.
   void compareWithBatch();

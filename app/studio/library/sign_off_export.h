@@ -26,6 +26,7 @@ class SignOffExport : public QObject {
 
  public:
   SignOffExport(const Library* library, const LibraryModel* rows, QWidget* window);
+  ~SignOffExport() override { writing_.finish(); }
 
   void choose();
 

@@ -391,8 +391,12 @@ void MainWindow::updateCommands() {
 
 WindowState MainWindow::state() const {
   const Viewport& view = *panels_.views.viewport;
-  return {playback_->frame(), playback_->range(), view.options(), actions_.view.follow->isChecked(),
-          view.framesByItself() ? std::nullopt : std::optional(view.cameraPlace())};
+  return {playback_->frame(),
+          playback_->range(),
+          view.options(),
+          actions_.view.follow->isChecked(),
+          view.framesByItself() ? std::nullopt : std::optional(view.cameraPlace()),
+          library_views_->encodes()};
 }
 
 void MainWindow::takeOver(const WindowState& state) {
@@ -402,6 +406,7 @@ void MainWindow::takeOver(const WindowState& state) {
   playback_->setRange(state.range);
   playback_->seek(state.frame);
   if (state.camera) panels_.views.viewport->setCameraPlace(*state.camera);
+  library_views_->setEncodes(state.encodes);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -16,6 +16,7 @@ struct WindowState {
   ViewOptions view;
   bool follows = true;
   std::optional<OrbitCamera::Place> camera;  // unset: frames the figure by itself
+  bool encodes = false;                      // compresses the library in the background
 };
 
 }  // namespace mocapress
