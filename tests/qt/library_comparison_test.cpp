@@ -18,7 +18,7 @@
 #include "widgets/models/library_tree.h"
 #include "widgets/panels/library_panel.h"
 
-namespace mocapress {
+namespace mocapress::library_comparison_test {
 namespace {
 
 Settings standard(double ratio) {
@@ -151,4 +151,4 @@ TEST_F(AComparedLibrary, SaysWhyAFolderIsNoBatch) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::library_comparison_test
