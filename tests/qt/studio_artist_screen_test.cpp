@@ -9,11 +9,9 @@
 #include <QTest>
 #include <QToolButton>
 #include <QTreeView>
-#include <filesystem>
 
 #include "app/studio/batch/batch_session.h"
 #include "app/studio/batch/batch_window.h"
-#include "core/formats/motion_file.h"
 #include "tests/qt/studio_at_work.h"
 #include "widgets/models/library_columns.h"
 #include "widgets/models/library_tree.h"
@@ -28,25 +26,12 @@ namespace {
 
 using namespace test;
 
-constexpr int kWalks = 4;
-
-void writeWalks(const QString& folder) {
-  QDir().mkpath(folder);
-  const Motion walk =
-      read_motion(std::filesystem::path(MOCAPRESS_SOURCE_DIR) / "resources/samples/human_walk.amc")
-          .motion;
-  for (int i = 0; i < kWalks; ++i) {
-    Motion part = walk;
-    part.clip.channels = walk.clip.channels.topRows(60 + 20 * i).eval();
-    write_motion(QStringLiteral("%1/walk%2.bvh").arg(folder).arg(i).toStdU16String(), part);
-  }
-}
-
 TEST_F(StudioTour, AnArtistTunesAClipGivesItsSettingsToOthersAndExportsThem) {
   const QString folder = directory_.filePath(QStringLiteral("walks"));
   const QString data = directory_.filePath(QStringLiteral("data"));
   const QString out = directory_.filePath(QStringLiteral("out"));
-  writeWalks(folder);
+  constexpr int kWalks = 4;
+  writeWalks(folder, kWalks);
   std::size_t bytes = 0;
   {
     Studio studio;

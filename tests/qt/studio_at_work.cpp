@@ -3,9 +3,11 @@
 
 #include <QDropEvent>
 #include <QMimeData>
+#include <filesystem>
 #include <set>
 
 #include "app/studio/window/screenshot.h"
+#include "core/formats/motion_file.h"
 #include "widgets/viewport/viewport.h"
 
 namespace mocapress::test {
@@ -58,6 +60,18 @@ void drop(QWidget& widget, const QList<QUrl>& urls) {
   EXPECT_TRUE(enter.isAccepted());
   QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QCoreApplication::sendEvent(&widget, &drop);
+}
+
+void writeWalks(const QString& folder, int count) {
+  QDir().mkpath(folder);
+  const Motion walk =
+      read_motion(std::filesystem::path(MOCAPRESS_SOURCE_DIR) / "resources/samples/human_walk.amc")
+          .motion;
+  for (int i = 0; i < count; ++i) {
+    Motion part = walk;
+    part.clip.channels = walk.clip.channels.topRows(60 + 30 * i).eval();
+    write_motion(QStringLiteral("%1/walk%2.bvh").arg(folder).arg(i).toStdU16String(), part);
+  }
 }
 
 QImage Studio::picture(const QString& name) {

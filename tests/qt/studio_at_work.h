@@ -31,6 +31,9 @@ int pixelsNear(const QImage& picture, const QRect& area, const QColor& colour);
 /// Drops files or folders on a widget.
 void drop(QWidget& widget, const QList<QUrl>& urls);
 
+/// Writes starts of the sample walk, so short that encoding them takes no time.
+void writeWalks(const QString& folder, int count);
+
 /// A window at work.
 class Studio {
  public:

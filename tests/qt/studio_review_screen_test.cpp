@@ -9,10 +9,8 @@
 #include <QProgressBar>
 #include <QTest>
 #include <QTreeView>
-#include <filesystem>
 
 #include "app/studio/library/sign_off_export.h"
-#include "core/formats/motion_file.h"
 #include "core/report/clip_link.h"
 #include "tests/qt/studio_at_work.h"
 #include "widgets/models/colours.h"
@@ -27,21 +25,6 @@ namespace {
 
 using namespace test;
 
-constexpr int kWalks = 3;
-
-/// Starts of the sample walk, so short that encoding them takes no time.
-void writeWalks(const QString& folder) {
-  QDir().mkpath(folder);
-  const Motion walk =
-      read_motion(std::filesystem::path(MOCAPRESS_SOURCE_DIR) / "resources/samples/human_walk.amc")
-          .motion;
-  for (int i = 0; i < kWalks; ++i) {
-    Motion part = walk;
-    part.clip.channels = walk.clip.channels.topRows(60 + 30 * i).eval();
-    write_motion(QStringLiteral("%1/walk%2.bvh").arg(folder).arg(i).toStdU16String(), part);
-  }
-}
-
 QByteArray contentOfFile(const QString& path) {
   QFile file(path);
   return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
@@ -49,7 +32,8 @@ QByteArray contentOfFile(const QString& path) {
 
 TEST_F(StudioTour, AReviewerGoesFromAFolderToASignOffAndBackByItsLinks) {
   const QString folder = directory_.filePath(QStringLiteral("walks"));
-  writeWalks(folder);
+  constexpr int kWalks = 3;
+  writeWalks(folder, kWalks);
   Studio studio;
   Library& library = studio->library();
   library.begin(directory_.filePath(QStringLiteral("data")));
