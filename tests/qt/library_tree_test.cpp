@@ -190,6 +190,10 @@ TEST_F(ALibraryTree, EveryColumnSaysWhatStandsInTheRow) {
   full.preset = QStringLiteral("Crowd");
   full.notes << QStringLiteral("guessed");
   full.review.verdict = Verdict::Approved;
+  full.since = ClipDifference{.output = "a",
+                              .before = ClipFigures{.done = true, .bytes = 500, .eps_cm = 0.2},
+                              .after = ClipFigures{.done = true, .bytes = 1000, .eps_cm = 0.3},
+                              .changes = {ClipChange::Larger}};
   clips_.setEntries({full});
   for (int column = 0; column < kLibraryColumns; ++column) {
     const QModelIndex index = tree_.indexOf(0).siblingAtColumn(column);
@@ -207,6 +211,8 @@ TEST_F(ALibraryTree, EveryColumnSaysWhatStandsInTheRow) {
   EXPECT_EQ(text(LibraryColumn::Length), "2.00 s");
   EXPECT_EQ(text(LibraryColumn::Slide), "1.50 cm");
   EXPECT_EQ(text(LibraryColumn::Bytes), "1,000");
+  EXPECT_EQ(text(LibraryColumn::BytesSince), "+100 %");
+  EXPECT_EQ(text(LibraryColumn::Since), "larger");
 }
 
 TEST_F(ALibraryTree, ThePanelsColumnsAreChosenAndComeBack) {
