@@ -15,11 +15,13 @@ import pathlib
 import re
 import shutil
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
 import time
 import unittest
+import zlib
 
 PROGRAM, LINUX, HOLD_FILE, SAMPLES = map(os.path.abspath, sys.argv[1:5])
 CORPUS = sys.argv[5] if len(sys.argv) > 5 else None
@@ -59,6 +61,28 @@ def alike(text):
     the two C libraries differ in the last bit, and paths with slashes."""
     text = text.replace("\\\\", "/").replace("\\", "/")
     return re.sub(r"-?\d+\.\d+(e-?\d+)?", lambda number: f"{float(number[0]):.12g}", text)
+
+
+def fbx_parts(file):
+    """The joints of an FBX file, and its curves' values to 12 decimals. An angle of 3.6e-15 degrees, all that rounding left
+    of none, was 2.2e-16 degrees less: sin(), cos() and atan2() of the two C libraries differ in the last bit."""
+    data = file.read_bytes()
+    joints = data[:data.index(b"AnimStack")]
+    yield re.sub(b".{4}(?=.{8}\x07Objects)", b"", joints, flags=re.DOTALL)  # without where packed curves end
+    for found in re.finditer(b"KeyValueFloatf(.{12})", data, re.DOTALL):
+        values, is_packed, size = struct.unpack("<3I", found[1])
+        curve = data[found.end():found.end() + size]
+        curve = zlib.decompress(curve) if is_packed else curve
+        yield [round(value, 12) for value in struct.unpack(f"<{values}f", curve)]
+
+
+def contents(file):
+    """What both programs must write alike."""
+    if file.suffix == ".fbx":
+        return list(fbx_parts(file))
+    if file.suffix == ".json" or file.stem == "report":
+        return alike(file.read_text("utf-8"))
+    return hashlib.sha256(file.read_bytes()).hexdigest()
 
 
 def hashes(folder, names=("*.mcpr", "*.mcpk", "*.csv", "*.bvh", "*.glb")):
@@ -124,14 +148,12 @@ class SameBytes(CommandLine):
                 for program, name in ((windows, "windows"), (linux, "linux"))]
 
     def written(self, folder):
-        """The bytes of all files that were made, but journals, which have times, and reports as texts."""
+        """All files that were made, but journals, which have times."""
         made = {}
         for file in (self.folder / folder).rglob("*.*"):
             name = file.relative_to(self.folder / folder)
             if name.parts[0] != "in" and file.is_file() and file.suffix != ".jsonl":
-                is_report = file.suffix == ".json" or file.stem == "report"
-                made[str(name)] = (
-                    alike(file.read_text("utf-8")) if is_report else hashlib.sha256(file.read_bytes()).hexdigest())
+                made[str(name)] = contents(file)
         return made
 
     def same_files(self, least):
@@ -178,10 +200,9 @@ class SameBytes(CommandLine):
         self.assertIn("gameplay", presets)
         for number, preset in enumerate(presets):
             with self.subTest(preset=preset):
-                # Not FBX: one file of ten differed in 437 of its 1,008,668 bytes. The cause is not known yet.
                 self.both("batch", "in/human_walk.amc", "in/character.glb", "-o", preset, "--preset", preset, "--format",
-                          "mcpr,bvh,csv,glb", "--bank", ("packed", "cooked")[number % 2])
-        self.same_files(least=12 * len(presets))
+                          "mcpr,bvh,csv,glb,fbx", "--bank", ("packed", "cooked")[number % 2])
+        self.same_files(least=14 * len(presets))
 
     def test_of_projects(self):
         project = {"format": "mocapress-project", "version": 1, "clips": [
