@@ -211,7 +211,7 @@ TEST_F(ALibraryTree, EveryColumnSaysWhatStandsInTheRow) {
   EXPECT_EQ(text(LibraryColumn::Length), "2.00 s");
   EXPECT_EQ(text(LibraryColumn::Slide), "1.50 cm");
   EXPECT_EQ(text(LibraryColumn::Bytes), "1,000");
-  EXPECT_EQ(text(LibraryColumn::BytesSince), "+100 %");
+  EXPECT_EQ(text(LibraryColumn::BytesSince), "+100.0 %");
   EXPECT_EQ(text(LibraryColumn::Since), "larger");
 }
 
