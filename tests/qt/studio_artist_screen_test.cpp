@@ -59,7 +59,7 @@ TEST_F(StudioTour, AnArtistTunesAClipGivesItsSettingsToOthersAndExportsThem) {
       session.setRanges({{std::max(worst - 5, 0), std::min(worst + 5, 59), 3}});
     });
 
-    // What an engine would do with the same bytes stands beside it.
+    // Beside it stands an engine's way with the same bytes.
     studio->actions().pin_engine->trigger();
     ASSERT_TRUE(
         QTest::qWaitFor([&] { return studio->views().viewport->pinned().size() == 1; }, kPatience));

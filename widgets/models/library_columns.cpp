@@ -32,7 +32,7 @@ QStringView nameIn(const QString& path) {
   return QStringView(path).mid(path.lastIndexOf(QLatin1Char('/')) + 1);
 }
 
-/// What a clip has more than it had, as a share of that. Unset: it was or is not done.
+/// The bytes that a clip has more than it had, as a share of these. Unset: it was or is not done.
 std::optional<double> moreBytes(const LibraryEntry& entry) {
   const std::optional<ClipDifference>& since = entry.since;
   if (!since || !since->before->done || !since->after->done || since->before->bytes == 0) return {};

@@ -45,7 +45,7 @@ std::string settingsHash(const ProjectClip& clip);
 Staleness staleVerdict(const ProjectClip& clip);
 Staleness outdated(const ProjectClip& clip);
 
-/// What changed since the batch that is compared. Unset: there is nothing to compare.
+/// The clip's changes since the batch that is compared. Unset: there is nothing to compare.
 std::optional<ClipDifference> differenceSince(const ProjectClip& clip);
 
 /// Why a note on the clip does not apply to it today, in English. Unset: it does.

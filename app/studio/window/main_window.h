@@ -93,7 +93,7 @@ class MainWindow : public QMainWindow {
   Trace& trace() { return *trace_; }
   ViewPictures& pictures() { return *pictures_; }
 
-  /// What a window in another language takes over, beside the work.
+  /// The part of this window that one in another language takes over, beside the work.
   WindowState state() const;
 
   /// Shows the work as far as it has come, as the window before did.

@@ -9,7 +9,7 @@
 
 namespace mocapress {
 
-/// What a window shows of the work, for the next one, which is made in another language.
+/// A window's view of the work, for the next window, which is made in another language.
 struct WindowState {
   int frame = 0;
   std::optional<std::pair<int, int>> range;

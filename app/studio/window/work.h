@@ -12,7 +12,7 @@
 
 namespace mocapress {
 
-/// What the user works on, with its undo histories. A window shows it; the window that replaces it
+/// The user's work, with its undo histories. A window shows it; the window that replaces it
 /// in another language shows the same.
 class Work : public QObject {
  public:
