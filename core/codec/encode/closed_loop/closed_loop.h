@@ -22,11 +22,11 @@ struct ClosedLoopProgress {
 
 /// Decides quantisation and the trade between channels together, by their effect on eps_x.
 ///
-/// A channel's step is in inverse proportion to how far the channel moves the landmarks. A channel
-/// that stands still in the original is coded as one value and stays still. Then the loop changes
-/// single coefficients: it weighs the change of eps_x^2, given the errors of all others, against
-/// the bits saved. A knee can thus make up for an error of the hip. Const and safe to use from
-/// several threads at a time; the result is deterministic.
+/// A channel's step is the finer the further the channel moves the body (ENCODER.md, stage 3). A
+/// channel that stands still in the original is coded as one value and stays still. Then the loop
+/// changes single coefficients: it weighs the change of eps_x^2, given the errors of all others,
+/// against the bits saved. A knee can thus make up for an error of the hip. Const and safe to use
+/// from several threads at a time; the result is deterministic.
 class ClosedLoop {
  public:
   /// The references to the transform, the clip and the model must outlive this. Squared errors of

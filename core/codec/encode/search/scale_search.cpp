@@ -230,7 +230,7 @@ void approach_bound(const Goal& goal, const Target& target, int frames, const Co
   constexpr int kMost = 24;
   constexpr int kMostInVain = 6;
   constexpr double kNear = 0.01;
-  constexpr double kAlike = 0.005;    // of the bytes: gains below this end the search
+  constexpr double kAlike = 0.005;    // of the bytes, by which a nearer trial may be larger
   constexpr double kRounding = 1e-4;  // between the coarsened and the decoded motion
   constexpr double kMostWider = 1.1;  // limit of widening a frame's bound in one round
   constexpr double kTighter = 0.6;    // exponent on the excess when tightening every bound
