@@ -29,6 +29,7 @@
 #include "core/base/utf8_path.h"
 #include "core/codec/format/format_error.h"
 #include "core/formats/text_cursor.h"
+#include "core/formats/text_writer.h"
 
 namespace mocapress::cli {
 namespace {
@@ -71,7 +72,7 @@ class ClipCount {
   }
   std::string text() const {
     if (clips_ == 0) return "no clip";
-    return std::to_string(done_) + " of " + std::to_string(clips_) + " clips";
+    return std::to_string(done_) + " of " + counted(clips_, "clip");
   }
   void end() const { line_.clear(); }
   std::uint64_t ik_bytes() const { return ik_bytes_; }
@@ -87,8 +88,9 @@ class ClipCount {
 /// Says what is in the bank just written.
 void describe_written(const std::string& path) {
   const mcpk_bank bank = read_bank_head(utf8_path(path)).value_or(mcpk_bank{});
-  std::fprintf(stderr, "%s: %u clips, %llu bytes, %s\n", printable(path).c_str(), bank.clips,
-               static_cast<unsigned long long>(bank.bytes), name(bank.form).data());
+  std::fprintf(stderr, "%s: %s, %llu bytes, %s\n", printable(path).c_str(),
+               counted(bank.clips, "clip").c_str(), static_cast<unsigned long long>(bank.bytes),
+               name(bank.form).data());
 }
 
 /// Says that the bank just written is sound, or that it was not written.
@@ -267,10 +269,11 @@ void list_bank(const std::string& path, bool json) {
                   tags.c_str());
     }
     for (std::size_t s = 0; s < skeletons.all.size(); ++s)
-      std::printf("skeleton %zu: %s, %d joints, %u clips\n", s,
+      std::printf("skeleton %zu: %s, %s, %s\n", s,
                   skeletons.all[s].hash != 0 ? hash_text(skeletons.all[s].hash).c_str()
                                              : "no engine plays it",
-                  bank.describe(skeletons.all[s].clip).joints, skeletons.all[s].clips);
+                  counted(bank.describe(skeletons.all[s].clip).joints, "joint").c_str(),
+                  counted(skeletons.all[s].clips, "clip").c_str());
     std::uint32_t present = 0;
     const std::uint32_t tiers = mcpk_tiers(&bank.bank(), &present);
     if (tiers > 1) std::printf("tiers: %u of %u\n", present, tiers);
@@ -374,10 +377,11 @@ void verify_bank(const std::string& path) {
     std::fprintf(stderr, "Stopped after %s.\n", count.text().c_str());
     throw EndedWith{128 + stop_signal};
   }
-  std::fprintf(stderr, "%s: %u clips are whole and play\n", printable(path).c_str(),
-               bank.clips() - unplayed);
+  std::fprintf(stderr, "%s: %s whole and playable\n", printable(path).c_str(),
+               counted(bank.clips() - unplayed, "clip").c_str());
   if (unplayed > 0)
-    std::fprintf(stderr, "%u are whole, but use a coding that engines cannot play\n", unplayed);
+    std::fprintf(stderr, "%s whole, but in a coding that engines cannot play\n",
+                 counted(unplayed, "clip").c_str());
 }
 
 void add_bank_argument(CLI::App& command, std::string& bank) {

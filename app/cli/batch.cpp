@@ -159,8 +159,7 @@ struct BatchCommand {
     /// Throws EndedWith if any clip was refused.
     void end() const {
       if (refused == 0) return;
-      std::fprintf(stderr, "--fail-on refuses %s\n",
-                   counted(static_cast<long>(refused), "clip").c_str());
+      std::fprintf(stderr, "--fail-on refuses %s\n", counted(refused, "clip").c_str());
       throw EndedWith{kTargetMissed};
     }
   };
@@ -216,8 +215,9 @@ struct BatchCommand {
     GateKeeper keeper = gate_keeper();
     const MergedBatch merged =
         merge_batch(folders, target, [&](const BatchRow& row) { keeper.look_at(row); });
-    std::fprintf(stderr, "%zu clips, %zu failed, %zu still waiting\n%s\n", merged.clips,
-                 merged.failed, merged.waiting, printable(utf8(target / report_name({}))).c_str());
+    std::fprintf(stderr, "%s, %zu failed, %zu still waiting\n%s\n",
+                 counted(merged.clips, "clip").c_str(), merged.failed, merged.waiting,
+                 printable(utf8(target / report_name({}))).c_str());
     if (merged.failed > 0 || merged.waiting > 0) throw EndedWith{kSomeFailed};
     keeper.end();
   }
@@ -257,8 +257,8 @@ struct BatchCommand {
     if (batch.reading.character) batch.reading.character = absolute(*batch.reading.character);
     write_text(queue, queue_text(batch));
     write_text(utf8_path(slurm_file), script);
-    std::fprintf(stderr, "%zu clips in %d tasks: sbatch %s\n", batch.items.size(), slurm_tasks,
-                 printable(slurm_file).c_str());
+    std::fprintf(stderr, "%s in %s: sbatch %s\n", counted(batch.items.size(), "clip").c_str(),
+                 counted(slurm_tasks, "task").c_str(), printable(slurm_file).c_str());
   }
 };
 

@@ -8,6 +8,7 @@
 #include "core/base/number_text.h"
 #include "core/base/utf8_path.h"
 #include "core/batch/batch_folder.h"
+#include "core/formats/text_writer.h"
 #include "core/mocapress/settings_json.h"
 
 #include <nlohmann/json.hpp>
@@ -135,7 +136,8 @@ void BatchReporter::end(const BatchOutcome& outcome, const std::filesystem::path
                 {"bank", outcome.has_bank ? Json(bank_beside(report)) : Json()}});
     return;
   }
-  std::fprintf(stderr, "%zu of %zu clips done", counts.done - counts.failed, counts.clips);
+  std::fprintf(stderr, "%zu of %s done", counts.done - counts.failed,
+               counted(counts.clips, "clip").c_str());
   if (counts.kept > 0) std::fprintf(stderr, ", %zu of them by an earlier run", counts.kept);
   if (warned_ > 0) std::fprintf(stderr, ", %zu of them with warnings", warned_);
   if (counts.failed > 0) std::fprintf(stderr, "; %zu failed", counts.failed);

@@ -11,6 +11,7 @@
 #include "core/base/utf8_path.h"
 #include "core/batch/batch_difference.h"
 #include "core/batch/batch_folder.h"
+#include "core/formats/text_writer.h"
 
 namespace mocapress::cli {
 namespace {
@@ -28,8 +29,8 @@ struct Diff {
       return [&waiting, folder](const std::function<void(const BatchRow&)>& visit) {
         waiting = visit_rows(utf8_path(folder), visit);
         if (waiting > 0)
-          std::fprintf(stderr, "%s: %zu clips have no row: the batch was not finished\n",
-                       printable(folder).c_str(), waiting);
+          std::fprintf(stderr, "%s: %s without a row: the batch was not finished\n",
+                       printable(folder).c_str(), counted(waiting, "clip").c_str());
       };
     };
     const BatchDifference difference =
@@ -37,9 +38,9 @@ struct Diff {
     json ? print(to_json(difference)) : print_lines(difference);
     if (difference.judged_otherwise > 0)
       std::fprintf(stderr,
-                   "%zu clips were judged from another distance or by other limits: their "
-                   "visibility is not compared\n",
-                   difference.judged_otherwise);
+                   "%s judged from another distance or by other limits: visibility is not "
+                   "compared there\n",
+                   counted(difference.judged_otherwise, "clip").c_str());
     refuse(difference);
     if (waiting > 0) throw EndedWith{kSomeFailed};  // of the later batch, which was read last
   }
@@ -53,7 +54,7 @@ struct Diff {
         refused |= difference.judged_otherwise > 0;
       const std::size_t count = difference.count(change);
       if (count == 0) continue;
-      std::fprintf(stderr, "%zu clips are %s (--fail-on)\n", count, word.c_str());
+      std::fprintf(stderr, "%s %s (--fail-on)\n", counted(count, "clip").c_str(), word.c_str());
       refused = true;
     }
     if (refused) throw EndedWith{kTargetMissed};
@@ -68,8 +69,8 @@ struct Diff {
   }
 
   static void print_lines(const BatchDifference& difference) {
-    std::printf("%zu clips in both: %zu -> %zu bytes\n", difference.clips, difference.bytes_before,
-                difference.bytes_after);
+    std::printf("%s in both: %zu -> %zu bytes\n", counted(difference.clips, "clip").c_str(),
+                difference.bytes_before, difference.bytes_after);
     for (const ClipChange change : kClipChanges)
       if (const std::size_t count = difference.count(change); count > 0)
         std::printf("%6zu %s\n", count, std::string(name(change)).c_str());

@@ -13,6 +13,7 @@
 #include "core/base/utf8_path.h"
 #include "core/batch/batch_folder.h"
 #include "core/batch/batch_sign_off.h"
+#include "core/formats/text_writer.h"
 
 namespace mocapress::cli {
 namespace {
@@ -58,12 +59,12 @@ struct SignOffCall {
     refuse_report(file, batch);
     write_text(file, is_table ? sign_off_csv(report) : sign_off_html(report));
     const SignOffCounts counts = count(report);
-    std::printf("%zu clips: %zu approved, %zu rejected, %zu stale, %zu without a verdict\n",
-                report.clips.size(), counts.approved, counts.rejected, counts.stale,
-                counts.waiting);
+    std::printf("%s: %zu approved, %zu rejected, %zu stale, %zu without a verdict\n",
+                counted(report.clips.size(), "clip").c_str(), counts.approved, counts.rejected,
+                counts.stale, counts.waiting);
     if (unfinished > 0) {
-      std::fprintf(stderr, "%s: %zu clips have no row: the batch was not finished\n",
-                   printable(folder).c_str(), unfinished);
+      std::fprintf(stderr, "%s: %s without a row: the batch was not finished\n",
+                   printable(folder).c_str(), counted(unfinished, "clip").c_str());
       throw EndedWith{kSomeFailed};
     }
     if (all_approved && counts.approved < report.clips.size()) throw EndedWith{kTargetMissed};

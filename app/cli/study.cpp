@@ -18,6 +18,7 @@
 #include "core/base/utf8_path.h"
 #include "core/codec/methods/compression_method.h"
 #include "core/formats/clip_files.h"
+#include "core/formats/text_writer.h"
 #include "core/study/published_figures.h"
 #include "core/study/results.h"
 #include "core/study/row.h"
@@ -139,8 +140,9 @@ struct Study {
         last_unread = row.clip;
         ++unread;
       }
-    std::fprintf(stderr, "%zu compressions of %zu clips, %d of them made by an earlier run\n",
-                 outcome.rows.size(), results.clips().size(), kept);
+    std::fprintf(stderr, "%s of %s, %d of them made by an earlier run\n",
+                 counted(outcome.rows.size(), "compression").c_str(),
+                 counted(results.clips().size(), "clip").c_str(), kept);
     std::fprintf(stderr, "%s\n", printable(utf8(utf8_path(folder) / kReport)).c_str());
     if (unread > 0) throw EndedWith{kSomeFailed};
   }

@@ -162,7 +162,7 @@ TEST_F(CliBank, SaysHowManyTiersAreLeft) {
   const Outcome stripped =
       mocapress({"bank", "strip", file("b.mcpk"), "--tiers", "2", "-o", file("s.mcpk")});
   EXPECT_EQ(stripped.exit_code, 0);
-  EXPECT_THAT(stripped.err, HasSubstr("s.mcpk: 1 clips, "));
+  EXPECT_THAT(stripped.err, HasSubstr("s.mcpk: 1 clip, "));
   const std::string text = mocapress({"bank", "list", file("s.mcpk")}).out;
   EXPECT_THAT(text, HasSubstr("tiers: 2 of 3\n"));
   EXPECT_EQ(text.find(" bytes"), 43U) << "columns are as wide as letters, not as bytes: " << text;
@@ -181,7 +181,7 @@ TEST_F(CliBank, RemovesClips) {
   EXPECT_EQ(none.err, "mocapress: " + bank + ": holds no clip 'run'\n");
   const Outcome removed = mocapress({"bank", "remove", bank, "walk"});
   EXPECT_EQ(removed.exit_code, 0);
-  EXPECT_THAT(removed.err, HasSubstr(": 1 clips, "));
+  EXPECT_THAT(removed.err, HasSubstr(": 1 clip, "));
   EXPECT_THAT(mocapress({"bank", "list", bank}).out, testing::StartsWith("slow/walk "));
   EXPECT_EQ(mocapress({"bank", "verify", bank}).exit_code, 0);
 }

@@ -203,7 +203,7 @@ TEST_F(CliBatch, ADifferenceOfVisibilityFromOtherDistancesIsNotPassed) {
   mocapress(batch("near", {"--target-error", "1", "--distance", "1"}));
   const Outcome silent = mocapress({"diff", file("far"), file("near"), "--fail-on", "worse"});
   EXPECT_EQ(silent.exit_code, 0);
-  EXPECT_THAT(silent.err, HasSubstr("1 clips were judged from another distance"));
+  EXPECT_THAT(silent.err, HasSubstr("1 clip judged from another distance"));
   EXPECT_EQ(mocapress({"diff", file("far"), file("near"), "--fail-on", "newly-visible"}).exit_code,
             4);
 }
@@ -217,7 +217,7 @@ TEST_F(CliBatch, ADifferenceFromABatchThatWasCutOffIsNotPassed) {
   write("new/batch.jsonl", journal);
   const Outcome cut = mocapress({"diff", file("old"), file("new"), "--fail-on", "failed,worse"});
   EXPECT_EQ(cut.exit_code, 7);
-  EXPECT_THAT(cut.err, HasSubstr("2 clips have no row: the batch was not finished"));
+  EXPECT_THAT(cut.err, HasSubstr("2 clips without a row: the batch was not finished"));
   EXPECT_EQ(mocapress({"diff", file("new"), file("old")}).exit_code, 0);
 }
 
