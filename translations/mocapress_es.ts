@@ -4425,6 +4425,14 @@
         <translation>%1 no se puede cargar</translation>
     </message>
     <message>
+        <source>Previous clip</source>
+        <translation>Clip anterior</translation>
+    </message>
+    <message>
+        <source>Next clip</source>
+        <translation>Clip siguiente</translation>
+    </message>
+    <message>
         <source>Loading</source>
         <translation>Cargando</translation>
     </message>

@@ -4425,6 +4425,14 @@
         <translation>%1 ne peut pas être chargé</translation>
     </message>
     <message>
+        <source>Previous clip</source>
+        <translation>Clip précédent</translation>
+    </message>
+    <message>
+        <source>Next clip</source>
+        <translation>Clip suivant</translation>
+    </message>
+    <message>
         <source>Loading</source>
         <translation>Chargement</translation>
     </message>

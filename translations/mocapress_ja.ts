@@ -4394,6 +4394,14 @@
         <translation>%1 を読み込めません</translation>
     </message>
     <message>
+        <source>Previous clip</source>
+        <translation>前のクリップ</translation>
+    </message>
+    <message>
+        <source>Next clip</source>
+        <translation>次のクリップ</translation>
+    </message>
+    <message>
         <source>Loading</source>
         <translation>読み込み中</translation>
     </message>

@@ -5,7 +5,7 @@ namespace mocapress {
 
 /// The texts that the script below and the viewer pass to say().
 inline constexpr const char* kReviewTexts[] = {
-    "View", "%1 cannot be shown: %2", "%1 cannot be loaded",
+    "View", "%1 cannot be shown: %2", "%1 cannot be loaded", "Previous clip", "Next clip",
     // core/report/viewer/viewer.js
     "Loading", "Frame", "Key: %1", "Play", "Pause", "Overlay", "Side by side", "Wipe", "Swap",
     "Colour by error", "Follow", "Worst frame before", "Next worst frame", "Reset camera",
@@ -96,15 +96,18 @@ function go(step) {
   const row = neighbour(step);
   if (row) row.cells[0].querySelector("button").click();
 }
-for (const [sign, step, key] of [["\u2039", -1, "Shift+Q"], ["\u203a", 1, "Q"]]) {
+for (const [sign, step, name, key] of [["\u2039", -1, say("Previous clip"), "Shift+Q"],
+                                       ["\u203a", 1, say("Next clip"), "Q"]]) {
   const button = document.createElement("button");
   button.textContent = sign;
+  button.setAttribute("aria-keyshortcuts", key);
   button.onclick = () => go(step);
   button.tell = function () {
     const row = neighbour(step);
     button.disabled = !row;
-    button.title = row ? key + ": " + row.cells[0].firstChild.textContent : key;
-    button.setAttribute("aria-label", button.title);
+    const label = row ? name + ": " + row.cells[0].firstChild.textContent : name;
+    button.setAttribute("aria-label", label);
+    button.title = label + ". " + say("Key: %1", key);
   };
   neighbours.append(button);
 }

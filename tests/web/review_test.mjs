@@ -7,9 +7,9 @@ import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { pathToFileURL } from 'node:url';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 
-const source = join(import.meta.dirname, '../..');
+const source = fileURLToPath(new URL('../..', import.meta.url));
 const { WEB_PROGRAM, WEB_NODE, WEB_PICTURES } = process.env;
 const { chromium } = createRequire(join(WEB_NODE, 'package.json'))('playwright-core');
 const files = mkdtempSync(join(tmpdir(), 'mocapress-review-'));
@@ -168,6 +168,8 @@ test('the report of 3,000 clips is one page below 3 MB', async () => {
   assert.match(await page.locator('tr.viewed').textContent(), new RegExp(found[1]));
   await page.keyboard.press('Shift+Q');
   await titleIs(found[0]);
-  assert.deepEqual(await page.locator('.neighbours button').evaluateAll((buttons) => buttons.map((button) => button.disabled)), [true, false]);
+  const neighbour = (name) => page.getByRole('button', { name, exact: true });
+  assert.equal(await neighbour('Previous clip').isDisabled(), true);
+  assert.equal(await neighbour(`Next clip: ${found[1]}`).isDisabled(), false);
   assert.deepEqual(page.wrong, []);
 });

@@ -72,6 +72,8 @@ struct ReportTexts {
       QT_TR_NOOP("View"),
       QT_TR_NOOP("%1 cannot be shown: %2"),
       QT_TR_NOOP("%1 cannot be loaded"),
+      QT_TR_NOOP("Previous clip"),
+      QT_TR_NOOP("Next clip"),
       QT_TR_NOOP("Loading"),
       QT_TR_NOOP("Frame"),
       QT_TR_NOOP("Key: %1"),
