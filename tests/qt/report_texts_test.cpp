@@ -83,6 +83,18 @@ TEST(ReportTexts, AreThereInEveryLanguage) {
   }
 }
 
+/// Pages take texts of say() as markup, or between quotes.
+TEST(ReportTexts, HoldNoMarkupInAnyLanguage) {
+  const QRegularExpression markup(QStringLiteral("[<>&\"]"));
+  for (const QString& language : shippedLanguages()) {
+    QTranslator translator;
+    ASSERT_TRUE(translator.load(QStringLiteral(":/i18n/mocapress_%1.qm").arg(language)));
+    for (const QString& text : allTexts())
+      for (const QString& said : {text, translator.translate("mocapress::Report", text.toUtf8())})
+        EXPECT_FALSE(said.contains(markup)) << qPrintable(language) << ": " << qPrintable(said);
+  }
+}
+
 /// say() of a page knows only the texts that core lists for it.
 TEST(ReportTexts, ScriptsSayOnlyListedTexts) {
   const QStringList listed = scriptTexts();
