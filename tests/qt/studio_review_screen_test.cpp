@@ -5,12 +5,16 @@
 
 #include <QAction>
 #include <QFile>
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QMenu>
 #include <QProgressBar>
 #include <QTest>
 #include <QTreeView>
+#include <algorithm>
 
 #include "app/studio/library/sign_off_export.h"
+#include "core/base/base64.h"
 #include "core/report/clip_link.h"
 #include "tests/qt/studio_at_work.h"
 #include "widgets/models/colours.h"
@@ -103,6 +107,50 @@ TEST_F(StudioTour, AReviewerGoesFromAFolderToASignOffAndBackByItsLinks) {
   EXPECT_EQ(library.project().clips.size(), std::size_t{kWalks});
   const QImage again = studio.picture(QStringLiteral("review-4-by-link"));
   EXPECT_GT(coloursIn(again, studio.areaOf(studio->views().viewport)), 500u);
+}
+
+TEST_F(StudioTour, TheFileMenuExportsAReviewPageThatPlaysWhatIsSaved) {
+  const QString folder = directory_.filePath(QStringLiteral("walks"));
+  writeWalks(folder, 1);
+  Studio studio;
+  Library& library = studio->library();
+  library.begin(directory_.filePath(QStringLiteral("data")));
+  drop(*studio.operator->(), {QUrl::fromLocalFile(folder)});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return library.project().clips.size() == 1; }, kPatience));
+  studio.settleAfter([&] { library.openClip(0); });
+  library.setFrameNote(0, -1, {.frame = 5, .joint = "lhand", .text = "hand <pops>"});
+  library.setVerdict({0}, Verdict::Rejected);
+
+  QAction* action = studio->actions().export_review;
+  action->setVisible(true);  // builds without the viewer hide it
+  const QList<QMenu*> menus = studio->findChildren<QMenu*>();
+  EXPECT_TRUE(std::any_of(menus.begin(), menus.end(),
+                          [&](QMenu* menu) { return menu->actions().contains(action); }));
+  ASSERT_TRUE(action->isEnabled());
+  action->trigger();
+  auto* dialog = studio->findChild<QFileDialog*>();
+  ASSERT_TRUE(dialog);
+  studio.picture(QStringLiteral("review-page-1-dialog"));
+  auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+  ASSERT_TRUE(name);
+  QSignalSpy exported(&studio->files(), &ClipFiles::exported);
+  name->setText(directory_.filePath(QStringLiteral("page")));
+  QTest::keyClick(name, Qt::Key_Return);
+  ASSERT_TRUE(exported.count() > 0 || exported.wait(kPatience));
+  EXPECT_EQ(exported[0][0].toString(), QStringLiteral("page.html"));
+  studio.picture(QStringLiteral("review-page-2-written"));
+
+  const QByteArray page = contentOfFile(directory_.filePath(QStringLiteral("page.html")));
+  EXPECT_TRUE(page.contains("<li>rejected"));
+  EXPECT_TRUE(page.contains("hand &lt;pops&gt;"));
+  EXPECT_FALSE(page.contains("<pops>"));
+  const QString clip = directory_.filePath(QStringLiteral("saved.mcpr"));
+  QSignalSpy saved(&studio->session(), &Session::saved);
+  studio->session().save(clip);
+  ASSERT_TRUE(saved.count() > 0 || saved.wait(kPatience));
+  const std::string played = base64_of(contentOfFile(clip).toStdString());
+  EXPECT_GT(played.size(), 500u);
+  EXPECT_TRUE(page.contains('"' + QByteArray::fromStdString(played) + '"'));
 }
 
 }  // namespace
