@@ -107,6 +107,21 @@ const page = {
     }
   },
 
+  /** Names and poses of a file that MocapressLoader opens in each of its ways. */
+  async posesByLoader(url, seconds) {
+    const loader = new MocapressLoader();
+    const motions = [
+      await new Promise((onLoad, onError) => loader.load(url, onLoad, undefined, onError)),
+      await loader.loadAsync(url),
+      await loader.parse(await bytesOf(url), 'parsed'),
+    ];
+    return motions.map((motion) => ({
+      names: motion.names,
+      poses: seconds.flatMap((second) => [...motion.clip().sample(second)]),
+      tracks: motion.animations[0].tracks.length,
+    }));
+  },
+
   /** The refusal of a file by MocapressLoader, which loads or streams it. */
   async refusalOfLoader(call, url) {
     try {

@@ -9,9 +9,10 @@ import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { basename, extname, join, normalize } from 'node:path';
 import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
 
-const source = join(import.meta.dirname, '../..');
+const source = fileURLToPath(new URL('../..', import.meta.url));
 const { WEB_PROGRAM, WEB_NATIVE_POSES, WEB_PACKAGE, WEB_NODE, WEB_PICTURES } = process.env;
 const { chromium } = createRequire(join(WEB_NODE, 'package.json'))('playwright-core');
 const { createMocapress, worldPositions } = await import(join(WEB_PACKAGE, 'mocapress.js'));
@@ -34,7 +35,7 @@ const server = createServer((request, response) => {
   if (request.url.startsWith('/pages/')) return response.writeHead(200, { 'content-type': 'text/html' }).end(pageInsteadOfFile);
   const path = normalize(decodeURIComponent(new URL(request.url, 'http://localhost').pathname));
   const [, first, ...rest] = path.split('/');
-  const file = roots[first] ? join(roots[first], ...rest) : join(import.meta.dirname, path);
+  const file = roots[first] ? join(roots[first], ...rest) : join(source, 'tests/web', path);
   if (!existsSync(file)) return response.writeHead(404).end();
   const type = { 'content-type': types[extname(file)] ?? 'application/octet-stream' };
   const bytes = readFileSync(file);
@@ -373,6 +374,16 @@ test('a streamed bank that is damaged is refused, and so is a damaged clip', asy
     damaged[place] ^= 1;
     writeFileSync(join(files, 'damaged.mcpk'), damaged);
     assert.match(await inPage('refusalOfStream', 'files/damaged.mcpk', 'human_walk'), new RegExp(`^${refused}: MocapressError: files/damaged.mcpk: [^.]+$`));
+  }
+});
+
+test('MocapressLoader opens a file by load(), loadAsync() and parse()', async () => {
+  const expected = native('human_walk.mcpr', 20);
+  const opened = await inPage('posesByLoader', 'files/human_walk.mcpr', expected.seconds);
+  assert.deepEqual(opened.map(({ names }) => names), [['human_walk'], ['human_walk'], ['parsed']]);
+  for (const { poses, tracks } of opened) {
+    assert.ok(largestDifference(poses, expected.poses) < 1e-3);
+    assert.ok(tracks >= expected.joints.length);
   }
 });
 
