@@ -82,6 +82,21 @@ TEST_F(InstalledLibrary, BuildsTheExampleByCMakeAndByPkgConfigWhichRunsAndSaysWh
   EXPECT_THAT(no_clip.err, testing::HasSubstr("a.bvh:")) << "file, line and column";
 }
 
+/// FetchContent takes the tree itself in place of a clone, and nothing is linked: that would
+/// compile all of core.
+TEST_F(InstalledLibrary, TheExampleCompilesByTheSameNamesInATreeThatIsFetched) {
+  write("CMakeLists.txt",
+        "cmake_minimum_required(VERSION 3.25)\nproject(fetching LANGUAGES CXX)\n"
+        "include(FetchContent)\nFetchContent_Declare(mocapress GIT_REPOSITORY none)\n"
+        "FetchContent_MakeAvailable(mocapress)\nadd_library(tool OBJECT " +
+            (example_ / "compress_clip.cpp").string() +
+            ")\ntarget_link_libraries(tool PRIVATE mocapress::mocapress)\n");
+  const std::string build = file("build").string();
+  run({"cmake", "-G", "Ninja", "-S", file("").string(), "-B", build,
+       std::string("-DFETCHCONTENT_SOURCE_DIR_MOCAPRESS=") + MOCAPRESS_SOURCE_DIR});
+  run({"cmake", "--build", build, "--target", "tool"});
+}
+
 TEST_F(InstalledLibrary, ItsHeadersNeedEigenAndTheStandardLibraryAlone) {
   static const std::regex kInclude(R"(\s*#\s*include\s*(\S+))");
   const fs::path headers = file("prefix") / "include/mocapress";
