@@ -91,11 +91,7 @@ void FilmRecorder::keep(const QImage& image) {
         if (!image.save(file)) throw WriteError(file.toStdString() + ": cannot be written");
         return true;
       },
-      // Later: the runner is still busy inside its delivery.
-      [this](bool) {
-        QMetaObject::invokeMethod(this, &FilmRecorder::takeNext, Qt::QueuedConnection);
-      },
-      [this](const QString& message) { fail(message); });
+      [this](bool) { takeNext(); }, [this](const QString& message) { fail(message); });
 }
 
 void FilmRecorder::encodeVideo() {

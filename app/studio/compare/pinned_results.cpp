@@ -192,8 +192,7 @@ void PinnedResults::makeNext() {
     if (decoded) pins_.push_back({pin, decoded});
     if (!pin.colour.isValid() && decoded) pins_.back().pin.colour = freeColour();
     show();
-    // The runner is still busy inside its delivery.
-    QMetaObject::invokeMethod(this, &PinnedResults::makeNext, Qt::QueuedConnection);
+    makeNext();
   };
   const OriginalPtr original = session_->document().original();
   making_.start([pin = unmade_.front(), original,

@@ -118,8 +118,7 @@ void ViewPictures::writeNext() {
   if (unwritten_.empty() || saving_.busy()) return;
   const auto go_on = [this] {
     unwritten_.pop_front();
-    // The runner is still busy inside its delivery.
-    QMetaObject::invokeMethod(this, &ViewPictures::writeNext, Qt::QueuedConnection);
+    writeNext();
   };
   saving_.start(
       [next = unwritten_.front()](const Job&) {

@@ -18,10 +18,6 @@ void FolderSearch::abandon() {
 void FolderSearch::searchNext() {
   if (finding_.busy() || folders_.isEmpty()) return;
   const QString folder = folders_.takeFirst();
-  // The runner is still busy inside its delivery.
-  const auto go_to_next = [this] {
-    QMetaObject::invokeMethod(this, &FolderSearch::searchNext, Qt::QueuedConnection);
-  };
   finding_.start(
       [folder](const Job&) {
         QStringList clips;
@@ -29,14 +25,14 @@ void FolderSearch::searchNext() {
           if (clip.problem.empty()) clips << QString::fromStdString(clip.path);
         return clips;
       },
-      [this, folder, go_to_next](const QStringList& clips) {
+      [this, folder](const QStringList& clips) {
         if (clips.isEmpty()) emit failed(tr("There are no clips in %1.").arg(folder));
         emit found(clips);
-        go_to_next();
+        searchNext();
       },
-      [this, go_to_next](const QString& message) {
+      [this](const QString& message) {
         emit failed(message);
-        go_to_next();
+        searchNext();
       });
 }
 

@@ -24,9 +24,7 @@ void Library::checkFiles() {
                   [this, keys, sources](const std::vector<SourceNow>& now) {
                     noteFiles(keys, sources, now);
                     emit looked();
-                    // The runner is busy until its delivery has returned.
-                    if (check_again_)
-                      QMetaObject::invokeMethod(this, &Library::checkFiles, Qt::QueuedConnection);
+                    if (check_again_) checkFiles();
                   },
                   [this](const QString& message) { emit failed(message); });
 }

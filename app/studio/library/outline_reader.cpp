@@ -22,8 +22,7 @@ void OutlineReader::readNext() {
   if (!clip) return;
   const auto finish = [this, key](const ClipOutline& outline, const QString& trouble) {
     emit read(key, outline, trouble);
-    // The runner is busy until its delivery has returned.
-    QMetaObject::invokeMethod(this, &OutlineReader::readNext, Qt::QueuedConnection);
+    readNext();
   };
   reading_.start([path = clip->path, skeleton = clip->skeleton, reading = clip->reading](
                      const Job&) { return readOutline(path, skeleton, reading); },
