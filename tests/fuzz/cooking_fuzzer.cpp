@@ -13,7 +13,7 @@ namespace {
 
 using mocapress::AlignedBytes;
 
-mcpr_limits fuzzed_limits() {
+mcpr_limits cooking_limits() {
   mcpr_limits limits = mcpr::default_limits();
   limits.values = 1U << 16;
   limits.scratch_bytes = std::size_t{16} << 20;
@@ -46,7 +46,7 @@ std::vector<mcpr_sample_request> requests() {
 }
 
 /// Samples instants before, in and after the clip, and jumps between them.
-void play(const mcpr_cooked* clip) {
+void play_cooked(const mcpr_cooked* clip) {
   const mcpr_cooked_info info = mcpr::describe(clip);
   const AlignedBytes memory(mcpr_cursor_bytes(clip));
   mcpr_cursor* cursor = nullptr;
@@ -137,7 +137,7 @@ void cook(const mcpr_clip* clip, const mcpr_cook_options& options) {
   if (mcpr_open_cooked(memory.data(), size, 1, &cooked, nullptr) != MCPR_OK) std::abort();
   if (mcpr_cooked_skeleton_hash(cooked) != (options.skeleton != 0 ? mcpr_skeleton_hash(clip) : 0))
     std::abort();
-  play(cooked);
+  play_cooked(cooked);
   mocapress::test::play_tracks(mcpr_cooked_tracks(cooked), mcpr::describe(cooked).frames);
   blend(cooked);
 }
@@ -148,7 +148,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::vector<std::byte> file(size);
   if (size > 0) std::memcpy(file.data(), data, size);
   mocapress::test::mend_checksums(file);
-  const mcpr_limits limits = fuzzed_limits();
+  const mcpr_limits limits = cooking_limits();
   const mocapress::test::OpenedClip clip(file, &limits);
   if (clip.clip == nullptr) return 0;
   for (const int apply_ik : {0, 1}) cook(clip.clip, {.apply_ik = apply_ik});

@@ -75,14 +75,16 @@ void write_onto(const std::byte* bytes, std::size_t size) {
   read_gltf("again.glb", written);
 }
 
-constexpr void (*kKinds[])(const std::byte*, std::size_t) = {read_bank, read_journal, write_onto};
+constexpr void (*kStoredKinds[])(const std::byte*, std::size_t) = {read_bank, read_journal,
+                                                                   write_onto};
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   try {
-    kKinds[*data % std::size(kKinds)](reinterpret_cast<const std::byte*>(data) + 1, size - 1);
+    kStoredKinds[*data % std::size(kStoredKinds)](reinterpret_cast<const std::byte*>(data) + 1,
+                                                  size - 1);
   } catch (const Error&) {
     return 0;
   }

@@ -55,9 +55,9 @@ void read_tracks(const std::string& text) {
   for (const int frames : {1, 3}) read_csv_tracks("fuzz.csv", text, frames);
 }
 
-constexpr void (*kKinds[])(const std::string&) = {read_presets, read_settings,  read_queue,
-                                                  read_project, read_batch_row, read_study_row,
-                                                  read_tracks};
+constexpr void (*kTextKinds[])(const std::string&) = {read_presets, read_settings,  read_queue,
+                                                      read_project, read_batch_row, read_study_row,
+                                                      read_tracks};
 
 }  // namespace
 
@@ -65,7 +65,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const std::string text(reinterpret_cast<const char*>(data) + 1, size - 1);
   try {
-    kKinds[*data % std::size(kKinds)](text);
+    kTextKinds[*data % std::size(kTextKinds)](text);
   } catch (const Error&) {
     return 0;
   }
