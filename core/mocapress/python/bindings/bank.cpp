@@ -30,7 +30,7 @@ bool contains(const BankFile& bank, const py::object& name) {
   return runtime::find_clip(bank.bank(), wanted.data(), wanted.size()) >= 0;
 }
 
-py::list names(const BankFile& bank) {
+py::list clip_names(const BankFile& bank) {
   py::list all;
   for (std::uint32_t clip = 0; clip < bank.clips(); ++clip)
     all.append(to_str(bank.entry(clip).name));
@@ -55,7 +55,8 @@ py::dict texts(const BankFile& bank) {
   return all;
 }
 
-py::object sample(const BankFile& bank, const py::str& name, const Doubles& seconds, bool loop) {
+py::object sample_clip(const BankFile& bank, const py::str& name, const Doubles& seconds,
+                       bool loop) {
   if (!bank.is_cooked())
     throw Error("the bank is packed: take the clip out of it, bank[name], and sample that");
   const mcpr_cooked* const clip = bank.cooked(bank.entry(find(bank, name)));
@@ -103,10 +104,10 @@ void bind_bank(py::module_& module) {
                   "of every clip. texts: of the bank. Raises InputError and WriteError.")
       .def_property_readonly("is_cooked", &BankFile::is_cooked,
                              "True if engines can sample its clips where they lie.")
-      .def_property_readonly("names", &names, "The names of all clips, in order.")
+      .def_property_readonly("names", &clip_names, "The names of all clips, in order.")
       .def_property_readonly("texts", &texts, "What the bank says about itself, by name.")
       .def("tags", &tags, "name"_a, "Raises KeyError.")
-      .def("sample", &sample, "name"_a, "seconds"_a, py::kw_only(), "loop"_a = false,
+      .def("sample", &sample_clip, "name"_a, "seconds"_a, py::kw_only(), "loop"_a = false,
            "Poses of a clip in a cooked bank, sampled where it lies: float32, as Clip.sample() "
            "gives them. Raises KeyError, and Error for a packed bank.")
       .def("__getitem__", &clip_of, "name"_a,
@@ -119,7 +120,7 @@ void bind_bank(py::module_& module) {
            })
       .def("__len__", &BankFile::clips)
       .def("__contains__", &contains, "name"_a)
-      .def("__iter__", [](const BankFile& bank) { return py::iter(names(bank)); });
+      .def("__iter__", [](const BankFile& bank) { return py::iter(clip_names(bank)); });
 }
 
 }  // namespace mocapress::python
