@@ -243,7 +243,7 @@ class Addon(unittest.TestCase):
 
     def compress(self, source, name="clip"):
         path = self.folder / f"{name}.mcpr"
-        subprocess.run([MOCAPRESS, "compress", source, "-o", path, "--max-error", "0.1"],
+        subprocess.run([MOCAPRESS, "compress", source, "-o", path, "--target-error", "0.05"],
                        check=True, capture_output=True)
         return path
 

@@ -104,7 +104,7 @@ TEST_F(CliBatch, KilledAnywhereAndResumedIsTheSameBytesAsUndisturbed) {
 }
 
 TEST_F(CliBatch, AskedToTerminateLeavesWhatCanBeResumed) {
-  write_clips(12);
+  write_clips(6);
   auto words = batch("out", {"--max-error", "0.1", "--jobs", "1", "--json-progress"});
   words.insert(words.begin(), MOCAPRESS_EXECUTABLE);
   Running running(words, file("progress"));
@@ -118,7 +118,7 @@ TEST_F(CliBatch, AskedToTerminateLeavesWhatCanBeResumed) {
       mocapress(batch("out", {"--max-error", "0.1", "--resume", "--json-progress"}));
   EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
   EXPECT_GE(lines(resumed.out).back()["batch"]["kept"], 1);
-  EXPECT_EQ(report("out").size(), 12u);
+  EXPECT_EQ(report("out").size(), 6u);
 }
 
 TEST_F(CliBatch, ABadFileGetsARowAndExitCodeSeven) {

@@ -64,7 +64,7 @@ class Slurm : public CommandLine {
 };
 
 TEST_F(Slurm, AnArrayOfShardsOneOfThemRequeuedAndItsMergeAreAsOneRun) {
-  write_sample_clips(file("in"), 24);  // enough that work is left when the task is requeued
+  write_sample_clips(file("in"), 16);  // enough that work is left when the task is requeued
   const std::vector<std::string> settings = {"--max-error", "0.1", "--jobs", "1"};
   std::vector<std::string> whole = {"batch", file("in"), "-o", file("whole")};
   whole.insert(whole.end(), settings.begin(), settings.end());
@@ -88,7 +88,7 @@ TEST_F(Slurm, AnArrayOfShardsOneOfThemRequeuedAndItsMergeAreAsOneRun) {
       << logs();
   EXPECT_THAT(log_of(1), HasSubstr("\"stopped\"")) << "it was asked to end";
   EXPECT_THAT(log_of(1), HasSubstr("clip-kept")) << "and went on, its log appended to";
-  EXPECT_THAT(read_text(out() / "slurm-merge.log"), HasSubstr("24 clips, 0 failed, 0 still"));
+  EXPECT_THAT(read_text(out() / "slurm-merge.log"), HasSubstr("16 clips, 0 failed, 0 still"));
   const auto together = batch_contents(out());
   for (const auto& [name, text] : batch_contents(file("whole")))
     EXPECT_EQ(together.at(name), text) << name;

@@ -17,7 +17,7 @@
 #include "tests/support/segmented_clip.h"
 #include "tests/support/test_motion.h"
 
-namespace mocapress {
+namespace mocapress::tiers_test {
 namespace {
 
 constexpr int kTiers = 3;
@@ -232,7 +232,7 @@ TEST(Tiers, DamageIsToldWhereItIs) {
         EXPECT_EQ(told.status, MCPR_DAMAGED);
         EXPECT_EQ(told.offset, first) << "where the tier begins";
       }
-      for (std::size_t at = first; at < end; ++at) {
+      for (std::size_t at = first; at < end; at += 3) {  // all take thrice as long
         const test::OpenedClip opened(with_byte_of_tier(cut, at));
         if (opened.clip != nullptr) continue;  // it has other values
         ++refused;
@@ -254,4 +254,4 @@ TEST(Tiers, AreFewerWhereBandsAreFew) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::tiers_test
