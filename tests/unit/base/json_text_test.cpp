@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 
-namespace mocapress {
+namespace mocapress::json_text_test {
 namespace {
 
 std::string refusal(const std::string& text, const JsonLimits& limits = {4, 100}) {
@@ -44,4 +44,4 @@ TEST(JsonText, BytesThatAreNoUtf8AreReplaced) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::json_text_test

@@ -13,7 +13,7 @@
 #include "core/metrics/distortion.h"
 #include "tests/support/test_motion.h"
 
-namespace mocapress {
+namespace mocapress::comparison_method_test {
 namespace {
 
 using Bytes = std::vector<std::byte>;
@@ -222,4 +222,4 @@ TEST(ComparisonMethods, FindNoneByAnotherName) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::comparison_method_test

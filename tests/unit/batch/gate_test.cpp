@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mocapress {
+namespace mocapress::gate_test {
 namespace {
 
 BatchRow seen_row(double times_noticed) {
@@ -62,4 +62,4 @@ TEST(Gate, RefusesNothingUnaskedAndNoClipThatFailed) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::gate_test

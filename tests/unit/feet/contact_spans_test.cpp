@@ -8,7 +8,7 @@
 #include "core/motion/landmarks.h"
 #include "resources/samples/generator/samples.h"
 
-namespace mocapress {
+namespace mocapress::contact_spans_test {
 namespace {
 
 constexpr double kRate = 120;
@@ -80,4 +80,4 @@ TEST(FindFootContacts, ALongMotionHasThoseOfItsTracks) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::contact_spans_test

@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 
-namespace mocapress {
+namespace mocapress::feet_test {
 namespace {
 
 struct Named {
@@ -122,4 +122,4 @@ TEST(EffectorAt, RefusesAJointThatNothingCanMove) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::feet_test

@@ -13,7 +13,7 @@
 #include "tests/support/corpus.h"
 #include "tests/support/small_gltf.h"
 
-namespace mocapress {
+namespace mocapress::gltf_reader_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -562,4 +562,4 @@ TEST(GltfCorpus, ReadsAsItShould) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::gltf_reader_test

@@ -8,7 +8,7 @@
 #include "tests/support/loop_of.h"
 #include "tests/support/test_motion.h"
 
-namespace mocapress {
+namespace mocapress::library_test {
 namespace {
 
 constexpr int kFrames = 150;
@@ -136,4 +136,4 @@ TEST(Library, ReadsTextsAsFiles) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::library_test

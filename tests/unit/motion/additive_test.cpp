@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace mocapress {
+namespace mocapress::additive_test {
 namespace {
 
 /// A figure of hips, spine, head, two legs and feet, all of whose angles swing up to `radians`.
@@ -54,4 +54,4 @@ TEST(Additive, IsNoThingWithoutLegs) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::additive_test

@@ -9,7 +9,7 @@
 #include "core/base/random.h"
 #include "tests/support/test_motion.h"
 
-namespace mocapress {
+namespace mocapress::forward_kinematics_test {
 namespace {
 
 using enum ChannelKind;
@@ -184,4 +184,4 @@ TEST(ForwardKinematics, RestPoseHasFramesParallelToTheWorld) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::forward_kinematics_test

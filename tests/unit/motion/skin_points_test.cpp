@@ -12,7 +12,7 @@
 #include "core/select/error_model.h"
 #include "tests/support/test_motion.h"
 
-namespace mocapress {
+namespace mocapress::skin_points_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -192,4 +192,4 @@ TEST(SkinPoints, AreNotMeasuredWhereThereAreNone) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::skin_points_test

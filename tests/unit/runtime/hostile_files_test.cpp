@@ -15,7 +15,7 @@
 #include "tests/support/test_motion.h"
 #include "tests/support/turned_forms.h"
 
-namespace mocapress {
+namespace mocapress::hostile_files_test {
 namespace {
 
 using test::OpenedClip;
@@ -241,4 +241,4 @@ TEST(HostileFiles, BitsPerByteAreBounded) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::hostile_files_test

@@ -18,7 +18,7 @@
 #include "tests/support/turned_forms.h"
 #include "tests/unit/runtime/paths.h"
 
-namespace mocapress {
+namespace mocapress::mocapress_runtime_test {
 namespace {
 
 using test::OpenedClip;
@@ -488,4 +488,4 @@ TEST(DecoderOfALoop, RefusesClipsThatAreNoLoops) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::mocapress_runtime_test

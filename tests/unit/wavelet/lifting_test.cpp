@@ -9,7 +9,7 @@
 
 #include "core/base/random.h"
 
-namespace mocapress {
+namespace mocapress::lifting_test {
 namespace {
 
 constexpr double kTolerance = 1e-12;
@@ -173,4 +173,4 @@ TEST(Lifting, GainsGrowByTheRootOfTwoFromFineToCoarse) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::lifting_test

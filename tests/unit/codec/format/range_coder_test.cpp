@@ -9,7 +9,7 @@
 
 #include "core/base/random.h"
 
-namespace mocapress {
+namespace mocapress::range_coder_test {
 namespace {
 
 struct CodedBits {
@@ -105,4 +105,4 @@ TEST(RangeCoder, WorkIsBoundedByTheBytes) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::range_coder_test

@@ -8,7 +8,7 @@
 #include "core/codec/methods/compression_method.h"
 #include "tests/support/test_motion.h"
 
-namespace mocapress {
+namespace mocapress::room_test {
 namespace {
 
 using testing::HasSubstr;
@@ -84,4 +84,4 @@ TEST(Room, IsCheckedBeforeEncoding) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::room_test

@@ -14,7 +14,7 @@
 #include "tests/support/segmented_clip.h"
 #include "tests/support/test_motion.h"
 
-namespace mocapress {
+namespace mocapress::source_section_test {
 namespace {
 
 using Bytes = std::vector<std::byte>;
@@ -114,4 +114,4 @@ TEST(SourceSection, SurvivesCutsAndMutations) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::source_section_test

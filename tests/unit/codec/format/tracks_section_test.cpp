@@ -14,7 +14,7 @@
 #include "tests/support/some_tracks.h"
 #include "tests/support/test_motion.h"
 
-namespace mocapress {
+namespace mocapress::tracks_section_test {
 namespace {
 
 using Bytes = std::vector<std::byte>;
@@ -164,4 +164,4 @@ TEST(TracksSection, EveryChangedByteIsRefusedOrReads) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::tracks_section_test

@@ -12,7 +12,7 @@
 #include "core/runtime/format/coded_error.h"
 #include "tests/support/test_motion.h"
 
-namespace mocapress {
+namespace mocapress::compression_method_test {
 namespace {
 
 constexpr double kRawBytes = 120 * 21 * 4;
@@ -130,4 +130,4 @@ TEST_F(EveryMethod, EndsEarlyWithTheBestSoFarWhenTold) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::compression_method_test

@@ -17,7 +17,7 @@
 #include "core/motion/landmarks.h"
 #include "tests/support/corpus.h"
 
-namespace mocapress {
+namespace mocapress::fbx_reader_test {
 namespace {
 
 using testing::ElementsAre;
@@ -553,4 +553,4 @@ TEST(FbxReader, ReadsAConnectionThatIsThereTwiceOnce) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::fbx_reader_test

@@ -16,7 +16,7 @@
 #include "core/wavelet/lifting.h"
 #include "tests/unit/runtime/paths.h"
 
-namespace mocapress {
+namespace mocapress::synthesis_test {
 namespace {
 
 /// Random values over several orders of magnitude, with the given density in every band.
@@ -270,4 +270,4 @@ TEST(ResidentSignals, UseWideBlockOffsetsInLargeBands) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::synthesis_test

@@ -18,7 +18,7 @@
 #include "tests/support/turned_forms.h"
 #include "tests/unit/runtime/paths.h"
 
-namespace mocapress {
+namespace mocapress::cooked_clip_test {
 namespace {
 
 using test::CookedClip;
@@ -708,4 +708,4 @@ TEST_F(HostileCooked, WrongNumbersWithTheRightChecksumAreRefusedOrHarmless) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::cooked_clip_test

@@ -13,7 +13,7 @@
 #include "core/motion/landmarks.h"
 #include "tests/support/test_motion.h"
 
-namespace mocapress {
+namespace mocapress::form_choice_test {
 namespace {
 
 using enum ChannelKind;
@@ -97,4 +97,4 @@ TEST(FormChoice, IsForClosedLoopsAlone) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::form_choice_test

@@ -11,7 +11,7 @@
 #include "resources/samples/generator/samples.h"
 #include "tests/support/test_motion.h"
 
-namespace mocapress {
+namespace mocapress::correction_encoder_test {
 namespace {
 
 const Encoder& walk() {
@@ -128,4 +128,4 @@ TEST(CorrectionEncoder, SaysThatASkeletonHasNoFeet) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::correction_encoder_test

@@ -7,7 +7,7 @@
 #include "core/select/ranking.h"
 #include "tests/support/test_motion.h"
 
-namespace mocapress {
+namespace mocapress::difference_fit_test {
 namespace {
 
 constexpr int kFrames = 200;
@@ -142,4 +142,4 @@ TEST(DifferenceFit, IsEmptyWithoutFrames) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::difference_fit_test

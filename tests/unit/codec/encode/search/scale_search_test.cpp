@@ -10,7 +10,7 @@
 #include "resources/samples/generator/samples.h"
 #include "tests/support/test_motion.h"
 
-namespace mocapress {
+namespace mocapress::scale_search_test {
 namespace {
 
 const Encoder& run() {
@@ -130,4 +130,4 @@ TEST(ScaleSearch, EndsWhereTheFinestScaleFallsShort) {
 }
 
 }  // namespace
-}  // namespace mocapress
+}  // namespace mocapress::scale_search_test
