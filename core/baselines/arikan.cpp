@@ -429,39 +429,26 @@ class ArikanCoder : public DetailCoder {
   SegmentDatabase database_;
 };
 
-class Arikan : public ComparisonMethod {
- public:
-  std::string_view name() const override { return "arikan"; }
-  std::string_view title() const override { return "Clustered PCA, after Arikan"; }
-  std::string_view note() const override {
-    return "Our reading of Arikan (2006): clustered PCA of short Bezier curves of virtual markers, "
-           "the database being the clip alone; k-means clusters, DEFLATE, and no special care of "
-           "the feet.";
-  }
-
-  std::unique_ptr<DetailCoder> analyse(const Motion& motion, Weighting weighting) const override {
-    return std::make_unique<ArikanCoder>(motion, weighting);
-  }
-
-  Clip decode(const Skeleton& skeleton, double sample_rate_hz, int frames,
-              std::span<const std::byte> motion) const override {
-    const VirtualMarkers markers(skeleton);
-    const auto bytes = inflate_bytes(
-        motion, most_codebook_bytes(markers, frames) + most_clip_bytes(markers, frames));
-    ByteReader reader(bytes);
-    const Codebook codebook(reader, markers.coordinates());
-    Clip clip{sample_rate_hz,
-              ClipDecoder(skeleton, frames, codebook).decode(reader, skeleton.channel_count())};
-    reader.expect_end();
-    return clip;
-  }
-};
+Clip decode_arikan(const Skeleton& skeleton, double sample_rate_hz, int frames,
+                   std::span<const std::byte> motion) {
+  const VirtualMarkers markers(skeleton);
+  const auto bytes = inflate_bytes(
+      motion, most_codebook_bytes(markers, frames) + most_clip_bytes(markers, frames));
+  ByteReader reader(bytes);
+  const Codebook codebook(reader, markers.coordinates());
+  Clip clip{sample_rate_hz,
+            ClipDecoder(skeleton, frames, codebook).decode(reader, skeleton.channel_count())};
+  reader.expect_end();
+  return clip;
+}
 
 }  // namespace
 
-const ComparisonMethod& arikan_method() {
-  static const Arikan kMethod;
-  return kMethod;
-}
+constinit const ComparisonMethod kArikan{
+    "arikan", "Clustered PCA, after Arikan",
+    "Our reading of Arikan (2006): clustered PCA of short Bezier curves of virtual markers, "
+    "the database being the clip alone; k-means clusters, DEFLATE, and no special care of "
+    "the feet.",
+    &coder_of<ArikanCoder>, &decode_arikan};
 
 }  // namespace mocapress

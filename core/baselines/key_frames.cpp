@@ -124,38 +124,25 @@ Eigen::VectorXd read_curve(ByteReader& reader, int frames) {
   return curve;
 }
 
-class KeyFrames : public ComparisonMethod {
- public:
-  std::string_view name() const override { return "key-frames"; }
-  std::string_view title() const override { return "Key frames per track"; }
-  std::string_view note() const override {
-    return "What engines do: each channel by itself, key frames left out where a line comes within "
-           "the tolerance, steps as fine as the channel needs (as ACL's bit rates), DEFLATE.";
-  }
-
-  std::unique_ptr<DetailCoder> analyse(const Motion& motion, Weighting weighting) const override {
-    return std::make_unique<KeyFrameCoder>(motion, weighting);
-  }
-
-  Clip decode(const Skeleton& skeleton, double sample_rate_hz, int frames,
-              std::span<const std::byte> motion) const override {
-    const auto channels = static_cast<std::size_t>(skeleton.channel_count());
-    const auto bytes =
-        inflate_bytes(motion, channels * (kHeadBytes + 3 * static_cast<std::size_t>(frames)));
-    ByteReader reader(bytes);
-    Clip clip{sample_rate_hz, Eigen::MatrixXd(frames, skeleton.channel_count())};
-    for (auto channel : clip.channels.colwise())
-      if (frames > 0) channel = read_curve(reader, frames);
-    reader.expect_end();
-    return clip;
-  }
-};
+Clip decode_key_frames(const Skeleton& skeleton, double sample_rate_hz, int frames,
+                       std::span<const std::byte> motion) {
+  const auto channels = static_cast<std::size_t>(skeleton.channel_count());
+  const auto bytes =
+      inflate_bytes(motion, channels * (kHeadBytes + 3 * static_cast<std::size_t>(frames)));
+  ByteReader reader(bytes);
+  Clip clip{sample_rate_hz, Eigen::MatrixXd(frames, skeleton.channel_count())};
+  for (auto channel : clip.channels.colwise())
+    if (frames > 0) channel = read_curve(reader, frames);
+  reader.expect_end();
+  return clip;
+}
 
 }  // namespace
 
-const ComparisonMethod& key_frame_method() {
-  static const KeyFrames kMethod;
-  return kMethod;
-}
+constinit const ComparisonMethod kKeyFrames{
+    "key-frames", "Key frames per track",
+    "What engines do: each channel by itself, key frames left out where a line comes within "
+    "the tolerance, steps as fine as the channel needs (as ACL's bit rates), DEFLATE.",
+    &coder_of<KeyFrameCoder>, &decode_key_frames};
 
 }  // namespace mocapress

@@ -191,52 +191,38 @@ class SegmentReader {
   double step_;
 };
 
-class LiuMcMillan : public ComparisonMethod {
- public:
-  std::string_view name() const override { return "liu-mcmillan"; }
-  std::string_view title() const override { return "Segment PCA, after Liu & McMillan"; }
-  std::string_view note() const override {
-    return "Our reading of Liu and McMillan (2006): PCA of segments, adaptive key frames with "
-           "cubic splines; on channels weighted by what they move, not on markers, and with no "
-           "special care of the feet.";
-  }
+/// The most that a clip can inflate to. A component takes 2 bytes for each channel and 3 for each
+/// frame, and there are at most as many as frames.
+std::size_t most_segment_bytes(int frames, int channels) {
+  const auto n = static_cast<std::size_t>(frames);
+  const auto k = static_cast<std::size_t>(channels);
+  const std::size_t leaves = n / kShortestSegment + 1;
+  return sizeof(float) + k + 5 * n * k + leaves * (32 + 4 * k + series16_bytes(k));
+}
 
-  std::unique_ptr<DetailCoder> analyse(const Motion& motion, Weighting weighting) const override {
-    return std::make_unique<LiuMcMillanCoder>(motion, weighting);
-  }
-
-  Clip decode(const Skeleton& skeleton, double sample_rate_hz, int frames,
-              std::span<const std::byte> motion) const override {
-    const int channels = skeleton.channel_count();
-    const auto bytes = inflate_bytes(motion, most_bytes(frames, channels));
-    ByteReader reader(bytes);
-    std::vector<std::int8_t> exponents(static_cast<std::size_t>(channels));
-    for (std::int8_t& exponent : exponents) exponent = reader.read<std::int8_t>();
-    const double step = reader.read<float>();
-    if (!std::isfinite(step)) reader.fail("a step that is not finite");
-    Clip clip{sample_rate_hz, Eigen::MatrixXd(frames, channels)};
-    SegmentReader(reader, step).read(clip.channels);
-    reader.expect_end();
-    clip.channels *= scales_of(exponents).cwiseInverse().asDiagonal();
-    return clip;
-  }
-
- private:
-  /// A component takes 2 bytes for each channel and 3 for each frame, and there are at most as many
-  /// as frames.
-  static std::size_t most_bytes(int frames, int channels) {
-    const auto n = static_cast<std::size_t>(frames);
-    const auto k = static_cast<std::size_t>(channels);
-    const std::size_t leaves = n / kShortestSegment + 1;
-    return sizeof(float) + k + 5 * n * k + leaves * (32 + 4 * k + series16_bytes(k));
-  }
-};
+Clip decode_liu_mcmillan(const Skeleton& skeleton, double sample_rate_hz, int frames,
+                         std::span<const std::byte> motion) {
+  const int channels = skeleton.channel_count();
+  const auto bytes = inflate_bytes(motion, most_segment_bytes(frames, channels));
+  ByteReader reader(bytes);
+  std::vector<std::int8_t> exponents(static_cast<std::size_t>(channels));
+  for (std::int8_t& exponent : exponents) exponent = reader.read<std::int8_t>();
+  const double step = reader.read<float>();
+  if (!std::isfinite(step)) reader.fail("a step that is not finite");
+  Clip clip{sample_rate_hz, Eigen::MatrixXd(frames, channels)};
+  SegmentReader(reader, step).read(clip.channels);
+  reader.expect_end();
+  clip.channels *= scales_of(exponents).cwiseInverse().asDiagonal();
+  return clip;
+}
 
 }  // namespace
 
-const ComparisonMethod& liu_mcmillan_method() {
-  static const LiuMcMillan kMethod;
-  return kMethod;
-}
+constinit const ComparisonMethod kLiuMcMillan{
+    "liu-mcmillan", "Segment PCA, after Liu & McMillan",
+    "Our reading of Liu and McMillan (2006): PCA of segments, adaptive key frames with "
+    "cubic splines; on channels weighted by what they move, not on markers, and with no "
+    "special care of the feet.",
+    &coder_of<LiuMcMillanCoder>, &decode_liu_mcmillan};
 
 }  // namespace mocapress

@@ -29,7 +29,7 @@ struct Split {
 
 class PcaCoder : public DetailCoder {
  public:
-  explicit PcaCoder(const Motion& motion) {
+  PcaCoder(const Motion& motion, Weighting) {
     const Split split(motion.skeleton);
     translations_ = motion.clip.channels(Eigen::all, split.translations);
     pose_ = principal_components(motion.clip.channels(Eigen::all, split.angles));
@@ -52,57 +52,43 @@ class PcaCoder : public DetailCoder {
   Eigen::MatrixXd translations_;
 };
 
-class Pca : public ComparisonMethod {
- public:
-  std::string_view name() const override { return "pca"; }
-  std::string_view title() const override { return "PCA"; }
-  std::string_view note() const override {
-    return "Principal components of the poses without the root's position, everything in 16 bits, "
-           "DEFLATE: the paper's section 3.2.";
-  }
+std::size_t most_pca_bytes(const Split& split, int frames) {
+  const std::size_t angles = split.angles.size();
+  const auto components = static_cast<std::size_t>(split.most_components(frames));
+  return sizeof(std::uint16_t) + series16_bytes(angles) + series16_bytes(angles * components) +
+         series16_bytes(static_cast<std::size_t>(frames) * components) +
+         split.translations.size() * series16_bytes(static_cast<std::size_t>(frames));
+}
 
-  std::unique_ptr<DetailCoder> analyse(const Motion& motion, Weighting) const override {
-    return std::make_unique<PcaCoder>(motion);
-  }
+Clip decode_pca(const Skeleton& skeleton, double sample_rate_hz, int frames,
+                std::span<const std::byte> motion) {
+  const Split split(skeleton);
+  const auto bytes = inflate_bytes(motion, most_pca_bytes(split, frames));
+  ByteReader reader(bytes);
+  const int components = reader.read<std::uint16_t>();
+  if (components > split.most_components(frames)) reader.fail("more components than possible");
+  const auto angles = static_cast<Eigen::Index>(split.angles.size());
+  const Eigen::VectorXd mean = read_series16(reader, angles);
+  const Eigen::VectorXd basis = read_series16(reader, angles * components);
+  const Eigen::VectorXd projections = read_series16(reader, Eigen::Index{frames} * components);
 
-  Clip decode(const Skeleton& skeleton, double sample_rate_hz, int frames,
-              std::span<const std::byte> motion) const override {
-    const Split split(skeleton);
-    const auto bytes = inflate_bytes(motion, most_bytes(split, frames));
-    ByteReader reader(bytes);
-    const int components = reader.read<std::uint16_t>();
-    if (components > split.most_components(frames)) reader.fail("more components than possible");
-    const auto angles = static_cast<Eigen::Index>(split.angles.size());
-    const Eigen::VectorXd mean = read_series16(reader, angles);
-    const Eigen::VectorXd basis = read_series16(reader, angles * components);
-    const Eigen::VectorXd projections = read_series16(reader, Eigen::Index{frames} * components);
-
-    Clip clip{sample_rate_hz, Eigen::MatrixXd(frames, skeleton.channel_count())};
-    for (const int c : split.translations) clip.channels.col(c) = read_series16(reader, frames);
-    reader.expect_end();
-    const Eigen::MatrixXd poses =
-        (projections.reshaped(frames, components) * basis.reshaped(angles, components).transpose())
-            .rowwise() +
-        mean.transpose();
-    clip.channels(Eigen::all, split.angles) = poses;
-    return clip;
-  }
-
- private:
-  static std::size_t most_bytes(const Split& split, int frames) {
-    const std::size_t angles = split.angles.size();
-    const auto components = static_cast<std::size_t>(split.most_components(frames));
-    return sizeof(std::uint16_t) + series16_bytes(angles) + series16_bytes(angles * components) +
-           series16_bytes(static_cast<std::size_t>(frames) * components) +
-           split.translations.size() * series16_bytes(static_cast<std::size_t>(frames));
-  }
-};
+  Clip clip{sample_rate_hz, Eigen::MatrixXd(frames, skeleton.channel_count())};
+  for (const int c : split.translations) clip.channels.col(c) = read_series16(reader, frames);
+  reader.expect_end();
+  const Eigen::MatrixXd poses =
+      (projections.reshaped(frames, components) * basis.reshaped(angles, components).transpose())
+          .rowwise() +
+      mean.transpose();
+  clip.channels(Eigen::all, split.angles) = poses;
+  return clip;
+}
 
 }  // namespace
 
-const ComparisonMethod& pca_method() {
-  static const Pca kMethod;
-  return kMethod;
-}
+constinit const ComparisonMethod kPca{
+    "pca", "PCA",
+    "Principal components of the poses without the root's position, everything in 16 bits, "
+    "DEFLATE: the paper's section 3.2.",
+    &coder_of<PcaCoder>, &decode_pca};
 
 }  // namespace mocapress

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/baselines/rivals.h"
 #include "core/codec/decode/decoder.h"
 #include "core/codec/encode/analysis/clip_analysis.h"
 #include "core/codec/format/rle16.h"
@@ -162,37 +163,23 @@ class QuaternionCoder : public DetailCoder {
   ErrorModel model_;
 };
 
-class Quaternion : public ComparisonMethod {
- public:
-  std::string_view name() const override { return "quaternion"; }
-  std::string_view title() const override { return "Quaternion wavelets"; }
-  std::string_view note() const override {
-    return "Cubic wavelets on unit quaternions, coefficients moved between components by annealing "
-           "on the linearised rotation: the paper's section 6.3.";
-  }
-
-  std::unique_ptr<DetailCoder> analyse(const Motion& motion, Weighting weighting) const override {
-    return std::make_unique<QuaternionCoder>(motion, weighting);
-  }
-
-  Clip decode(const Skeleton& skeleton, double sample_rate_hz, int frames,
-              std::span<const std::byte> motion) const override {
-    const QuaternionSignals quaternions(skeleton);
-    const int count = quaternions.count();
-    const std::vector<std::byte> words =
-        unpack(motion, Coding::Deflate, rle16_bound(frames, count));
-    ByteReader reader(words);
-    const Eigen::MatrixXd signals = read_signals(reader, Basis::Cubic, frames, count);
-    reader.expect_end();
-    return quaternions.clip_of(signals, sample_rate_hz);
-  }
-};
+Clip decode_quaternion(const Skeleton& skeleton, double sample_rate_hz, int frames,
+                       std::span<const std::byte> motion) {
+  const QuaternionSignals quaternions(skeleton);
+  const int count = quaternions.count();
+  const std::vector<std::byte> words = unpack(motion, Coding::Deflate, rle16_bound(frames, count));
+  ByteReader reader(words);
+  const Eigen::MatrixXd signals = read_signals(reader, Basis::Cubic, frames, count);
+  reader.expect_end();
+  return quaternions.clip_of(signals, sample_rate_hz);
+}
 
 }  // namespace
 
-const ComparisonMethod& quaternion_method() {
-  static const Quaternion kMethod;
-  return kMethod;
-}
+constinit const ComparisonMethod kQuaternion{
+    "quaternion", "Quaternion wavelets",
+    "Cubic wavelets on unit quaternions, coefficients moved between components by annealing "
+    "on the linearised rotation: the paper's section 6.3.",
+    &coder_of<QuaternionCoder>, &decode_quaternion};
 
 }  // namespace mocapress

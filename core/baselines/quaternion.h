@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/codec/methods/comparison_method.h"
 #include "core/motion/clip.h"
 #include "core/select/error_model.h"
 
@@ -42,8 +41,5 @@ class QuaternionSignals {
   const Skeleton& skeleton_;
   std::vector<JointSignals> joints_;
 };
-
-/// Adaptive wavelets on quaternions in place of angles. A detail is a number of coefficients.
-const ComparisonMethod& quaternion_method();
 
 }  // namespace mocapress

@@ -3,14 +3,11 @@
 
 #include <array>
 
-#include "core/baselines/quaternion.h"
-
 namespace mocapress {
 
 void add_rivals() {
-  static const std::array kMethods{&pca_method(),        &subsample_method(),
-                                   &quaternion_method(), &liu_mcmillan_method(),
-                                   &arikan_method(),     &key_frame_method()};
+  static const std::array kMethods{&kPca,         &kSubsample, &kQuaternion,
+                                   &kLiuMcMillan, &kArikan,    &kKeyFrames};
   add_comparison_methods(kMethods);
 }
 

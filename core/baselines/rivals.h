@@ -8,21 +8,24 @@ namespace mocapress {
 
 /// Principal component analysis of poses without the root's position. A detail is the number of
 /// components.
-const ComparisonMethod& pca_method();
+extern const ComparisonMethod kPca;
 
 /// Every s-th frame and the last, with natural cubic splines between. A detail is a stride s.
-const ComparisonMethod& subsample_method();
+extern const ComparisonMethod kSubsample;
+
+/// Adaptive wavelets on quaternions in place of angles. A detail is a number of coefficients.
+extern const ComparisonMethod kQuaternion;
 
 /// PCA of segments, with key frames for each component. A detail is a tolerance.
-const ComparisonMethod& liu_mcmillan_method();
+extern const ComparisonMethod kLiuMcMillan;
 
 /// Clustered PCA of short Bezier curves of virtual markers, with the clip alone as database. A
 /// detail is a tolerance.
-const ComparisonMethod& arikan_method();
+extern const ComparisonMethod kArikan;
 
 /// Each channel by itself, with key frames and steps as fine as it needs: what engines do. A detail
 /// is a tolerance.
-const ComparisonMethod& key_frame_method();
+extern const ComparisonMethod kKeyFrames;
 
 /// The largest detail of methods that split until a curve fits, and the tolerance (cm) of a detail:
 /// 40 at detail 0.

@@ -22,7 +22,7 @@ std::vector<int> key_frames(int frames, int stride) {
 
 class SubsampleCoder : public DetailCoder {
  public:
-  explicit SubsampleCoder(const Motion& motion) : channels_(motion.clip.channels) {
+  SubsampleCoder(const Motion& motion, Weighting) : channels_(motion.clip.channels) {
     const int gaps = static_cast<int>(channels_.rows()) - 1;
     // Among strides that keep the same number of frames, the smallest has the most even gaps.
     for (int stride = gaps; stride > 1; --stride)
@@ -48,44 +48,30 @@ class SubsampleCoder : public DetailCoder {
   std::vector<int> strides_;  // descending
 };
 
-class Subsample : public ComparisonMethod {
- public:
-  std::string_view name() const override { return "subsample"; }
-  std::string_view title() const override { return "Frame subsampling"; }
-  std::string_view note() const override {
-    return "Every s-th frame in 16 bits, DEFLATE; natural cubic splines between.";
+Clip decode_subsample(const Skeleton& skeleton, double sample_rate_hz, int frames,
+                      std::span<const std::byte> motion) {
+  const auto channels = static_cast<std::size_t>(skeleton.channel_count());
+  const auto bytes = inflate_bytes(
+      motion, sizeof(std::uint32_t) + channels * series16_bytes(static_cast<std::size_t>(frames)));
+  ByteReader reader(bytes);
+  const auto stride = reader.read<std::uint32_t>();
+  if (stride < 1 || stride > static_cast<std::uint32_t>(std::max(frames - 1, 1)))
+    reader.fail("a stride longer than the clip");
+  const std::vector<int> keys = key_frames(frames, static_cast<int>(stride));
+  Clip clip{sample_rate_hz, Eigen::MatrixXd(frames, skeleton.channel_count())};
+  for (auto channel : clip.channels.colwise()) {
+    const Eigen::VectorXd values = read_series16(reader, static_cast<Eigen::Index>(keys.size()));
+    if (frames > 0) channel = natural_spline(keys, values);
   }
-
-  std::unique_ptr<DetailCoder> analyse(const Motion& motion, Weighting) const override {
-    return std::make_unique<SubsampleCoder>(motion);
-  }
-
-  Clip decode(const Skeleton& skeleton, double sample_rate_hz, int frames,
-              std::span<const std::byte> motion) const override {
-    const auto channels = static_cast<std::size_t>(skeleton.channel_count());
-    const auto bytes =
-        inflate_bytes(motion, sizeof(std::uint32_t) +
-                                  channels * series16_bytes(static_cast<std::size_t>(frames)));
-    ByteReader reader(bytes);
-    const auto stride = reader.read<std::uint32_t>();
-    if (stride < 1 || stride > static_cast<std::uint32_t>(std::max(frames - 1, 1)))
-      reader.fail("a stride longer than the clip");
-    const std::vector<int> keys = key_frames(frames, static_cast<int>(stride));
-    Clip clip{sample_rate_hz, Eigen::MatrixXd(frames, skeleton.channel_count())};
-    for (auto channel : clip.channels.colwise()) {
-      const Eigen::VectorXd values = read_series16(reader, static_cast<Eigen::Index>(keys.size()));
-      if (frames > 0) channel = natural_spline(keys, values);
-    }
-    reader.expect_end();
-    return clip;
-  }
-};
+  reader.expect_end();
+  return clip;
+}
 
 }  // namespace
 
-const ComparisonMethod& subsample_method() {
-  static const Subsample kMethod;
-  return kMethod;
-}
+constinit const ComparisonMethod kSubsample{
+    "subsample", "Frame subsampling",
+    "Every s-th frame in 16 bits, DEFLATE; natural cubic splines between.",
+    &coder_of<SubsampleCoder>, &decode_subsample};
 
 }  // namespace mocapress

@@ -13,7 +13,7 @@ namespace mocapress {
 
 std::vector<std::byte> write_compared(const ComparisonMethod& method, const CompressedClip& clip) {
   ByteWriter payload;
-  payload.write_short_string(std::string(method.name()));
+  payload.write_short_string(std::string(method.name));
   payload.append(clip.motion);
   Container container{clip, true};
   container.clip.motion = payload.release();

@@ -25,21 +25,24 @@ class DetailCoder {
   virtual std::vector<std::byte> encode(int detail) const = 0;
 };
 
-/// A compression method other than the wavelets of core/codec.
-class ComparisonMethod {
- public:
-  virtual ~ComparisonMethod() = default;
+/// The coder of a method for one motion.
+template <typename Coder>
+std::unique_ptr<DetailCoder> coder_of(const Motion& motion, Weighting weighting) {
+  return std::make_unique<Coder>(motion, weighting);
+}
 
-  virtual std::string_view name() const = 0;   // as in --method: "pca"
-  virtual std::string_view title() const = 0;  // for a legend: "PCA"
-  virtual std::string_view note() const = 0;   // its author, and what is simplified here
+/// A compression method other than the wavelets of core/codec.
+struct ComparisonMethod {
+  std::string_view name;   // as in --method: "pca"
+  std::string_view title;  // for a legend: "PCA"
+  std::string_view note;   // its author, and what is simplified here
 
   /// `weighting` of the error is for methods that look at it when they choose what to keep.
-  virtual std::unique_ptr<DetailCoder> analyse(const Motion& motion, Weighting weighting) const = 0;
+  std::unique_ptr<DetailCoder> (*analyse)(const Motion& motion, Weighting weighting);
 
   /// Throws FormatError on bytes that encode() cannot have written; checks sizes before allocating.
-  virtual Clip decode(const Skeleton& skeleton, double sample_rate_hz, int frames,
-                      std::span<const std::byte> motion) const = 0;
+  Clip (*decode)(const Skeleton& skeleton, double sample_rate_hz, int frames,
+                 std::span<const std::byte> motion);
 };
 
 /// The added methods, in order. None at first, because the library carries none.

@@ -68,7 +68,7 @@ std::vector<CompressionMethod> all_methods() {
   std::vector<CompressionMethod> all;
   for (const WaveletMethod& wavelets : kWavelets) all.push_back(wavelets.compression_method);
   for (const ComparisonMethod* method : comparison_methods())
-    all.push_back({method->name(), method->title(), method->note()});
+    all.push_back({method->name, method->title, method->note});
   return all;
 }
 
@@ -179,7 +179,7 @@ struct MethodEncoder::Parts {
 
   const DetailCoder& coder(const ComparisonMethod& method, Weighting weighting) {
     const std::lock_guard lock(mutex);
-    auto& coder = coders[{method.name(), weighting}];
+    auto& coder = coders[{method.name, weighting}];
     // Isolated: a thread that waits inside must not take up a task that asks for the same lock.
     if (!coder)
       tbb::this_task_arena::isolate([&] { coder = method.analyse(wavelets.motion(), weighting); });

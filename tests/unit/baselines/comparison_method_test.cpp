@@ -202,16 +202,16 @@ TEST_P(EveryComparisonMethod, InflatesNoMoreThanSomeTimesItsClip) {
 }
 
 TEST_P(EveryComparisonMethod, HasANameATitleAndANote) {
-  EXPECT_EQ(find_comparison_method(method().name()), &method());
-  EXPECT_FALSE(method().title().empty());
-  EXPECT_GT(method().note().size(), 20u);
+  EXPECT_EQ(find_comparison_method(method().name), &method());
+  EXPECT_FALSE(method().title.empty());
+  EXPECT_GT(method().note.size(), 20u);
 }
 
 INSTANTIATE_TEST_SUITE_P(, EveryComparisonMethod,
                          testing::ValuesIn(comparison_methods().begin(),
                                            comparison_methods().end()),
                          [](const auto& of) {
-                           std::string name(of.param->name());
+                           std::string name(of.param->name);
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });

@@ -22,11 +22,11 @@ Motion two_component_motion() {
 
 TEST(Pca, AsManyComponentsAsThePosesHaveAreEnough) {
   const Motion motion = two_component_motion();
-  const auto coder = pca_method().analyse(motion, Weighting::BoneEnds);
+  const auto coder = kPca.analyse(motion, Weighting::BoneEnds);
   EXPECT_EQ(coder->most_detail(), 2);
   const auto eps = [&](int components) {
     return measure(motion.skeleton, motion.clip,
-                   pca_method().decode(motion.skeleton, 120, 300, coder->encode(components)))
+                   kPca.decode(motion.skeleton, 120, 300, coder->encode(components)))
         .eps_bone_ends;
   };
   EXPECT_GT(eps(1), 1);
@@ -35,7 +35,7 @@ TEST(Pca, AsManyComponentsAsThePosesHaveAreEnough) {
 
 TEST(Pca, CountsMeanBasisProjectionsAndRoot) {
   const Motion motion = test::smooth_motion(300);
-  const auto coder = pca_method().analyse(motion, Weighting::BoneEnds);
+  const auto coder = kPca.analyse(motion, Weighting::BoneEnds);
   for (const int components : {0, 3, 7}) {
     // 18 angles and 3 translations, 16 bits each. A range each for the mean, the basis, the
     // projections and the translations.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/random.h"
+#include "core/baselines/rivals.h"
 #include "core/codec/methods/compression_method.h"
 #include "core/metrics/distortion.h"
 #include "tests/support/test_motion.h"
@@ -65,9 +66,9 @@ TEST(Quaternion, TakesMoreThanAdaptedAnglesAtTheSameError) {
 TEST(Quaternion, GoesThroughWholeTurnsWithoutAJump) {
   Motion motion = test::smooth_motion(240);
   for (int t = 0; t < 240; ++t) motion.clip.channels(t, 4) = 0.1 * t;  // the root's heading
-  const auto coder = quaternion_method().analyse(motion, Weighting::BoneEnds);
-  const Clip decoded = quaternion_method().decode(motion.skeleton, 120, 240,
-                                                  coder->encode(coder->most_detail() / 6));
+  const auto coder = kQuaternion.analyse(motion, Weighting::BoneEnds);
+  const Clip decoded =
+      kQuaternion.decode(motion.skeleton, 120, 240, coder->encode(coder->most_detail() / 6));
   EXPECT_LT(measure(motion.skeleton, motion.clip, decoded).max.cm, 3);
 }
 

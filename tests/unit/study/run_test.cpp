@@ -207,8 +207,8 @@ TEST(StudyPlanTargets, ComparisonMethodsAreNotAskedForACoefficientRatio) {
   const StudyPlan plan{.clips = {{"a.bvh", targets}}, .methods = {"annealed"}};
   EXPECT_EQ(jobs_of(plan).size(), 2u);
   for (const ComparisonMethod* method : comparison_methods()) {
-    const StudyPlan compared{.clips = plan.clips, .methods = {std::string(method->name())}};
-    EXPECT_EQ(jobs_of(compared).size(), 1u) << method->name();
+    const StudyPlan compared{.clips = plan.clips, .methods = {std::string(method->name)}};
+    EXPECT_EQ(jobs_of(compared).size(), 1u) << method->name;
   }
 }
 

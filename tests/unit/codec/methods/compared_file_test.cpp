@@ -19,7 +19,7 @@ CompressedClip pca_clip() {
   CompressedClip clip;
   clip.skeleton = motion.skeleton;
   clip.frames = 40;
-  clip.motion = pca_method().analyse(motion, Weighting::BoneEnds)->encode(4);
+  clip.motion = kPca.analyse(motion, Weighting::BoneEnds)->encode(4);
   clip.provenance.weighting = Weighting::JointOrigins;
   clip.provenance.eps_cm = 1.5F;
   return clip;
@@ -27,7 +27,7 @@ CompressedClip pca_clip() {
 
 TEST(ComparedFile, ReadsBackWhatWasWritten) {
   const CompressedClip clip = pca_clip();
-  const OpenedMcpr opened = read_mcpr(write_compared(pca_method(), clip));
+  const OpenedMcpr opened = read_mcpr(write_compared(kPca, clip));
   EXPECT_EQ(opened.method, "pca");
   EXPECT_FALSE(opened.of_wavelets);
   EXPECT_FALSE(opened.coding().has_value());
@@ -36,12 +36,12 @@ TEST(ComparedFile, ReadsBackWhatWasWritten) {
   EXPECT_EQ(opened.compressed.provenance.weighting, Weighting::JointOrigins);
   EXPECT_EQ(opened.compressed.provenance.eps_cm, 1.5F);
   EXPECT_EQ(opened.decoded.channels.rows(), 40);
-  EXPECT_EQ(write_compared(pca_method(), opened.compressed), write_compared(pca_method(), clip));
+  EXPECT_EQ(write_compared(kPca, opened.compressed), write_compared(kPca, clip));
 }
 
 TEST(ComparedFile, TheWaveletReaderNamesTheMethodItRefuses) {
   try {
-    read_container(write_compared(pca_method(), pca_clip()));
+    read_container(write_compared(kPca, pca_clip()));
     FAIL();
   } catch (const FormatError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("comparison method"));
@@ -49,7 +49,7 @@ TEST(ComparedFile, TheWaveletReaderNamesTheMethodItRefuses) {
 }
 
 TEST(ComparedFile, RefusesEveryPrefix) {
-  const auto file = write_compared(pca_method(), pca_clip());
+  const auto file = write_compared(kPca, pca_clip());
   for (std::size_t size = 0; size < file.size(); ++size) {
     const std::vector<std::byte> prefix(file.begin(), file.begin() + static_cast<long>(size));
     EXPECT_THROW(read_mcpr(prefix), FormatError) << "of " << size << " bytes";
@@ -72,11 +72,11 @@ TEST(ComparedFile, RefusesAMethodItDoesNotKnowByName) {
 
 TEST(ComparedFile, HasNoBasisCodingOrMethodOfWavelets) {
   CompressedClip clip = pca_clip();
-  const auto file = write_compared(pca_method(), clip);
+  const auto file = write_compared(kPca, clip);
   clip.basis = Basis::Haar;
   clip.coding = Coding::Rle16;
   clip.provenance.method = Method::Standard;
-  EXPECT_EQ(write_compared(pca_method(), clip), file);
+  EXPECT_EQ(write_compared(kPca, clip), file);
 }
 
 TEST(ComparedFile, OpensWaveletsOfEveryMethodByItsName) {
