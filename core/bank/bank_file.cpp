@@ -23,7 +23,7 @@ namespace {
 AlignedBytes read_aligned(const std::filesystem::path& path) {
   const std::vector<std::byte> read = read_bytes(path);
   AlignedBytes bytes(read.size());
-  std::copy(read.begin(), read.end(), bytes.data());
+  std::ranges::copy(read, bytes.data());
   return bytes;
 }
 

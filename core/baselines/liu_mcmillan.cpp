@@ -46,7 +46,7 @@ std::vector<std::int8_t> scale_exponents(const Motion& motion, Weighting weighti
 
 Eigen::RowVectorXd scales_of(const std::vector<std::int8_t>& exponents) {
   Eigen::RowVectorXd scales(std::ssize(exponents));
-  std::transform(exponents.begin(), exponents.end(), scales.begin(), scale_of);
+  std::ranges::transform(exponents, scales.begin(), scale_of);
   return scales;
 }
 

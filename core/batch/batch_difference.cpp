@@ -70,7 +70,7 @@ std::vector<ClipChange> changes_of(const std::optional<ClipFigures>& before,
   const int bytes =
       compared(static_cast<double>(before->bytes), static_cast<double>(after->bytes), share);
   if (bytes != 0) changes.push_back(bytes > 0 ? Larger : Smaller);
-  std::sort(changes.begin(), changes.end());
+  std::ranges::sort(changes);
   return changes;
 }
 
@@ -108,8 +108,8 @@ std::optional<ClipChange> clip_change_named(std::string_view word) {
 
 std::size_t BatchDifference::count(ClipChange change) const {
   return static_cast<std::size_t>(
-      std::count_if(changed.begin(), changed.end(), [change](const ClipDifference& clip) {
-        return std::find(clip.changes.begin(), clip.changes.end(), change) != clip.changes.end();
+      std::ranges::count_if(changed, [change](const ClipDifference& clip) {
+        return std::ranges::find(clip.changes, change) != clip.changes.end();
       }));
 }
 
@@ -130,10 +130,10 @@ BatchDifference difference_of(const BatchRows& before, const BatchRows& after, d
     clip.changes = changes_of(clip.before, clip.after, share);
     if (!clip.changes.empty()) difference.changed.push_back(std::move(clip));
   }
-  std::stable_sort(difference.changed.begin(), difference.changed.end(),
-                   [](const ClipDifference& a, const ClipDifference& b) {
-                     return a.changes.front() < b.changes.front();
-                   });
+  std::ranges::stable_sort(difference.changed,
+                           [](const ClipDifference& a, const ClipDifference& b) {
+                             return a.changes.front() < b.changes.front();
+                           });
   return difference;
 }
 

@@ -117,7 +117,7 @@ std::vector<fs::path> journals_in(const fs::path& folder) {
     if (name.starts_with("batch") && name.ends_with(".jsonl")) found.push_back(entry.path);
   }
   if (!listing.problem.empty()) throw InputError(utf8(folder), 0, 0, listing.problem);
-  std::sort(found.begin(), found.end());
+  std::ranges::sort(found);
   return found;
 }
 

@@ -169,8 +169,8 @@ class Export {
     if (rights_.overwrite) return true;
     if (!rights_.earlier) return false;
     const auto& files = rights_.earlier->files;
-    const auto own = std::find_if(files.begin(), files.end(),
-                                  [&](const WrittenFile& file) { return file.name == name; });
+    const auto own =
+        std::ranges::find_if(files, [&](const WrittenFile& file) { return file.name == name; });
     return own != files.end() && hash_of(folder_ / utf8_path(name)) == own->hash;
   }
 
@@ -201,7 +201,7 @@ class Export {
     verify(clip, mcpr.read_back(), options.contacts.value_or(clip.contacts()), made);
     std::vector<StagedFile> files;
     const std::vector<OutputFormat>& formats = batch_.formats;
-    if (std::find(formats.begin(), formats.end(), OutputFormat::Mcpr) != formats.end()) {
+    if (std::ranges::find(formats, OutputFormat::Mcpr) != formats.end()) {
       row_.files.push_back({item_.output + ".mcpr", made.file.size(), hash_of_bytes(made.file)});
       files.push_back(std::move(mcpr));
     }
@@ -238,9 +238,8 @@ class Export {
   /// it.
   void verify(const LoadedClip& clip, const Bytes& bytes, const std::vector<ContactSpan>& contacts,
               Encoding& made) {
-    const bool asks_for_motion =
-        std::any_of(batch_.formats.begin(), batch_.formats.end(),
-                    [](OutputFormat format) { return format != OutputFormat::Mcpr; });
+    const bool asks_for_motion = std::ranges::any_of(
+        batch_.formats, [](OutputFormat format) { return format != OutputFormat::Mcpr; });
     Verification found = mocapress::verify(
         bytes, clip.encoder().wavelets(),
         {.contacts = contacts, .motion = asks_for_motion, .limits = preset_.limits});

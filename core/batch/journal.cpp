@@ -116,7 +116,7 @@ JournalReader::JournalReader(const fs::path& path) : path_(utf8(path)), lines_(p
     if (const auto row = parse_batch_row(line))
       last[key_of(row->output)] = {row->index, lines_.offset(), line.size()};
   for (const auto& [key, place] : last) places_.push_back(place);
-  std::sort(places_.begin(), places_.end(), [](const Place& a, const Place& b) {
+  std::ranges::sort(places_, [](const Place& a, const Place& b) {
     return std::pair(a.index, a.offset) < std::pair(b.index, b.offset);
   });
 }

@@ -69,7 +69,7 @@ bool is_worse(const BatchRow& a, const BatchRow& b) {
 /// Keeps the first `most` rows in that order.
 void add_worst(const BatchRow& row, std::size_t most, std::vector<BatchRow>& worst) {
   if (worst.size() == most && !is_worse(row, worst.back())) return;
-  worst.insert(std::upper_bound(worst.begin(), worst.end(), row, is_worse), row);
+  worst.insert(std::ranges::upper_bound(worst, row, is_worse), row);
   if (worst.size() > most) worst.pop_back();
 }
 

@@ -126,8 +126,8 @@ class Run {
     counts_.clips = queue_.size();
     // The largest come first, since a long clip at the end would leave other threads idle.
     if (options.largest_first)
-      std::stable_sort(queue_.begin(), queue_.end(),
-                       [](const Waiting& a, const Waiting& b) { return a.bytes > b.bytes; });
+      std::ranges::stable_sort(
+          queue_, [](const Waiting& a, const Waiting& b) { return a.bytes > b.bytes; });
   }
 
   BatchOutcome run() {

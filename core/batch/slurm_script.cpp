@@ -14,13 +14,13 @@ bool is_control(char c) {
 }
 
 [[noreturn]] void refuse(std::string word, const std::string& why) {
-  std::replace_if(word.begin(), word.end(), &is_control, '?');
+  std::ranges::replace_if(word, &is_control, '?');
   throw WriteError("a script for sbatch cannot name " + word + ": it has " + why + " in it");
 }
 
 /// The text as a single word of a shell.
 std::string quoted(const std::string& word) {
-  if (std::any_of(word.begin(), word.end(), &is_control))
+  if (std::ranges::any_of(word, &is_control))
     refuse(word, "a line break or another control character");
   constexpr const char* kPlain =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./=,:+";

@@ -25,14 +25,14 @@ bool is_below(const Skeleton& skeleton, int joint, int ancestor) {
 
 std::string lower(const std::string& text) {
   std::string result = text;
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::ranges::transform(result, result.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return result;
 }
 
 bool contains_any(const std::string& text, std::initializer_list<const char*> words) {
-  return std::any_of(words.begin(), words.end(),
-                     [&](const char* word) { return text.find(word) != std::string::npos; });
+  return std::ranges::any_of(
+      words, [&](const char* word) { return text.find(word) != std::string::npos; });
 }
 
 bool names_a_foot(const std::string& name) {
@@ -50,13 +50,12 @@ std::vector<int> feet_by_name(const Skeleton& skeleton) {
   for (int j = 0; j < skeleton.joint_count(); ++j) {
     if (!names_a_foot(skeleton.joint(j).name) || names_a_ball(skeleton.joint(j).name)) continue;
     const std::vector<int> children = children_of(skeleton, j);
-    const bool another_below = std::any_of(children.begin(), children.end(), [&](int child) {
+    const bool another_below = std::ranges::any_of(children, [&](int child) {
       return names_a_foot(skeleton.joint(child).name) && !names_a_ball(skeleton.joint(child).name);
     });
     if (another_below) continue;
-    const auto ball = std::find_if(children.begin(), children.end(), [&](int child) {
-      return names_a_ball(skeleton.joint(child).name);
-    });
+    const auto ball = std::ranges::find_if(
+        children, [&](int child) { return names_a_ball(skeleton.joint(child).name); });
     feet.push_back(ball != children.end() ? *ball : j);
   }
   return feet;
@@ -74,16 +73,16 @@ std::vector<int> feet_by_topology(const Skeleton& skeleton) {
   for (int j = 0; j < skeleton.joint_count(); ++j)
     if (children_of(skeleton, j).empty() && limb_above(skeleton, j).size() >= kLegJoints)
       leaves.push_back({pose.origin[static_cast<std::size_t>(j)].y(), j});
-  std::stable_sort(leaves.begin(), leaves.end(),
-                   [](const Leaf& a, const Leaf& b) { return a.height < b.height; });
+  std::ranges::stable_sort(leaves,
+                           [](const Leaf& a, const Leaf& b) { return a.height < b.height; });
   std::vector<int> feet;
   for (const Leaf& leaf : leaves) {
     const int hip = limb_above(skeleton, leaf.joint).back();
-    const bool taken = std::any_of(feet.begin(), feet.end(),
-                                   [&](int foot) { return is_below(skeleton, foot, hip); });
+    const bool taken =
+        std::ranges::any_of(feet, [&](int foot) { return is_below(skeleton, foot, hip); });
     if (!taken && feet.size() < 2) feet.push_back(leaf.joint);
   }
-  std::sort(feet.begin(), feet.end());
+  std::ranges::sort(feet);
   return feet;
 }
 

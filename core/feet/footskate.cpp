@@ -73,9 +73,9 @@ Footskate FootskateMeter::footskate() const {
     slid_cm = std::max(slid_cm, 0.0);
     footskate.total_cm += slid_cm;
   }
-  std::stable_sort(
-      footskate.findings.begin(), footskate.findings.end(),
-      [](const SlideFinding& a, const SlideFinding& b) { return a.slid_cm > b.slid_cm; });
+  std::ranges::stable_sort(footskate.findings, [](const SlideFinding& a, const SlideFinding& b) {
+    return a.slid_cm > b.slid_cm;
+  });
   return footskate;
 }
 

@@ -142,7 +142,7 @@ bool AmcReader::read_frame() {
 
 bool AmcReader::at_frame_number() const {
   const std::string_view text = cursor_.peek().text;
-  return std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+  return std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
 }
 
 void AmcReader::take_frame_number() {
@@ -171,8 +171,8 @@ bool AmcReader::read_joint() {
   if (joint_values_.size() != columns.count)
     cursor_.fail(name, "expected " + std::to_string(columns.count) + " values for " + quoted(name) +
                            ", found " + std::to_string(joint_values_.size()));
-  std::copy(joint_values_.begin(), joint_values_.end(),
-            values_.begin() + static_cast<std::ptrdiff_t>(frames_ * row_size_ + columns.first));
+  std::ranges::copy(joint_values_, values_.begin() + static_cast<std::ptrdiff_t>(
+                                                         frames_ * row_size_ + columns.first));
   columns.frames = frames_ + 1;
   ++joints_in_frame_;
   return true;
@@ -206,7 +206,7 @@ void AmcReader::make_3dof(AsfJoint& joint) {
   ++joints_made_3dof_;
   if (!forced_3dof_) joint.dof.clear();
   for (int axis = 0; axis < 3; ++axis)
-    if (std::find(joint.dof.begin(), joint.dof.end(), rotation_about(axis)) == joint.dof.end())
+    if (std::ranges::find(joint.dof, rotation_about(axis)) == joint.dof.end())
       joint.dof.push_back(rotation_about(axis));
   joint.feed_channels({0, 1, 2});
 }

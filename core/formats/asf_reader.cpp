@@ -46,8 +46,7 @@ std::optional<std::vector<int>> axes_of_order(std::string_view order) {
   for (const char letter : order)
     for (int axis = 0; axis < 3; ++axis)
       if (letter == "XYZ"[axis] || letter == "xyz"[axis]) axes.push_back(axis);
-  if (order.size() != 3 || !std::is_permutation(axes.begin(), axes.end(), kXyz.begin(), kXyz.end()))
-    return std::nullopt;
+  if (order.size() != 3 || !std::ranges::is_permutation(axes, kXyz)) return std::nullopt;
   return axes;
 }
 
@@ -215,7 +214,7 @@ void AsfReader::take_dof(ReadBone& bone, int line) {
   while (cursor_.on_line(line)) {
     const auto dof = dof_named(cursor_.peek().text);
     if (!dof) cursor_.fail_expecting("tx, ty, tz, rx, ry, rz or l");
-    if (std::find(bone.dof.begin(), bone.dof.end(), *dof) != bone.dof.end())
+    if (std::ranges::find(bone.dof, *dof) != bone.dof.end())
       cursor_.fail(cursor_.peek(), quoted(cursor_.peek()) + " twice in one bone");
     bone.dof.push_back(*dof);
     cursor_.take();
@@ -276,15 +275,14 @@ std::vector<int> AsfReader::depth_first() const {
   if (order.size() == bones_.size()) return order;
   std::vector<bool> reached(bones_.size(), false);
   for (const int b : order) reached[static_cast<std::size_t>(b)] = true;
-  const auto lost = std::find(reached.begin(), reached.end(), false) - reached.begin();
+  const auto lost = std::ranges::find(reached, false) - reached.begin();
   const ReadBone& bone = bones_[static_cast<std::size_t>(lost)];
   cursor_.fail(bone.at,
                "bone '" + shortened(bone.name) + "' does not hang from the root in :hierarchy");
 }
 
 bool translates(const std::vector<std::optional<ChannelKind>>& dof) {
-  return std::any_of(dof.begin(), dof.end(),
-                     [](const auto& kind) { return kind && !is_rotation(*kind); });
+  return std::ranges::any_of(dof, [](const auto& kind) { return kind && !is_rotation(*kind); });
 }
 
 AsfJoint AsfReader::joint_of(const ReadBone& bone, int parent_joint) const {
@@ -314,7 +312,7 @@ void AsfJoint::feed_channels(const std::vector<int>& rotation_axes) {
   joint.channels.clear();
   columns.clear();
   const auto feed = [&](ChannelKind kind, bool always) {
-    const auto column = std::find(dof.begin(), dof.end(), kind);
+    const auto column = std::ranges::find(dof, kind);
     const bool given = column != dof.end();
     if (!given && !always) return;
     joint.channels.push_back(kind);

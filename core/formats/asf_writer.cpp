@@ -94,8 +94,8 @@ std::string AsfWriter::write() {
 }
 
 void AsfWriter::make_bones() {
-  const auto roots = std::count_if(skeleton_.joints().begin(), skeleton_.joints().end(),
-                                   [](const Joint& joint) { return joint.parent < 0; });
+  const auto roots = std::ranges::count_if(skeleton_.joints(),
+                                           [](const Joint& joint) { return joint.parent < 0; });
   if (roots != 1)
     throw WriteError("an .amc holds one figure with one root, but this clip has " +
                      std::to_string(roots) + " roots: .bvh and .glb can hold it");
@@ -144,8 +144,8 @@ void AsfWriter::write_root() {
   for (const char letter : {'X', 'Y', 'Z'})
     if (axis.find(letter) == axis.npos) axis += letter;
   std::string order = dof_words(root);
-  std::transform(order.begin(), order.end(), order.begin(),
-                 [](char c) { return c == ' ' ? c : static_cast<char>(c - 'a' + 'A'); });
+  std::ranges::transform(order, order.begin(),
+                         [](char c) { return c == ' ' ? c : static_cast<char>(c - 'a' + 'A'); });
   text_ += ":root\n  order" + order + "\n  axis " + axis + "\n  position";
   append_vector(text_, root.offset / cm_per_unit_, kDecimals);
   text_ += "\n  orientation 0 0 0\n";
@@ -185,8 +185,8 @@ void AsfWriter::write_hierarchy() {
 
 Motion acclaim_motion(const Motion& motion) {
   return with_zyx_angles(motion, [](const Joint& joint) {
-    const bool translates = std::any_of(joint.channels.begin(), joint.channels.end(),
-                                        [](ChannelKind kind) { return !is_rotation(kind); });
+    const bool translates =
+        std::ranges::any_of(joint.channels, [](ChannelKind kind) { return !is_rotation(kind); });
     return !joint.joint_from_axes.isIdentity(0) && (joint.parent < 0 || translates);
   });
 }

@@ -46,7 +46,7 @@ double share_of_offset(const Clip& clip, const std::vector<OffsetColumn>& column
 
 bool begins_at_offset(const Clip& clip, const std::vector<OffsetColumn>& columns) {
   constexpr double kRounding = 1e-4;  // share of the offset: files have few decimals
-  return std::all_of(columns.begin(), columns.end(), [&](const OffsetColumn& column) {
+  return std::ranges::all_of(columns, [&](const OffsetColumn& column) {
     return std::abs(clip.channels(0, column.column) - column.offset) <=
            kRounding * std::abs(column.offset);
   });

@@ -185,12 +185,10 @@ void BvhReader::read_channels(Joint& joint) {
     const auto kind = channel_named(cursor_.peek().text);
     const auto axis = scale_axis_named(cursor_.peek().text);
     if (!kind && !axis) break;
-    const bool is_known =
-        kind
-            ? std::find(joint.channels.begin(), joint.channels.end(), *kind) != joint.channels.end()
-            : std::any_of(scales_.begin(), scales_.end(), [&](const ScaleChannel& scale) {
-                return scale.joint == index && scale.axis == *axis;
-              });
+    const bool is_known = kind ? std::ranges::find(joint.channels, *kind) != joint.channels.end()
+                               : std::ranges::any_of(scales_, [&](const ScaleChannel& scale) {
+                                   return scale.joint == index && scale.axis == *axis;
+                                 });
     if (is_known)
       cursor_.fail(cursor_.peek(), "channel " + quoted(cursor_.peek()) + " twice in one joint");
     if (kind)

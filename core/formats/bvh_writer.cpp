@@ -17,8 +17,7 @@ namespace {
 constexpr double kDegrees = 180 / std::numbers::pi;
 
 bool translates(const Joint& joint) {
-  return std::any_of(joint.channels.begin(), joint.channels.end(),
-                     [](ChannelKind kind) { return !is_rotation(kind); });
+  return std::ranges::any_of(joint.channels, [](ChannelKind kind) { return !is_rotation(kind); });
 }
 
 /// True if all its rotation channels turn about different axes, which a BVH requires.
@@ -34,7 +33,7 @@ std::array<int, 3> rotation_order(const Joint& joint) {
   for (const ChannelKind kind : joint.channels)
     if (is_rotation(kind)) order.push_back(axis_of(kind));
   for (const int axis : {2, 1, 0})
-    if (std::find(order.begin(), order.end(), axis) == order.end()) order.push_back(axis);
+    if (std::ranges::find(order, axis) == order.end()) order.push_back(axis);
   return {order[0], order[1], order[2]};
 }
 
@@ -54,8 +53,8 @@ std::size_t character_size(std::string_view text) {
   if (code < kSmallest[size] || code > 0x10FFFF || (code >= 0xD800 && code <= 0xDFFF)) return 0;
   constexpr std::array<unsigned, 8> kSpaces = {0x85,   0xA0,   0x1680, 0x2028,
                                                0x2029, 0x202F, 0x205F, 0x3000};
-  const bool is_space = (code >= 0x2000 && code <= 0x200A) ||
-                        std::find(kSpaces.begin(), kSpaces.end(), code) != kSpaces.end();
+  const bool is_space =
+      (code >= 0x2000 && code <= 0x200A) || std::ranges::find(kSpaces, code) != kSpaces.end();
   return is_space ? 0 : size;
 }
 

@@ -79,9 +79,8 @@ std::string readable_extensions(std::string_view between, std::string_view befor
 
 bool is_clip(const fs::path& path) {
   const std::string extension = utf8(path.extension());
-  return std::any_of(std::begin(kExtensions), std::end(kExtensions), [&](std::string_view known) {
-    return equals_ignoring_case(extension, known);
-  });
+  return std::ranges::any_of(
+      kExtensions, [&](std::string_view known) { return equals_ignoring_case(extension, known); });
 }
 
 std::vector<FoundClip> clips_below(const fs::path& folder,

@@ -112,8 +112,7 @@ ScalarTracks read_csv_tracks(const std::string& file, std::string_view text, int
     table.fail(1, "ends after values of " + counted(rows, "frame") + ", the clip has " +
                       std::to_string(frames));
   if (tracks.front().name == kTime) tracks.erase(tracks.begin());
-  for (ScalarTrack& track : tracks)
-    track.steps = std::all_of(track.values.begin(), track.values.end(), is_whole);
+  for (ScalarTrack& track : tracks) track.steps = std::ranges::all_of(track.values, is_whole);
   return tracks;
 }
 

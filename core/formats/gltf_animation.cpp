@@ -49,10 +49,10 @@ void AnimationWriter::add(const NodeTrack& track, bool always) {
   const auto turns = [&](const Quaterniond& rotation) {
     return 1 - std::abs(rotation.dot(track.rest.rotation)) > kSameTurn * kSameTurn;
   };
-  if (std::any_of(track.translation.begin(), track.translation.end(), moves))
+  if (std::ranges::any_of(track.translation, moves))
     add_channel(track.node, "translation", times_,
                 buffer_.add("VEC3", 3, vectors_of(track.translation)));
-  if (always || std::any_of(track.rotation.begin(), track.rotation.end(), turns))
+  if (always || std::ranges::any_of(track.rotation, turns))
     add_channel(track.node, "rotation", times_, buffer_.add("VEC4", 4, turnings_of(track)));
   if (!track.scales.empty())
     add_channel(track.node, "scale", times_, buffer_.add("VEC3", 3, vectors_of(track.scales)));
@@ -68,8 +68,8 @@ void AnimationWriter::add(const WeightsTrack& weights) {
   std::vector<float> values;
   for (std::size_t t = 0; t < weights.of_target.front()->values.size(); ++t)
     for (const ScalarTrack* const track : weights.of_target) values.push_back(track->values[t]);
-  const bool steps = std::all_of(weights.of_target.begin(), weights.of_target.end(),
-                                 [](const ScalarTrack* track) { return track->steps; });
+  const bool steps =
+      std::ranges::all_of(weights.of_target, [](const ScalarTrack* track) { return track->steps; });
   add_channel(weights.node, "weights", times_, buffer_.add("SCALAR", 1, values),
               steps ? "STEP" : "LINEAR");
 }

@@ -93,7 +93,7 @@ bool has_scheme(std::string_view uri) {
 }
 
 bool leaves_its_folder(const fs::path& path) {
-  return path.has_root_path() || std::find(path.begin(), path.end(), "..") != path.end();
+  return path.has_root_path() || std::ranges::find(path, "..") != path.end();
 }
 
 std::size_t component_bytes(std::size_t type) {
@@ -249,7 +249,7 @@ const Json& GltfFile::list(const Json& object, const char* key) const {
   const Json* found = member(object, key);
   if (found == nullptr) return no_objects();
   if (!found->is_array() ||
-      !std::all_of(found->begin(), found->end(), [](const Json& one) { return one.is_object(); }))
+      !std::ranges::all_of(*found, [](const Json& one) { return one.is_object(); }))
     fail(quoted_key(key) + " is not a list of objects");
   return *found;
 }
@@ -308,7 +308,7 @@ std::optional<std::vector<double>> GltfFile::numbers(const Json& object, const c
   const Json* found = member(object, key);
   if (found == nullptr) return std::nullopt;
   const bool fits = found->is_array() && found->size() == count &&
-                    std::all_of(found->begin(), found->end(), [](const Json& one) {
+                    std::ranges::all_of(*found, [](const Json& one) {
                       return one.is_number() && std::abs(one.get<double>()) <= kLargestNumber;
                     });
   if (!fits) fail(quoted_key(key) + " is not " + std::to_string(count) + " numbers up to 1e9");
@@ -361,9 +361,9 @@ const std::string& GltfFile::buffer(std::size_t index) {
 
 bool GltfFile::is_placeholder(std::size_t buffer) const {
   const Json& stated = list("buffers")[buffer];
-  return !stated.contains("uri") &&
-         std::any_of(std::begin(kMeshoptExtensions), std::end(kMeshoptExtensions),
-                     [&](const char* name) { return extension(stated, name) != nullptr; });
+  return !stated.contains("uri") && std::ranges::any_of(kMeshoptExtensions, [&](const char* name) {
+    return extension(stated, name) != nullptr;
+  });
 }
 
 /// The bytes of a bufferView, placed by itself or by its extension.
@@ -495,8 +495,7 @@ std::vector<double> GltfFile::values(std::size_t accessor, std::string_view type
         values[static_cast<std::size_t>(e) * components + i] = to(s, i);
     }
   }
-  if (!std::all_of(values.begin(), values.end(),
-                   [](double value) { return std::abs(value) <= kLargestNumber; }))
+  if (!std::ranges::all_of(values, [](double value) { return std::abs(value) <= kLargestNumber; }))
     fail(which + kNotANumber);
   return values;
 }

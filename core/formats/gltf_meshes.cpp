@@ -221,7 +221,7 @@ void MeshReader::read_triangles(const Json& primitive, NodeMesh& mesh) {
     for (std::size_t v = 0; v < mesh.positions.size(); ++v)
       corners.push_back(static_cast<double>(v));
   const auto count = static_cast<double>(mesh.positions.size());
-  if (std::any_of(corners.begin(), corners.end(), [&](double v) { return v < 0 || v >= count; }))
+  if (std::ranges::any_of(corners, [&](double v) { return v < 0 || v >= count; }))
     file_.fail("has a triangle with a vertex that its mesh has not");
   for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
     mesh.triangles.push_back({static_cast<std::uint32_t>(corners[i]),

@@ -25,7 +25,7 @@ std::vector<WeightsTrack> weights_of(const GltfTake& take, const ScalarTracks& t
   std::map<std::size_t, WeightsTrack> of_node;
   for (std::size_t w = 0; w < take.weights.size(); ++w) {
     const ScalarTrack& wanted = take.take.tracks[w];
-    const auto found = std::find_if(tracks.begin(), tracks.end(), [&](const ScalarTrack& track) {
+    const auto found = std::ranges::find_if(tracks, [&](const ScalarTrack& track) {
       return track.kind == wanted.kind && track.node == wanted.node && track.name == wanted.name &&
              !taken.contains(&track);
     });
@@ -36,8 +36,7 @@ std::vector<WeightsTrack> weights_of(const GltfTake& take, const ScalarTracks& t
   }
   std::vector<WeightsTrack> all;
   for (auto& [node, weights] : of_node)
-    if (std::find(weights.of_target.begin(), weights.of_target.end(), nullptr) ==
-        weights.of_target.end())
+    if (std::ranges::find(weights.of_target, nullptr) == weights.of_target.end())
       all.push_back(std::move(weights));
   return all;
 }

@@ -213,7 +213,7 @@ LocalTransform TakeReader::rest_of(const Json& node) const {
 /// kind.
 bool TakeReader::has_channel(const Json& animation, bool of_weights) const {
   const Json& channels = file_.list(animation, "channels");
-  return std::any_of(channels.begin(), channels.end(), [&](const Json& channel) {
+  return std::ranges::any_of(channels, [&](const Json& channel) {
     const auto target = gltf_target(file_, channel);
     return target && (target->path == Path::Weights) == of_weights;
   });
@@ -229,7 +229,7 @@ std::vector<TakeName> TakeReader::take_names() const {
     if (name.empty()) name = "animation_" + std::to_string(takes.size() + 1);
     takes.push_back({std::move(name), has_channel(one, false)});
   }
-  if (std::none_of(takes.begin(), takes.end(), [](const TakeName& take) { return take.moves; }))
+  if (std::ranges::none_of(takes, [](const TakeName& take) { return take.moves; }))
     for (std::size_t a = 0; a < takes.size(); ++a)
       takes[a].moves = has_channel(animations[a], true);
   return takes;
@@ -248,7 +248,7 @@ void TakeReader::read_animation() {
   read(takes);
   for (std::vector<TakeName> left = takes; !options_.take && !changes();) {
     left[result_.animation].moves = false;
-    if (std::any_of(left.begin(), left.end(), [](const TakeName& take) { return take.moves; })) {
+    if (std::ranges::any_of(left, [](const TakeName& take) { return take.moves; })) {
       read(left);
       continue;
     }
@@ -268,8 +268,7 @@ bool TakeReader::changes() const {
       if (curve.values[i] != curve.values[i % width]) return true;
     return false;
   };
-  return std::any_of(curves_.begin(), curves_.end(), differs) ||
-         std::any_of(weights_.begin(), weights_.end(), differs);
+  return std::ranges::any_of(curves_, differs) || std::ranges::any_of(weights_, differs);
 }
 
 KeyCurve TakeReader::read_curve(const Json& sampler, const Target& target) {
@@ -296,8 +295,7 @@ KeyCurve TakeReader::read_curve(const Json& sampler, const Target& target) {
   if (curve.values.size() != width * keys * (cubic ? 3 : 1))
     file_.fail("has an animation with " + std::to_string(keys) + " key times, but " +
                std::to_string(curve.values.size() / std::max<std::size_t>(width, 1)) + " values");
-  if (!std::is_sorted(curve.times.begin(), curve.times.end()))
-    file_.fail("has an animation whose key times go back");
+  if (!std::ranges::is_sorted(curve.times)) file_.fail("has an animation whose key times go back");
   if (target.path == Path::Rotation)
     for (std::size_t key = 0; key < keys; ++key)
       if (Quaterniond(&curve.values[4 * (cubic ? 3 * key + 1 : key)]).norm() <= kShortest)
@@ -360,8 +358,7 @@ std::vector<std::string> TakeReader::target_names(std::size_t number) const {
 
 /// Reads a curve for each target. Values of one key are stored side by side.
 void TakeReader::read_weights(const Json& sampler, const Target& target) {
-  if (std::any_of(weights_.begin(), weights_.end(),
-                  [&](const KeyCurve& one) { return one.node == target.node; }))
+  if (std::ranges::any_of(weights_, [&](const KeyCurve& one) { return one.node == target.node; }))
     file_.fail("has an animation that moves the morph weights of a node twice");
   KeyCurve all = read_curve(sampler, target);
   const std::vector<std::string> names = target_names(target.node);

@@ -114,7 +114,7 @@ std::string unevenness(const SampleTimes& times, const std::vector<double>& keys
     if (std::abs(frame - std::round(frame)) <= times.near_s * times.rate_hz)
       is_key[std::min(static_cast<std::size_t>(std::round(frame)), is_key.size() - 1)] = true;
   }
-  const auto keyed = std::count(is_key.begin(), is_key.end(), true);
+  const auto keyed = std::ranges::count(is_key, true);
   if (keyed == times.frames) return {};
   return "keys lie unevenly: " + std::to_string(keyed) + " of " + std::to_string(times.frames) +
          " frames carry keys; frames between are interpolated";
@@ -123,7 +123,7 @@ std::string unevenness(const SampleTimes& times, const std::vector<double>& keys
 }  // namespace
 
 std::vector<double> merged_times(const std::vector<double>& times, std::vector<double> more) {
-  if (!std::is_sorted(more.begin(), more.end())) std::sort(more.begin(), more.end());
+  if (!std::ranges::is_sorted(more)) std::ranges::sort(more);
   std::vector<double> all;
   all.reserve(std::max(times.size(), more.size()));
   std::merge(times.begin(), times.end(), more.begin(), more.end(), std::back_inserter(all));

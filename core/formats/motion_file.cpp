@@ -45,8 +45,8 @@ bool has_extension(const path& file, std::string_view extension) {
 
 /// True for the extensions of glTF. Models and animations of VRM are .glb files by another name.
 bool is_gltf(const path& file) {
-  return std::any_of(std::begin(kGltfExtensions), std::end(kGltfExtensions),
-                     [&](const char* extension) { return has_extension(file, extension); });
+  return std::ranges::any_of(kGltfExtensions,
+                             [&](const char* extension) { return has_extension(file, extension); });
 }
 
 /// The container for writing a glTF; unset if the extension is not one of glTF.
@@ -72,16 +72,15 @@ struct SkeletonText {
 bool is_without_lengths(const Skeleton& skeleton) {
   const std::vector<double> lengths = skeleton.driven_lengths();
   return skeleton.joint_count() > 1 &&
-         std::all_of(lengths.begin(), lengths.end(), [](double length) { return length == 0; });
+         std::ranges::all_of(lengths, [](double length) { return length == 0; });
 }
 
 /// Keeps NaN and infinity out of files.
 void require_finite(const path& file, const Motion& motion, const ScalarTracks& tracks) {
   const auto is_finite = [](const ScalarTrack& track) {
-    return std::all_of(track.values.begin(), track.values.end(),
-                       [](float value) { return std::isfinite(value); });
+    return std::ranges::all_of(track.values, [](float value) { return std::isfinite(value); });
   };
-  if (!motion.clip.channels.allFinite() || !std::all_of(tracks.begin(), tracks.end(), is_finite))
+  if (!motion.clip.channels.allFinite() || !std::ranges::all_of(tracks, is_finite))
     throw Error(utf8(file) + ": is not written: the motion has values that are not finite");
 }
 
@@ -316,7 +315,7 @@ Warnings write_motion(const path& file, const Motion& motion,
                       StagedFile::Existing existing) {
   require_finite(file, motion, tracks);
   const auto lost = [&](const auto& is_lost) -> Warnings {
-    const auto count = std::count_if(tracks.begin(), tracks.end(), is_lost);
+    const auto count = std::ranges::count_if(tracks, is_lost);
     if (count == 0) return {};
     return {{utf8(file), 0, "has no place for " + counted(count, "track") + " of the clip"}};
   };

@@ -44,8 +44,8 @@ bool same_transform(const LocalTransform& a, const LocalTransform& b) {
 
 bool moves(const LocalFrames& frames) {
   const auto changes = [](const auto& values, const auto& same) {
-    return std::any_of(values.begin(), values.end(),
-                       [&](const auto& value) { return !same(values.front(), value); });
+    return std::ranges::any_of(values,
+                               [&](const auto& value) { return !same(values.front(), value); });
   };
   return changes(frames.translations(), same_place) || changes(frames.rotations(), same_turn) ||
          changes(frames.scales(), same_place);
@@ -66,8 +66,7 @@ bool is_possible(const LocalTransform& local) {
 
 bool are_possible(const LocalFrames& frames) {
   const auto all = [](const auto& values) {
-    return std::all_of(values.begin(), values.end(),
-                       [](const auto& value) { return is_possible(value); });
+    return std::ranges::all_of(values, [](const auto& value) { return is_possible(value); });
   };
   return all(frames.translations()) && all(frames.rotations()) && all(frames.scales());
 }
@@ -114,7 +113,7 @@ NodeTree::NodeTree(const std::string& file, const std::vector<AnimatedNode>& nod
   }
   find_movement();
   find_joints();
-  if (std::find(roles_.begin(), roles_.end(), Role::Joint) == roles_.end())
+  if (std::ranges::find(roles_, Role::Joint) == roles_.end())
     throw InputError(file, 0, 0, "has neither bones nor anything else that moves");
   fold_from_top();
   find_bone_ends();
@@ -141,16 +140,15 @@ void NodeTree::find_joints() {
       below[i] = below[i] || below[child] || begins(child);
   for (std::size_t i = count; i-- > 0;) {
     const bool hangs = above[i] && (moves_[i] || !are_marked_);
-    const bool carries = std::any_of(children_[i].begin(), children_[i].end(),
-                                     [&](std::size_t c) { return roles_[c] == Role::Joint; });
+    const bool carries =
+        std::ranges::any_of(children_[i], [&](std::size_t c) { return roles_[c] == Role::Joint; });
     if (begins(i) || hangs || below[i] || carries) roles_[i] = Role::Joint;
   }
 }
 
 int NodeTree::joint_children(std::size_t node) const {
-  return static_cast<int>(
-      std::count_if(children_[node].begin(), children_[node].end(),
-                    [&](std::size_t child) { return roles_[child] == Role::Joint; }));
+  return static_cast<int>(std::ranges::count_if(
+      children_[node], [&](std::size_t child) { return roles_[child] == Role::Joint; }));
 }
 
 /// Folds still armatures and scene roots into the world, from the top; without marks, only as long
@@ -184,7 +182,7 @@ LocalTransform NodeTree::local(std::size_t node, int frame) const {
 
 bool NodeTree::changes_scale(std::size_t node) const {
   const auto& scales = nodes_[node].frames.scales();
-  return std::any_of(scales.begin(), scales.end(), [&](const Vector3d& scale) {
+  return std::ranges::any_of(scales, [&](const Vector3d& scale) {
     return (scale - scales.front()).norm() > kUnevenScale;
   });
 }
@@ -431,8 +429,9 @@ void MotionBuilder::add_joint(std::size_t j) {
   Vector3d mean = Vector3d::Zero();
   for (const Vector3d& place : track.translation) mean += place / take_.frames;
   joint.offset = mean;
-  if (std::any_of(track.translation.begin(), track.translation.end(),
-                  [&](const Vector3d& place) { return (place - mean).norm() > kSamePlace; })) {
+  if (std::ranges::any_of(track.translation, [&](const Vector3d& place) {
+        return (place - mean).norm() > kSamePlace;
+      })) {
     joint.offset = track.translation.front();
     for (int axis = 0; axis < 3; ++axis) {
       joint.channels.push_back(translation_about(axis));
@@ -442,7 +441,7 @@ void MotionBuilder::add_joint(std::size_t j) {
       channels_.push_back(std::move(channel));
     }
   }
-  if (std::any_of(track.rotation.begin(), track.rotation.end(), [](const Quaterniond& rotation) {
+  if (std::ranges::any_of(track.rotation, [](const Quaterniond& rotation) {
         return rotation.angularDistance(Quaterniond::Identity()) > kSameShare;
       })) {
     const std::array<int, 3> axes = axes_of(calmest_order(track));
@@ -576,7 +575,7 @@ std::vector<std::size_t> nodes_of_joints(const std::string& file, const NodeTake
 std::vector<std::string> without_namespace(std::vector<std::string> names) {
   if (names.empty() || names.front().find(':') == std::string::npos) return names;
   const std::string shared = names.front().substr(0, names.front().rfind(':') + 1);
-  const bool of_all = std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+  const bool of_all = std::ranges::all_of(names, [&](const std::string& name) {
     return name.starts_with(shared) && name.size() > shared.size();
   });
   if (of_all)

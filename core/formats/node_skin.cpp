@@ -92,7 +92,7 @@ Affine3d SkinBuilder::place_bound(const NodeMesh& mesh) {
 }
 
 std::optional<std::uint8_t> SkinBuilder::bone_of(const SkinBone& bone) {
-  const auto same = std::find_if(skin_.bones.begin(), skin_.bones.end(), [&](const SkinBone& one) {
+  const auto same = std::ranges::find_if(skin_.bones, [&](const SkinBone& one) {
     return one.joint == bone.joint && same_bind(one.joint_from_bind, bone.joint_from_bind);
   });
   const auto index = static_cast<std::size_t>(same - skin_.bones.begin());
@@ -103,7 +103,7 @@ std::optional<std::uint8_t> SkinBuilder::bone_of(const SkinBone& bone) {
 
 int SkinBuilder::picture_at(const std::shared_ptr<const SkinPicture>& picture) {
   auto& all = skin_.pictures;
-  const auto known = std::find(all.begin(), all.end(), picture);
+  const auto known = std::ranges::find(all, picture);
   const auto index = static_cast<int>(known - all.begin());
   if (known == all.end()) all.push_back(picture);
   return index;
@@ -122,13 +122,13 @@ bool SkinBuilder::add(const NodeMesh& mesh) {
         bone_of({node.joint, node.joint_from_node * bone.node_from_mesh * mesh_from_bind});
     if (!bones.back()) return false;
   }
-  const auto carrying = std::find_if(bones.begin(), bones.end(), [](const auto& b) { return !!b; });
+  const auto carrying = std::ranges::find_if(bones, [](const auto& b) { return !!b; });
   if (carrying == bones.end()) return true;
 
-  const bool is_pictured =
-      mesh.picture && mesh.in_picture.size() == mesh.positions.size() &&
-      std::all_of(mesh.in_picture.begin(), mesh.in_picture.end(),
-                  [](const Eigen::Vector2d& place) { return place.allFinite(); });
+  const bool is_pictured = mesh.picture && mesh.in_picture.size() == mesh.positions.size() &&
+                           std::ranges::all_of(mesh.in_picture, [](const Eigen::Vector2d& place) {
+                             return place.allFinite();
+                           });
   const int picture = is_pictured ? picture_at(mesh.picture) : -1;
   const std::vector<Vector3d> normals = mesh.normals.empty() ? normals_of(mesh) : mesh.normals;
   const Eigen::Matrix3d turn_normal = bind_from_mesh.linear().inverse().transpose();
@@ -157,10 +157,10 @@ bool is_possible(const Skin& skin) {
   const auto fits = [](const auto& place) {
     return place.allFinite() && static_cast<double>(place.cwiseAbs().maxCoeff()) <= kFarthestVertex;
   };
-  return std::all_of(skin.vertices.begin(), skin.vertices.end(),
-                     [&](const auto& vertex) { return fits(vertex.in_bind); }) &&
-         std::all_of(skin.bones.begin(), skin.bones.end(),
-                     [&](const SkinBone& bone) { return fits(bone.joint_from_bind.matrix()); });
+  return std::ranges::all_of(skin.vertices,
+                             [&](const auto& vertex) { return fits(vertex.in_bind); }) &&
+         std::ranges::all_of(
+             skin.bones, [&](const SkinBone& bone) { return fits(bone.joint_from_bind.matrix()); });
 }
 
 }  // namespace

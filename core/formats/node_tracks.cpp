@@ -158,7 +158,7 @@ JointScales::JointScales(const ScalarTracks& tracks, const Skeleton& skeleton)
 
 bool JointScales::has(std::size_t joint) const {
   const auto& of = of_joint_[joint];
-  return std::any_of(of.begin(), of.end(), [](const auto* track) { return track != nullptr; });
+  return std::ranges::any_of(of, [](const auto* track) { return track != nullptr; });
 }
 
 Vector3d JointScales::at(std::size_t joint, int frame) const {

@@ -36,8 +36,8 @@ std::size_t choose_take(const std::string& file, const std::vector<TakeName>& ta
                      "on It in the studio, puts it on a clip");
   std::size_t chosen = 0;
   if (wanted) {
-    const auto named = std::find_if(takes.begin(), takes.end(),
-                                    [&](const TakeName& take) { return take.name == *wanted; });
+    const auto named =
+        std::ranges::find_if(takes, [&](const TakeName& take) { return take.name == *wanted; });
     const double number = parse_number(*wanted).value_or(0);
     if (named != takes.end())
       chosen = static_cast<std::size_t>(named - takes.begin());
@@ -49,8 +49,7 @@ std::size_t choose_take(const std::string& file, const std::vector<TakeName>& ta
                        "has no take " + shortened(*wanted) + ": there are " + listed(takes, {}));
     return chosen;
   }
-  const auto moving =
-      std::find_if(takes.begin(), takes.end(), [](const TakeName& take) { return take.moves; });
+  const auto moving = std::ranges::find_if(takes, [](const TakeName& take) { return take.moves; });
   if (moving != takes.end()) chosen = static_cast<std::size_t>(moving - takes.begin());
   if (takes.size() > 1)
     warnings.push_back({file, 0,

@@ -185,8 +185,8 @@ std::string quoted(const Token& token) {
   constexpr std::size_t kLongest = 40;
   if (token.text.empty()) return "the end of the file";
   std::string text(token.text.substr(0, kLongest));
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return index(c) < 0x20 || index(c) > 0x7E; }, '?');
+  std::ranges::replace_if(
+      text, [](char c) { return index(c) < 0x20 || index(c) > 0x7E; }, '?');
   return "'" + text + (token.text.size() > kLongest ? "...'" : "'");
 }
 

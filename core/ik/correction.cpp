@@ -22,9 +22,8 @@ class Corrector {
     for (const Limb& limb : limbs_) {
       places_.emplace_back();
       for (const Effector& effector : limb.effectors()) {
-        const auto place = std::find_if(effectors.begin(), effectors.end(), [&](const Effector& e) {
-          return e.joint == effector.joint;
-        });
+        const auto place = std::ranges::find_if(
+            effectors, [&](const Effector& e) { return e.joint == effector.joint; });
         places_.back().push_back(place - effectors.begin());
       }
     }

@@ -42,7 +42,7 @@ std::vector<int> limb_above(const Skeleton& skeleton, int joint) {
 Effector effector_of_limb(const Skeleton& skeleton, int joint) {
   Effector effector{joint, limb_above(skeleton, joint)};
   std::erase_if(effector.chain, [&](int j) { return !turns(skeleton.joint(j)); });
-  std::reverse(effector.chain.begin(), effector.chain.end());
+  std::ranges::reverse(effector.chain);
   return effector;
 }
 
@@ -60,7 +60,7 @@ Effector effector_between(const Skeleton& skeleton, int top, int joint) {
   if (effector.chain.empty() || effector.chain.back() != top)
     throw Error("a chain of joints that ends at " + skeleton.joint(joint).name +
                 " does not begin at a joint above it that can turn");
-  std::reverse(effector.chain.begin(), effector.chain.end());
+  std::ranges::reverse(effector.chain);
   return effector;
 }
 

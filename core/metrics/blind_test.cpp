@@ -93,7 +93,7 @@ void BlindTest::ask() {
     return;
   }
   const double wanted = std::log(fit().curve.threshold);
-  const auto nearest = std::min_element(levels_.begin(), levels_.end(), [&](double a, double b) {
+  const auto nearest = std::ranges::min_element(levels_, [&](double a, double b) {
     return std::abs(std::log(a) - wanted) < std::abs(std::log(b) - wanted);
   });
   const int beside = static_cast<int>(random_.below(3)) - 1;
@@ -109,8 +109,8 @@ bool BlindTest::answer(bool x_is_b) {
 }
 
 int BlindTest::right() const {
-  return static_cast<int>(std::count_if(answers_.begin(), answers_.end(),
-                                        [](const BlindAnswer& answer) { return answer.right; }));
+  return static_cast<int>(
+      std::ranges::count_if(answers_, [](const BlindAnswer& answer) { return answer.right; }));
 }
 
 }  // namespace mocapress

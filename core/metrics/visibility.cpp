@@ -87,10 +87,9 @@ Seen seen_in(const Visibility& visibility, const Skeleton& skeleton) {
 }
 
 const WorstSight& Visibility::worst() const {
-  return *std::max_element(worst_of.begin(), worst_of.end(),
-                           [](const WorstSight& a, const WorstSight& b) {
-                             return a.times_noticed() < b.times_noticed();
-                           });
+  return *std::ranges::max_element(worst_of, [](const WorstSight& a, const WorstSight& b) {
+    return a.times_noticed() < b.times_noticed();
+  });
 }
 
 int SightTable::window_of(int frame) const {

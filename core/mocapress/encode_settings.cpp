@@ -14,8 +14,8 @@ std::vector<ContactSpan> contacts_for(const std::vector<ContactSetting>& contact
   const std::vector<Landmark> points = landmarks(skeleton);
   std::vector<ContactSpan> spans;
   for (const ContactSetting& contact : contacts) {
-    const auto point = std::find_if(points.begin(), points.end(),
-                                    [&](const Landmark& one) { return one.name == contact.point; });
+    const auto point = std::ranges::find_if(
+        points, [&](const Landmark& one) { return one.name == contact.point; });
     if (point == points.end()) throw Error("the skeleton has no joint named " + contact.point);
     spans.push_back(
         {static_cast<int>(point - points.begin()), contact.first_frame, contact.last_frame});

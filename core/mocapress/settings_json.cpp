@@ -73,7 +73,7 @@ class Keys {
 
   void end() const {
     for (const auto& [key, value] : json_.items())
-      if (std::find(taken_.begin(), taken_.end(), key) == taken_.end())
+      if (std::ranges::find(taken_, key) == taken_.end())
         throw Error(of_ + ": \"" + key + "\" is unknown");
   }
 

@@ -46,15 +46,14 @@ double skin_share(BodyRegion region) {
 }
 
 bool has_translation(const Joint& joint) {
-  return std::any_of(joint.channels.begin(), joint.channels.end(),
-                     [](ChannelKind kind) { return !is_rotation(kind); });
+  return std::ranges::any_of(joint.channels, [](ChannelKind kind) { return !is_rotation(kind); });
 }
 
 /// Marks joints that slide against their parent, so that no bone lies between. Where most joints
 /// can translate, translation channels tell nothing, except for hips above a root on the floor.
 std::vector<bool> sliding_joints(const Skeleton& skeleton) {
   const std::vector<Joint>& joints = skeleton.joints();
-  const auto able = std::count_if(joints.begin(), joints.end(), has_translation);
+  const auto able = std::ranges::count_if(joints, has_translation);
   const bool tells = 2 * able <= std::ssize(joints);
   std::vector<int> children(joints.size(), 0);
   for (const Joint& joint : joints)
@@ -239,7 +238,7 @@ void add_unseen(const Skeleton& skeleton, double stature, std::vector<BodyLimb>&
   for (const BodyLimb& limb : limbs) mark_from(limb.joint);
   for (int j = skeleton.joint_count() - 1; j >= 0; --j) {
     const Joint& joint = skeleton.joint(j);
-    const bool turns = std::any_of(joint.channels.begin(), joint.channels.end(), is_rotation);
+    const bool turns = std::ranges::any_of(joint.channels, is_rotation);
     if (seen[static_cast<std::size_t>(j)] || !turns) continue;
     const double before = joint.offset.norm();
     const Eigen::Vector3d along =
@@ -267,8 +266,7 @@ int body_root(const Skeleton& skeleton) {
   for (const Joint& joint : skeleton.joints())
     if (joint.parent >= 0) ++children[static_cast<std::size_t>(joint.parent)];
   const auto is_moved = [](const Joint& joint) {
-    return std::any_of(joint.channels.begin(), joint.channels.end(),
-                       [](ChannelKind kind) { return !is_rotation(kind); });
+    return std::ranges::any_of(joint.channels, [](ChannelKind kind) { return !is_rotation(kind); });
   };
   // Joints come parents first, so that those above the body are the first ones.
   int root = 0;

@@ -15,8 +15,8 @@ std::string lower(std::string text) {
 }
 
 bool contains_any(const std::string& text, std::initializer_list<const char*> words) {
-  return std::any_of(words.begin(), words.end(),
-                     [&](const char* word) { return text.find(word) != std::string::npos; });
+  return std::ranges::any_of(
+      words, [&](const char* word) { return text.find(word) != std::string::npos; });
 }
 
 std::optional<BodyPart> part_of(const std::string& joint) {

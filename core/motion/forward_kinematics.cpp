@@ -91,7 +91,7 @@ void turn_joint(const Joint& joint, const Eigen::Matrix3d& rotation, Eigen::RowV
 }
 
 bool turns(const Joint& joint) {
-  return std::any_of(joint.channels.begin(), joint.channels.end(), is_rotation);
+  return std::ranges::any_of(joint.channels, is_rotation);
 }
 
 void compute_pose(const Skeleton& skeleton, const FrameRow& frame, Pose& pose) {

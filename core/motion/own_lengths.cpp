@@ -66,8 +66,8 @@ std::vector<Carrier> carriers_of(const std::vector<SkinBone>& bones, const Skele
 std::vector<bool> on_trunk(const std::vector<Carrier>& carriers) {
   std::vector<bool> trunk;
   for (const Carrier& carrier : carriers) trunk.push_back(carrier.above < 0);
-  const auto hips = std::find_if(carriers.begin(), carriers.end(),
-                                 [](const Carrier& carrier) { return carrier.below > 1; });
+  const auto hips =
+      std::ranges::find_if(carriers, [](const Carrier& carrier) { return carrier.below > 1; });
   if (hips == carriers.end()) return trunk;
   for (auto at = static_cast<int>(hips - carriers.begin()); at >= 0;
        at = carriers[static_cast<std::size_t>(at)].above)
@@ -119,8 +119,7 @@ OwnLengths own_lengths(const std::vector<SkinBone>& bones, const Skeleton& from,
   // Joints that carry nothing go where the joints above them go.
   for (int j = 0; j < to.joint_count(); ++j)
     if (to.joint(j).parent >= 0 &&
-        std::none_of(carriers.begin(), carriers.end(),
-                     [j](const Carrier& carrier) { return carrier.joint == j; }))
+        std::ranges::none_of(carriers, [j](const Carrier& carrier) { return carrier.joint == j; }))
       lengths.bones.push_back({j, to.joint(j).parent, Vector3d::Zero()});
   return differs ? lengths : OwnLengths();
 }

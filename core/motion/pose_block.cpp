@@ -211,7 +211,7 @@ void PoseBlock::turn(int joint, int axis, const Eigen::Ref<const Eigen::VectorXd
   std::array<double, kMost> angles{};
   std::array<double, kMost> sines;
   std::array<double, kMost> cosines;
-  std::copy(radians.begin(), radians.end(), angles.begin());
+  std::ranges::copy(radians, angles.begin());
   const bool is_far = !(radians.cwiseAbs().maxCoeff() < kMostTurned);
   Axes axes;
   for (Eigen::Index i = 0; i < 9; ++i)

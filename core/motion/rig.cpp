@@ -17,10 +17,9 @@ std::string shared_namespace(const Skeleton& skeleton) {
   if (skeleton.joint_count() == 0) return {};
   const std::string& first = skeleton.joint(0).name;
   std::string shared = first.substr(0, first.rfind(':') + 1);  // none where there is no colon
-  const bool all =
-      std::all_of(skeleton.joints().begin(), skeleton.joints().end(), [&](const Joint& joint) {
-        return joint.name.starts_with(shared) && joint.name.size() > shared.size();
-      });
+  const bool all = std::ranges::all_of(skeleton.joints(), [&](const Joint& joint) {
+    return joint.name.starts_with(shared) && joint.name.size() > shared.size();
+  });
   return all ? shared : std::string();
 }
 
@@ -30,7 +29,7 @@ std::string rig_of(const Skeleton& skeleton) {
     bones.push_back(without_namespace(joint.name) + '\n');
     if (joint.parent >= 0) bones.back() += without_namespace(skeleton.joint(joint.parent).name);
   }
-  std::sort(bones.begin(), bones.end());  // files list joints in orders of their own
+  std::ranges::sort(bones);  // files list joints in orders of their own
   Fnv1a hash;
   for (const std::string& bone : bones) hash.add(bone + '\0');
   return hash.text();

@@ -113,14 +113,14 @@ std::array<int, 3> axes_of(RotationOrder order) {
 
 bool turns_freely(const Joint& joint) {
   std::vector<int> axes = rotation_axes(joint);
-  std::sort(axes.begin(), axes.end());
+  std::ranges::sort(axes);
   return axes == std::vector{0, 1, 2};
 }
 
 RotationOrder rotation_order(const Joint& joint) {
   assert(turns_freely(joint));
   const std::vector<int> axes = rotation_axes(joint);
-  const auto found = std::find_if(kAxes.begin(), kAxes.end(), [&](const std::array<int, 3>& of) {
+  const auto found = std::ranges::find_if(kAxes, [&](const std::array<int, 3>& of) {
     return std::equal(of.begin(), of.end(), axes.begin(), axes.end());
   });
   return static_cast<RotationOrder>(found - kAxes.begin());

@@ -47,8 +47,8 @@ void require_most(const Skin& skin, const Skeleton& from, const Skeleton& to,
   const SkinPoints points = points_on(skin);
   for (const SkinPoint& point : points)
     for (const SkinPointShare& share : point) carried += is_there(share.joint) ? share.weight : 0;
-  const bool any = std::any_of(skin.bones.begin(), skin.bones.end(),
-                               [&](const SkinBone& bone) { return is_there(bone.joint); });
+  const bool any =
+      std::ranges::any_of(skin.bones, [&](const SkinBone& bone) { return is_there(bone.joint); });
   if (any && carried >= kLeastCarried * static_cast<double>(points.size())) return;
   const std::vector<std::string> missing = missing_joints(skin, from, to);
   if (missing.empty()) return;
@@ -61,10 +61,9 @@ void require_most(const Skin& skin, const Skeleton& from, const Skeleton& to,
 void hold_missing(Skin& skin, const Skeleton& from, const std::vector<int>& joint_in_to) {
   const std::vector<SkinBone> bones = skin.bones;
   const auto bone_of = [&](int joint) {
-    return std::find_if(bones.begin(), bones.end(),
-                        [&](const SkinBone& bone) { return bone.joint == joint; });
+    return std::ranges::find_if(bones, [&](const SkinBone& bone) { return bone.joint == joint; });
   };
-  const auto topmost = std::find_if(bones.begin(), bones.end(), [&](const SkinBone& bone) {
+  const auto topmost = std::ranges::find_if(bones, [&](const SkinBone& bone) {
     return joint_in_to[static_cast<std::size_t>(bone.joint)] >= 0;
   });
   for (SkinBone& bone : skin.bones) {
@@ -135,8 +134,8 @@ std::vector<Matrix3d> rest_from_bind(const Skin& skin, const Skeleton& from, con
 BoneWeights largest_weights(std::vector<std::pair<std::uint8_t, double>> weights) {
   BoneWeights result;
   std::erase_if(weights, [](const auto& each) { return !(each.second > 0); });
-  std::stable_sort(weights.begin(), weights.end(),
-                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::ranges::stable_sort(weights,
+                           [](const auto& a, const auto& b) { return a.second > b.second; });
   if (weights.size() > result.weights.size()) weights.resize(result.weights.size());
   double sum = 0;
   for (const auto& [bone, weight] : weights) sum += weight;
@@ -183,7 +182,7 @@ std::vector<std::string> missing_joints(const Skin& skin, const Skeleton& from,
   for (const SkinBone& bone : skin.bones) {
     const std::string& name = from.joint(bone.joint).name;
     if (joint_in_to[static_cast<std::size_t>(bone.joint)] < 0 &&
-        std::find(missing.begin(), missing.end(), name) == missing.end())
+        std::ranges::find(missing, name) == missing.end())
       missing.push_back(name);
   }
   return missing;

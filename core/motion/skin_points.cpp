@@ -49,8 +49,7 @@ SkinPoint point_in(const Skin& skin, const std::array<std::uint32_t, 3>& triangl
   for (const auto& [joint, share] : by_joint) sum += share.weight;
   for (auto& [joint, share] : by_joint)
     point.push_back({joint, share.in_joint / share.weight, share.weight / sum});
-  std::stable_sort(point.begin(), point.end(),
-                   [](const auto& a, const auto& b) { return a.weight > b.weight; });
+  std::ranges::stable_sort(point, [](const auto& a, const auto& b) { return a.weight > b.weight; });
   return point;
 }
 
@@ -74,7 +73,7 @@ SkinPoints points_on(const Skin& skin) {
   if (!(area > 0)) return points;
   for (int i = 0; i < kPoints; ++i) {
     const double wanted = (i + 0.5) / kPoints * area;
-    const auto next = std::upper_bound(areas_before.begin(), areas_before.end(), wanted);
+    const auto next = std::ranges::upper_bound(areas_before, wanted);
     const auto& triangle =
         skin.triangles[static_cast<std::size_t>(next - areas_before.begin()) - 1];
     constexpr double kPlastic = 1.32471795724474602596;

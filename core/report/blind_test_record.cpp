@@ -35,9 +35,9 @@ BlindTestRecord read_record(const Json& json) {
   for (const Json& answer : json.at("answers"))
     record.answers.push_back({answer.at(0).get<double>(), answer.at(1).get<bool>()});
   const auto is_level = [](double level) { return std::isfinite(level) && level > 0; };
-  if (record.levels.empty() || !std::all_of(record.levels.begin(), record.levels.end(), is_level) ||
-      !std::all_of(record.answers.begin(), record.answers.end(),
-                   [&](const BlindAnswer& answer) { return is_level(answer.level); }))
+  if (record.levels.empty() || !std::ranges::all_of(record.levels, is_level) ||
+      !std::ranges::all_of(record.answers,
+                           [&](const BlindAnswer& answer) { return is_level(answer.level); }))
     throw Error("a blind test has a level that is not above 0");
   return record;
 }
@@ -45,8 +45,8 @@ BlindTestRecord read_record(const Json& json) {
 }  // namespace
 
 int BlindTestRecord::right() const {
-  return static_cast<int>(std::count_if(answers.begin(), answers.end(),
-                                        [](const BlindAnswer& answer) { return answer.right; }));
+  return static_cast<int>(
+      std::ranges::count_if(answers, [](const BlindAnswer& answer) { return answer.right; }));
 }
 
 ThresholdFit BlindTestRecord::fit() const {

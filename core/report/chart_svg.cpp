@@ -187,7 +187,7 @@ class Drawing {
         const double at = y().at(series.line.back().eps_cm);
         all.push_back({x().at(series.line.back().ratio), at, at, &series});
       }
-    std::sort(all.begin(), all.end(), [](auto& a, auto& b) { return a.wanted < b.wanted; });
+    std::ranges::sort(all, [](auto& a, auto& b) { return a.wanted < b.wanted; });
     constexpr double kLineHeight = 17;
     double free = top() + 6;
     for (Label& label : all) free = (label.y = std::max(label.wanted, free)) + kLineHeight;

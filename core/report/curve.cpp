@@ -9,21 +9,20 @@ namespace mocapress {
 
 Curve best_of(std::vector<CurvePoint> points) {
   std::erase_if(points, [](const CurvePoint& p) { return !(p.eps_cm > 0 && p.ratio > 0); });
-  std::sort(points.begin(), points.end(), [](const CurvePoint& a, const CurvePoint& b) {
+  std::ranges::sort(points, [](const CurvePoint& a, const CurvePoint& b) {
     return a.ratio != b.ratio ? a.ratio > b.ratio : a.eps_cm < b.eps_cm;
   });
   Curve curve;  // starts with the smallest file: each point must beat all before it
   for (const CurvePoint& point : points)
     if (curve.empty() || point.eps_cm < curve.back().eps_cm) curve.push_back(point);
-  std::reverse(curve.begin(), curve.end());
+  std::ranges::reverse(curve);
   return curve;
 }
 
 std::optional<double> ratio_at(const Curve& curve, double eps_cm) {
   if (curve.empty() || eps_cm < curve.front().eps_cm || eps_cm > curve.back().eps_cm)
     return std::nullopt;
-  const auto above =
-      std::find_if(curve.begin(), curve.end(), [&](auto& p) { return p.eps_cm >= eps_cm; });
+  const auto above = std::ranges::find_if(curve, [&](auto& p) { return p.eps_cm >= eps_cm; });
   if (above == curve.begin()) return above->ratio;
   const auto below = above - 1;
   const double share = std::log(eps_cm / below->eps_cm) / std::log(above->eps_cm / below->eps_cm);

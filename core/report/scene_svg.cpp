@@ -130,8 +130,8 @@ void SceneSvg::add_figure(const PosePoints& points, std::string_view css) {
             .dot(toward_));
   std::vector<std::size_t> order(nearness.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return nearness[a] < nearness[b]; });
+  std::ranges::stable_sort(order,
+                           [&](std::size_t a, std::size_t b) { return nearness[a] < nearness[b]; });
   std::string bones;
   for (const std::size_t b : order) {
     const double range = nearness[order.back()] - nearness[order.front()];

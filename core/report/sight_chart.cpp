@@ -74,7 +74,7 @@ SightChart sight_chart(const SightTable& table, const Skeleton& skeleton) {
   const Eigen::VectorXf worst = table.times_noticed.colwise().maxCoeff();
   std::vector<int> joints(static_cast<std::size_t>(worst.size()));
   std::iota(joints.begin(), joints.end(), 0);
-  std::stable_sort(joints.begin(), joints.end(), [&](int a, int b) { return worst(a) > worst(b); });
+  std::ranges::stable_sort(joints, [&](int a, int b) { return worst(a) > worst(b); });
   joints.resize(std::min(joints.size(), kMostJoints));
   for (const int joint : joints)
     if (sight_of(static_cast<double>(worst(joint))) != Sight::NotVisible)

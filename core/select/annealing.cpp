@@ -81,7 +81,7 @@ AnnealingReport anneal(const RankedCoefficients& ranked, const ErrorModel& model
   Random random(options.seed);
   AnnealingReport report;
   report.first_eps_cm = allocation.eps();
-  const int most = start.empty() ? 0 : *std::max_element(start.begin(), start.end());
+  const int most = start.empty() ? 0 : *std::ranges::max_element(start);
   const int first_step = most / 2;
   int failures = 0;
   for (int step = first_step; step > 0 && report.complete;) {

@@ -49,9 +49,8 @@ RankedCoefficients rank_coefficients(const Clip& clip, Basis basis) {
     order.resize(static_cast<std::size_t>(ranked.per_channel()));
     std::iota(order.begin(), order.end(), 0);
     // Ties go to the coarser coefficient, so that every machine gets the same order.
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-      return ranked.importance(a, c) > ranked.importance(b, c);
-    });
+    std::ranges::stable_sort(
+        order, [&](int a, int b) { return ranked.importance(a, c) > ranked.importance(b, c); });
   });
   return ranked;
 }
@@ -90,7 +89,7 @@ Kept keep_per_channel(const RankedCoefficients& ranked, int count) {
 
 std::vector<double> channel_scales(const Skeleton& skeleton) {
   const std::vector<double> lengths = skeleton.driven_lengths();
-  const double longest = lengths.empty() ? 1 : *std::max_element(lengths.begin(), lengths.end());
+  const double longest = lengths.empty() ? 1 : *std::ranges::max_element(lengths);
   std::vector<double> scales;
   for (int c = 0; c < skeleton.channel_count(); ++c) {
     const double length = lengths[static_cast<std::size_t>(skeleton.channel_joint(c))];
@@ -110,7 +109,7 @@ StandardOrder::StandardOrder(const RankedCoefficients& ranked, const std::vector
   for (int c = 0; c < channels_; ++c)
     for (int i = 0; i < ranked.per_channel(); ++i)
       all.emplace_back(ranked.importance(i, c) * scales[static_cast<std::size_t>(c)], c);
-  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+  std::ranges::sort(all, [](const auto& a, const auto& b) {
     return a.first != b.first ? a.first > b.first : a.second < b.second;
   });
   for (const auto& [importance, channel] : all) channel_by_importance_.push_back(channel);

@@ -40,18 +40,16 @@ int style_of(const Results& results, const Series& series) {
   constexpr std::string_view kOwn[] = {"annealed",     "standard", "per-channel", "haar",
                                        "linear",       "pca",      "subsample",   "quaternion",
                                        "liu-mcmillan", "arikan",   "closed-loop", "key-frames"};
-  const auto own = std::find(std::begin(kOwn), std::end(kOwn), series.method);
+  const auto own = std::ranges::find(kOwn, series.method);
   if (own != std::end(kOwn) && !series.ik_ratio) return static_cast<int>(own - std::begin(kOwn));
   std::vector<bool> taken(kChartStyles, false);
   for (const Series& other : results.series())
-    if (const auto at = std::find(std::begin(kOwn), std::end(kOwn), other.method);
+    if (const auto at = std::ranges::find(kOwn, other.method);
         at != std::end(kOwn) && !other.ik_ratio)
       taken[static_cast<std::size_t>(at - std::begin(kOwn))] = true;
   for (const Series& other : results.series()) {
-    if (std::find(std::begin(kOwn), std::end(kOwn), other.method) != std::end(kOwn) &&
-        !other.ik_ratio)
-      continue;
-    const auto free = std::find(taken.begin(), taken.end(), false);
+    if (std::ranges::find(kOwn, other.method) != std::end(kOwn) && !other.ik_ratio) continue;
+    const auto free = std::ranges::find(taken, false);
     const auto style = static_cast<int>(free - taken.begin()) % kChartStyles;
     if (&other == &series) return style;
     if (free != taken.end()) *free = true;

@@ -52,7 +52,7 @@ Errors common_errors(const Results& results) {
   Errors errors(std::begin(kUsualErrors), std::end(kUsualErrors));
   if (results.clips().empty()) return errors;
   for (const double eps_cm : asked_errors(results, results.clips().front()))
-    if (std::all_of(results.clips().begin(), results.clips().end(), [&](const StudiedClip& clip) {
+    if (std::ranges::all_of(results.clips(), [&](const StudiedClip& clip) {
           return asked_errors(results, clip).contains(eps_cm);
         }))
       errors.insert(eps_cm);
@@ -179,8 +179,8 @@ std::string footskate_at(const ReportLanguage& say, const Results& results, cons
     return row && row->measured->footskate_cm ? &*row->measured : nullptr;
   };
   const auto series = series_with(results, [&](const Series& one) {
-    return std::any_of(results.clips().begin(), results.clips().end(),
-                       [&](const StudiedClip& clip) { return measured(clip, one) != nullptr; });
+    return std::ranges::any_of(
+        results.clips(), [&](const StudiedClip& clip) { return measured(clip, one) != nullptr; });
   });
   std::string heads = head(say("Clip"), attribute("class", "name")) + head(say("contacts"));
   for (const Series* one : series) heads += head(escaped(title_of(say, *one)));
@@ -339,9 +339,8 @@ std::string clip_table(const ReportLanguage& say, const Results& results) {
   std::string heads =
       head(say("Clip"), attribute("class", "name")) + head(say("frames")) + head(say("seconds"));
   for (const Series& series : results.series()) heads += head(escaped(title_of(say, series)));
-  const bool reviewed =
-      std::any_of(results.clips().begin(), results.clips().end(),
-                  [](const StudiedClip& clip) { return clip.review != ClipReview(); });
+  const bool reviewed = std::ranges::any_of(
+      results.clips(), [](const StudiedClip& clip) { return clip.review != ClipReview(); });
   const auto left = attribute("class", "name");
   if (reviewed) heads += head(say("verdict"), left) + head(say("note"), left);
   std::string body;

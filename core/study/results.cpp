@@ -40,7 +40,7 @@ void make_titles_unique(std::vector<StudiedClip>& clips) {
   for (StudiedClip& clip : clips) {
     const std::string stem = stem_of(clip.path);
     const auto same = [&](const StudiedClip& other) { return stem_of(other.path) == stem; };
-    if (std::count_if(clips.begin(), clips.end(), same) > 1) clip.title = clip.path;
+    if (std::ranges::count_if(clips, same) > 1) clip.title = clip.path;
   }
 }
 
@@ -49,10 +49,9 @@ void make_titles_unique(std::vector<StudiedClip>& clips) {
 Results::Results(std::vector<StudyRow> rows) : rows_(std::move(rows)) {
   for (const StudyRow& row : rows_) {
     weighting_ = row.settings.weighting;
-    if (std::none_of(series_.begin(), series_.end(), [&](auto& s) { return s.has(row); }))
+    if (std::ranges::none_of(series_, [&](auto& s) { return s.has(row); }))
       series_.push_back({row.settings.method, row.ik_ratio(), title_of(row)});
-    if (row.measured &&
-        std::none_of(clips_.begin(), clips_.end(), [&](auto& c) { return c.path == row.clip; }))
+    if (row.measured && std::ranges::none_of(clips_, [&](auto& c) { return c.path == row.clip; }))
       clips_.push_back(studied(row));
   }
   make_titles_unique(clips_);

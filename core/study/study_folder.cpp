@@ -51,7 +51,7 @@ std::optional<Pictured> pictured(const Results& results, const StudiedClip& clip
     if (row.clip != clip.path || row.settings.method != methods.front() ||
         row.settings.target.kind != Target::Kind::Ratio || !row.reached())
       continue;
-    const bool by_all = std::all_of(methods.begin(), methods.end(), [&](const std::string& name) {
+    const bool by_all = std::ranges::all_of(methods, [&](const std::string& name) {
       const StudyRow* other = results.row(clip, *results.find_series(name), row.settings.target);
       return other && other->reached();
     });
@@ -70,7 +70,7 @@ std::vector<Pictured> pictured_clips(const Results& results,
   if (methods.empty()) return clips;
   for (const StudiedClip& clip : results.clips())
     if (const auto found = pictured(results, clip, methods)) clips.push_back(*found);
-  std::stable_sort(clips.begin(), clips.end(), [](const Pictured& a, const Pictured& b) {
+  std::ranges::stable_sort(clips, [](const Pictured& a, const Pictured& b) {
     if (a.published != b.published) return a.published;
     return !a.published && a.eps_cm > b.eps_cm;
   });

@@ -236,7 +236,7 @@ void take_apart(const std::vector<int>& lengths, std::span<const Real> samples,
   const auto length = static_cast<int>(samples.size());
   auto signal = memory_for<Real>(length);
   auto even = memory_for<Real>(evens_in(length));
-  std::copy(samples.begin(), samples.end(), signal.get());
+  std::ranges::copy(samples, signal.get());
   for (const int rest : lengths) {
     Real* const odd = coefficients.data() + evens_in(rest);
     split(signal.get(), rest, even.get(), odd);
@@ -271,8 +271,7 @@ void inverse_of(Basis basis, const std::vector<int>& lengths, std::span<const Re
                 std::span<Real> samples) {
   const auto length = static_cast<int>(samples.size());
   if (lengths.empty()) {
-    if (samples.data() != coefficients.data())
-      std::copy(coefficients.begin(), coefficients.end(), samples.begin());
+    if (samples.data() != coefficients.data()) std::ranges::copy(coefficients, samples.begin());
     return;
   }
   auto even = memory_for<Real>(evens_in(length));
@@ -301,7 +300,7 @@ Lifting::Lifting(Basis basis, int length) : basis_(basis), length_(length) {
   }
   const int coarse = lengths_.empty() ? length : evens_in(lengths_.back());
   bands_.push_back({0, coarse});
-  std::reverse(bands_.begin(), bands_.end());
+  std::ranges::reverse(bands_);
 }
 
 void Lifting::forward(std::span<const double> samples, std::span<double> coefficients) const {

@@ -72,7 +72,7 @@ Synthesis::Place Synthesis::add(const Lifting& lifting, int coefficient) {
   function[static_cast<std::size_t>(coefficient)] = 1;
   lifting.inverse(function, function);
   const auto matters = [](double value) { return std::abs(value) > kNothing; };
-  const auto first = std::find_if(function.begin(), function.end(), matters);
+  const auto first = std::ranges::find_if(function, matters);
   const auto last = std::find_if(function.rbegin(), std::make_reverse_iterator(first), matters);
   const Place place{static_cast<int>(first - function.begin()),
                     static_cast<int>(last.base() - first), std::ssize(values_)};

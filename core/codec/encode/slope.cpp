@@ -17,7 +17,7 @@ constexpr double kNothing = 1.01;  // a smaller gain is not worth another encode
 std::vector<int> rest_of(const Skeleton& skeleton, const std::vector<int>& joints) {
   std::vector<int> rest;
   for (int j = 0; j < skeleton.joint_count(); ++j)
-    if (std::find(joints.begin(), joints.end(), j) == joints.end()) rest.push_back(j);
+    if (std::ranges::find(joints, j) == joints.end()) rest.push_back(j);
   return rest;
 }
 
@@ -30,9 +30,8 @@ void raise_promises(const Skeleton& skeleton, const std::vector<int>& joints, do
       {BodyPart::Fingers, &Promises::finger_degrees}};
   for (const auto& [part, promise] : kOfParts) {
     const std::vector<int> of_part = joints_of(skeleton, part);
-    const bool concerned = std::any_of(of_part.begin(), of_part.end(), [&](int joint) {
-      return std::find(joints.begin(), joints.end(), joint) != joints.end();
-    });
+    const bool concerned = std::ranges::any_of(
+        of_part, [&](int joint) { return std::ranges::find(joints, joint) != joints.end(); });
     if (concerned && promises.*promise) *(promises.*promise) *= times;
   }
 }

@@ -30,8 +30,8 @@ bool may_turn_axes(const Joint& joint) {
 }
 
 std::size_t axes_section_bytes(const Skeleton& coded) {
-  const auto turned = static_cast<std::size_t>(
-      std::count_if(coded.joints().begin(), coded.joints().end(), [](const Joint& joint) {
+  const auto turned =
+      static_cast<std::size_t>(std::ranges::count_if(coded.joints(), [](const Joint& joint) {
         return !joint.before.isIdentity(0) || !joint.after.isIdentity(0);
       }));
   if (turned == 0) return 0;

@@ -85,8 +85,8 @@ CodedSegments read_segments(const runtime::FileSections& sections) {
 }
 
 bool turns_axes(const CompressedClip& clip) {
-  return std::any_of(clip.forms.begin(), clip.forms.end(),
-                     [](const RotationForm& form) { return form.has_fixed_turns(); });
+  return std::ranges::any_of(clip.forms,
+                             [](const RotationForm& form) { return form.has_fixed_turns(); });
 }
 
 /// Returns whether any joint's angles are coded in another order than the source has.
@@ -103,7 +103,7 @@ std::vector<std::byte> write_orders(const Skeleton& source) {
   std::vector<std::byte> orders;
   for (const Joint& joint : source.joints())
     if (turns_freely(joint)) orders.push_back(static_cast<std::byte>(rotation_order(joint)));
-  if (std::adjacent_find(orders.begin(), orders.end(), std::not_equal_to<>()) == orders.end())
+  if (std::ranges::adjacent_find(orders, std::not_equal_to<>()) == orders.end())
     orders.resize(std::min<std::size_t>(orders.size(), 1));
   return orders;
 }

@@ -35,9 +35,9 @@ struct NotingBits {
   static constexpr bool failed() { return false; }
   void note(const runtime::BitSources& sources, bool bit) {
     NotedBit noted{};
-    std::copy(sources.contexts.begin(), sources.contexts.end(), noted.contexts.begin());
-    std::transform(sources.opinions.begin(), sources.opinions.end(), noted.opinions.begin(),
-                   [](std::int32_t opinion) { return static_cast<std::int16_t>(opinion); });
+    std::ranges::copy(sources.contexts, noted.contexts.begin());
+    std::ranges::transform(sources.opinions, noted.opinions.begin(),
+                           [](std::int32_t opinion) { return static_cast<std::int16_t>(opinion); });
     noted.set = static_cast<std::int8_t>(sources.set);
     noted.context_count = static_cast<std::uint8_t>(sources.context_count) & 15;
     noted.opinion_count = static_cast<std::uint8_t>(sources.opinion_count) & 7;

@@ -76,8 +76,7 @@ void check(const CodedTracks& coded, const runtime::FileSections& sections) {
     if (coded.is_curve[t]) continue;
     if (track.values.size() != sections.frames)
       refuse(shortened(track.name) + " has another number of frames than the clip");
-    if (!std::all_of(track.values.begin(), track.values.end(),
-                     [](float v) { return std::isfinite(v); }))
+    if (!std::ranges::all_of(track.values, [](float v) { return std::isfinite(v); }))
       refuse(shortened(track.name) + " has a value that is not finite");
   }
 }

@@ -23,8 +23,8 @@ void add_comparison_methods(std::span<const ComparisonMethod* const> methods) {
 
 const ComparisonMethod* find_comparison_method(std::string_view name) {
   const auto methods = comparison_methods();
-  const auto found = std::find_if(methods.begin(), methods.end(),
-                                  [&](const auto* method) { return method->name == name; });
+  const auto found =
+      std::ranges::find_if(methods, [&](const auto* method) { return method->name == name; });
   return found == methods.end() ? nullptr : *found;
 }
 

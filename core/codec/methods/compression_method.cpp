@@ -58,9 +58,8 @@ constexpr std::array kWavelets = {
 };
 
 const WaveletMethod* find_wavelets(std::string_view name) {
-  const auto found = std::find_if(kWavelets.begin(), kWavelets.end(), [&](const auto& wavelets) {
-    return wavelets.compression_method.name == name;
-  });
+  const auto found = std::ranges::find_if(
+      kWavelets, [&](const auto& wavelets) { return wavelets.compression_method.name == name; });
   return found == kWavelets.end() ? nullptr : &*found;
 }
 
@@ -156,8 +155,8 @@ std::span<const CompressionMethod> compression_methods() {
 
 const CompressionMethod* find_compression_method(std::string_view name) {
   const auto all = compression_methods();
-  const auto found = std::find_if(all.begin(), all.end(),
-                                  [&](const CompressionMethod& c) { return c.name == name; });
+  const auto found =
+      std::ranges::find_if(all, [&](const CompressionMethod& c) { return c.name == name; });
   return found == all.end() ? nullptr : &*found;
 }
 

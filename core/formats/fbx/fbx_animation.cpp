@@ -30,13 +30,11 @@ Eigen::Vector3d FbxMovement::at(double ticks) const {
 }
 
 bool FbxMovement::moves() const {
-  return std::any_of(curves.begin(), curves.end(),
-                     [](const auto& curve) { return curve && curve->moves(); });
+  return std::ranges::any_of(curves, [](const auto& curve) { return curve && curve->moves(); });
 }
 
 bool FbxMovement::has_keys() const {
-  return std::any_of(curves.begin(), curves.end(),
-                     [](const auto& curve) { return curve.has_value(); });
+  return std::ranges::any_of(curves, [](const auto& curve) { return curve.has_value(); });
 }
 
 void add_layered(FbxLayered& movements, const FbxMovement& movement) {

@@ -231,14 +231,13 @@ FbxCurve::Extrapolation FbxCurve::extrapolation(const FbxRecords& records, const
 
 /// Sorts the keys by time; among keys at one time the last wins.
 void FbxCurve::sort(std::vector<Tangents>& tangents) {
-  if (std::adjacent_find(keys_.begin(), keys_.end(), [](const Key& a, const Key& b) {
-        return a.ticks >= b.ticks;
-      }) == keys_.end())
+  if (std::ranges::adjacent_find(
+          keys_, [](const Key& a, const Key& b) { return a.ticks >= b.ticks; }) == keys_.end())
     return;
   std::vector<std::size_t> order(keys_.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return keys_[a].ticks < keys_[b].ticks; });
+  std::ranges::stable_sort(
+      order, [&](std::size_t a, std::size_t b) { return keys_[a].ticks < keys_[b].ticks; });
   const std::vector<Key> unsorted = std::move(keys_);
   const std::vector<Tangents> of_unsorted = std::move(tangents);
   const bool is_shared = of_unsorted.size() == 1;
@@ -357,19 +356,19 @@ double FbxCurve::auto_slope(std::size_t k, double bias, const Tangents& tangents
 
 bool FbxCurve::moves() const {
   return goes_beyond() ||
-         std::any_of(keys_.begin(), keys_.end(),
-                     [&](const Key& key) {
-                       return std::abs(key.value - keys_.front().value) >
-                              1e-6 * (1 + std::abs(keys_.front().value));
-                     }) ||
-         (keys_.size() > 1 && std::any_of(spans_.begin(), spans_.end(), [](const Span& span) {
+         std::ranges::any_of(keys_,
+                             [&](const Key& key) {
+                               return std::abs(key.value - keys_.front().value) >
+                                      1e-6 * (1 + std::abs(keys_.front().value));
+                             }) ||
+         (keys_.size() > 1 && std::ranges::any_of(spans_, [](const Span& span) {
             return span.way == Way::Cubic &&
                    std::max(std::abs(span.slope_out), std::abs(span.slope_in)) > 1e-4;
           }));
 }
 
 bool FbxCurve::steps() const {
-  return !keys_.empty() && std::all_of(spans_.begin(), spans_.end(), [](const Span& span) {
+  return !keys_.empty() && std::ranges::all_of(spans_, [](const Span& span) {
     return span.way == Way::Constant || span.way == Way::ConstantNext;
   });
 }
@@ -396,9 +395,8 @@ std::size_t FbxCurve::key_after(double ticks) const {
   if (key == 0 || !is_after(key - 1))
     for (; key < std::min(last_found_ + kNear, keys_.size()); ++key)
       if (is_after(key)) return last_found_ = key;
-  const auto found = std::upper_bound(
-      keys_.begin(), keys_.end(), ticks,
-      [](double time, const Key& of) { return time < static_cast<double>(of.ticks); });
+  const auto found = std::ranges::upper_bound(
+      keys_, ticks, {}, [](const Key& of) { return static_cast<double>(of.ticks); });
   return last_found_ = static_cast<std::size_t>(found - keys_.begin());
 }
 

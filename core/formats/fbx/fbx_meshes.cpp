@@ -30,8 +30,8 @@ Affine3d affine_of(const std::vector<double>& numbers) {
 }
 
 bool is_matrix(const std::vector<double>& numbers) {
-  return numbers.size() == 16 && std::all_of(numbers.begin(), numbers.end(),
-                                             [](double number) { return std::isfinite(number); });
+  return numbers.size() == 16 &&
+         std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); });
 }
 
 std::string from_base64(std::string_view text) {
@@ -287,7 +287,7 @@ void FbxMeshReader::hang(std::size_t model, NodeMesh& mesh) const {
     parent_from_node.translate(local.translation).rotate(local.rotation).scale(local.scale);
     carrier_from_node = parent_from_node * carrier_from_node;
     const auto& parents = objects_.parents(at);
-    const auto above = std::find_if(parents.begin(), parents.end(), [&](const FbxLink& link) {
+    const auto above = std::ranges::find_if(parents, [&](const FbxLink& link) {
       return link.property.empty() && objects_.is(link.object, "Model");
     });
     if (steps > 1000) return;

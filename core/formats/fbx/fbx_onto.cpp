@@ -190,7 +190,7 @@ const FbxMovement* EditedTake::movement_of(std::size_t object, std::string_view 
 bool EditedTake::is_alone(std::size_t curve_node) const {
   const auto& of = file_.objects.parents(curve_node);
   const auto& curves = file_.objects.children(curve_node);
-  return of.size() == 2 && std::all_of(curves.begin(), curves.end(), [&](const FbxLink& link) {
+  return of.size() == 2 && std::ranges::all_of(curves, [&](const FbxLink& link) {
            return file_.objects.parents(link.object).size() == 1;
          });
 }
@@ -198,7 +198,7 @@ bool EditedTake::is_alone(std::size_t curve_node) const {
 void EditedTake::disconnect(std::size_t curve_node, std::size_t object, std::string_view property) {
   FbxRecords& records = file_.records;
   const auto& parents = file_.objects.parents(curve_node);
-  if (std::count_if(parents.begin(), parents.end(), [&](const FbxLink& link) {
+  if (std::ranges::count_if(parents, [&](const FbxLink& link) {
         return file_.objects.is(link.object, "AnimationLayer");
       }) > 1)
     records.fail("has curves that several takes share: a motion cannot be written onto one");
@@ -326,7 +326,7 @@ void EditedTake::move(const ScalarTracks& tracks) {
   for (std::size_t w = 0; w < read_.track_places.size(); ++w) {
     const ScalarTrack& wanted = read_.take.tracks[w];
     const FbxTake::TrackPlace& place = read_.track_places[w];
-    const auto found = std::find_if(tracks.begin(), tracks.end(), [&](const ScalarTrack& track) {
+    const auto found = std::ranges::find_if(tracks, [&](const ScalarTrack& track) {
       return track.kind == wanted.kind && track.node == wanted.node && track.name == wanted.name &&
              !taken.contains(&track);
     });
@@ -368,7 +368,7 @@ void EditedTake::move(const Property& property, const GivenTracks& given) {
 }
 
 bool EditedTake::is_layered(std::size_t object, std::string_view property) const {
-  return std::count_if(read_.movements.begin(), read_.movements.end(), [&](const auto& movement) {
+  return std::ranges::count_if(read_.movements, [&](const auto& movement) {
            return movement.object == object && movement.property == property;
          }) > 1;
 }
@@ -382,11 +382,10 @@ void EditedTake::sample(const Property& property, Curves& curves,
     if (movement.object == object && movement.property == name) add_layered(movements, movement);
   const FbxProperties properties = file_.objects.properties(object);
   const Vector3d none = Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  const bool is_vector =
-      properties.vector(name, none).allFinite() ||
-      std::any_of(movements.begin(), movements.end(), [](const FbxMovement* movement) {
-        return movement->curves[1] || movement->curves[2];
-      });
+  const bool is_vector = properties.vector(name, none).allFinite() ||
+                         std::ranges::any_of(movements, [](const FbxMovement* movement) {
+                           return movement->curves[1] || movement->curves[2];
+                         });
   const Vector3d rest = properties.vector(name, {properties.number(name, 0), 0, 0});
   for (std::size_t axis = 0; axis < (is_vector ? 3 : 1); ++axis)
     for (std::size_t t = 0; t < ticks_.size(); ++t)

@@ -103,10 +103,10 @@ void FbxTakeReader::choose_take(FbxAnimation& animation) {
   for (std::size_t t = 0; t < animation.takes().size(); ++t)
     takes.push_back({animation.takes()[t].name, animation.moves(t, true)});
   // Skips takes of weights alone, such as faces, if any take moves nodes.
-  if (std::none_of(takes.begin(), takes.end(), [](const TakeName& take) { return take.moves; }))
+  if (std::ranges::none_of(takes, [](const TakeName& take) { return take.moves; }))
     for (std::size_t t = 0; t < takes.size(); ++t) takes[t].moves = animation.moves(t, false);
   const auto moves = [](const TakeName& take) { return take.moves; };
-  const auto first_moving = std::find_if(takes.begin(), takes.end(), moves);
+  const auto first_moving = std::ranges::find_if(takes, moves);
   const bool stands = first_moving != takes.begin() && first_moving != takes.end();
   const std::size_t chosen =
       mocapress::choose_take(file_.records.file(), takes, options_.take, result_.warnings);
@@ -117,8 +117,8 @@ void FbxTakeReader::choose_take(FbxAnimation& animation) {
   result_.take.name = takes[chosen].name;
   chosen_ = animation.takes()[chosen];
   movements_ = animation.movements(chosen);
-  if (std::none_of(movements_.begin(), movements_.end(),
-                   [](const FbxMovement& movement) { return movement.has_keys(); })) {
+  if (std::ranges::none_of(movements_,
+                           [](const FbxMovement& movement) { return movement.has_keys(); })) {
     if (takes.size() == 1 || !options_.take) refuse("holds no keys");
     refuse("its take " + shortened(takes[chosen].name) + " moves no node");
   }
@@ -154,7 +154,7 @@ void FbxTakeReader::find_nodes() {
   for (std::size_t o = 1; o < count; ++o)
     if (parent[o] == 0) {
       const auto& links = objects_.parents(o);
-      if (std::none_of(links.begin(), links.end(), [](const FbxLink& link) {
+      if (std::ranges::none_of(links, [](const FbxLink& link) {
             return link.property.empty() && link.object == FbxObjects::kScene;
           }))
         children[0].push_back(o);
@@ -227,7 +227,7 @@ void FbxTakeReader::mark_joints() {
   const auto moves_node = [&](const FbxMovement& movement) {
     return FbxTransform().part(movement.property) != nullptr && movement.moves();
   };
-  if (!any && std::none_of(movements_.begin(), movements_.end(), moves_node))
+  if (!any && std::ranges::none_of(movements_, moves_node))
     for (const FbxMovement& movement : movements_)
       for (const auto object : {std::optional(movement.object), mesh_of_shape(movement.object)})
         if (const int node = object ? result_.node_of_object[*object] : -1; node > 0)
@@ -313,11 +313,10 @@ void FbxTakeReader::clip_to_span(std::vector<double>& keys_s, std::optional<doub
   const double first = static_cast<double>(chosen_->span->first) / ticks_per_second_;
   const double last = static_cast<double>(chosen_->span->second) / ticks_per_second_;
   if (!(std::abs(first) <= kMostFbxSeconds && std::abs(last) <= kMostFbxSeconds)) return;
-  const bool goes_on =
-      std::any_of(movements_.begin(), movements_.end(), [](const FbxMovement& movement) {
-        return std::any_of(movement.curves.begin(), movement.curves.end(),
-                           [](const auto& curve) { return curve && curve->goes_beyond(); });
-      });
+  const bool goes_on = std::ranges::any_of(movements_, [](const FbxMovement& movement) {
+    return std::ranges::any_of(movement.curves,
+                               [](const auto& curve) { return curve && curve->goes_beyond(); });
+  });
   double begin = goes_on ? first : std::max(first, keys_s.front());
   double end = goes_on ? last : std::min(last, keys_s.back());
   if (rate) {  // whole frames within, where the span cuts: keys may have been made at another rate
@@ -388,10 +387,9 @@ void FbxTakeReader::sample_node(std::size_t node, const std::vector<FbxMovement*
   std::vector<Vector3d*> parts;  // that the movements move
   for (const FbxMovement* const movement : movements)
     parts.push_back(transform.part(movement->property));
-  const bool is_turned_by_curves =
-      std::any_of(parts.begin(), parts.end(), [&](const Vector3d* part) {
-        return part == &transform.pre_rotation || part == &transform.post_rotation;
-      });
+  const bool is_turned_by_curves = std::ranges::any_of(parts, [&](const Vector3d* part) {
+    return part == &transform.pre_rotation || part == &transform.post_rotation;
+  });
   const FbxTransform::Turns turns = rest.turns();
   of.frames.reserve(static_cast<std::size_t>(times_.frames));
   for (int t = 0; t < times_.frames; ++t) {
@@ -432,9 +430,8 @@ std::optional<std::size_t> FbxTakeReader::mesh_of_shape(std::size_t channel) con
   std::size_t at = channel;
   for (const char* const type : {"Deformer", "Geometry", "Model"}) {
     const auto& parents = objects_.parents(at);
-    const auto above = std::find_if(parents.begin(), parents.end(), [&](const FbxLink& link) {
-      return objects_.is(link.object, type);
-    });
+    const auto above = std::ranges::find_if(
+        parents, [&](const FbxLink& link) { return objects_.is(link.object, type); });
     if (above == parents.end()) return std::nullopt;
     at = above->object;
   }
@@ -448,7 +445,7 @@ bool FbxTakeReader::sample_track(const FbxLayered& movements, std::size_t axis, 
       std::max(track.node.size(), track.name.size()) > runtime::kMostNameBytes)
     return false;
   const FbxMovement& first = *movements.front();
-  track.steps = std::all_of(movements.begin(), movements.end(), [&](const FbxMovement* movement) {
+  track.steps = std::ranges::all_of(movements, [&](const FbxMovement* movement) {
     const auto& curve = movement->curves[axis];
     const auto& weight = chosen_->layers[movement->layer].weight_curve;
     return (!curve || curve->steps()) && (!weight || movement->layer == 0 || weight->steps());
@@ -494,12 +491,11 @@ void FbxTakeReader::sample_tracks() {
       continue;
     const auto mesh = is_channel ? mesh_of_shape(first.object) : std::optional(first.object);
     for (std::size_t axis = 0; axis < (is_channel ? 1 : 3); ++axis) {
-      const bool changes =
-          std::any_of(movements->begin(), movements->end(), [&](const FbxMovement* movement) {
-            const auto& curve = movement->curves[axis];
-            const auto& weight = chosen_->layers[movement->layer].weight_curve;
-            return curve && (is_shape || curve->moves() || (weight && weight->moves()));
-          });
+      const bool changes = std::ranges::any_of(*movements, [&](const FbxMovement* movement) {
+        const auto& curve = movement->curves[axis];
+        const auto& weight = chosen_->layers[movement->layer].weight_curve;
+        return curve && (is_shape || curve->moves() || (weight && weight->moves()));
+      });
       if (!changes) continue;
       left_out += !sample_track(*movements, axis,
                                 {.kind = is_shape ? TrackKind::MorphWeight : TrackKind::Property,

@@ -61,9 +61,8 @@ void append(const Vector3d& value, Track3& track) {
 }
 
 bool moves(const Track3& track) {
-  return std::any_of(track.begin(), track.end(), [](const std::vector<float>& values) {
-    return std::any_of(values.begin(), values.end(),
-                       [&](float value) { return value != values.front(); });
+  return std::ranges::any_of(track, [](const std::vector<float>& values) {
+    return std::ranges::any_of(values, [&](float value) { return value != values.front(); });
   });
 }
 

@@ -289,7 +289,7 @@ RotationForms choose_forms(const Motion& motion) {
       forms[j].order = leader.order;
       continue;
     }
-    const auto best = std::min_element(bits[j].begin(), bits[j].end());
+    const auto best = std::ranges::min_element(bits[j]);
     if (*best >= kWorthIt * bits[j][static_cast<std::size_t>(forms[j].order)]) continue;
     const auto found = static_cast<std::size_t>(best - bits[j].begin());
     if (found >= kRotationOrders) forms[j] = turned[j];

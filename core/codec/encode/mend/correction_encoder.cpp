@@ -99,8 +99,8 @@ void CorrectionEncoder::limit_to_contacts(const std::vector<Effector>& effectors
   const Eigen::Index points = std::ssize(effectors);
   for (Eigen::Index p = 0; p < points; ++p) {
     const auto joint = effectors[static_cast<std::size_t>(p)].joint;
-    const auto found = std::find_if(effectors_.begin(), effectors_.end(),
-                                    [&](const Effector& e) { return e.joint == joint; });
+    const auto found =
+        std::ranges::find_if(effectors_, [&](const Effector& e) { return e.joint == joint; });
     const auto contact = contacts_.col(found - effectors_.begin()).array();
     response.weights.col(p).array() *= contact;
     for (Eigen::Index a = 0; a < std::ssize(response.angles); ++a)

@@ -285,8 +285,8 @@ class End {
 
 /// The reach with the least squared error.
 const End::Reach& best_of(const std::vector<End::Reach>& reaches) {
-  return *std::min_element(reaches.begin(), reaches.end(),
-                           [](const auto& a, const auto& b) { return a.squares < b.squares; });
+  return *std::ranges::min_element(
+      reaches, [](const auto& a, const auto& b) { return a.squares < b.squares; });
 }
 
 /// For a loop: the reaches with the smallest change of the velocity error across the seam, at some

@@ -80,23 +80,22 @@ namespace {
 double usual_factor(const std::vector<double>& factors, const std::vector<int>& joints) {
   std::map<double, int> counts;
   for (const int joint : joints) ++counts[factors[static_cast<std::size_t>(joint)]];
-  return std::max_element(counts.begin(), counts.end(),
-                          [](const auto& a, const auto& b) { return a.second < b.second; })
+  return std::ranges::max_element(counts,
+                                  [](const auto& a, const auto& b) { return a.second < b.second; })
       ->first;
 }
 
 }  // namespace
 
 double NamedImportance::factor(std::string_view name) const {
-  const auto found = std::find_if(factors.begin(), factors.end(),
-                                  [&](const auto& one) { return one.first == name; });
+  const auto found =
+      std::ranges::find_if(factors, [&](const auto& one) { return one.first == name; });
   return found == factors.end() ? 1 : found->second;
 }
 
 void NamedImportance::set(const std::string& name, double factor) {
-  const auto place =
-      std::lower_bound(factors.begin(), factors.end(), name,
-                       [](const auto& one, const std::string& text) { return one.first < text; });
+  const auto place = std::ranges::lower_bound(
+      factors, name, {}, [](const auto& one) -> const std::string& { return one.first; });
   if (place != factors.end() && place->first == name)
     place->second = factor;
   else
@@ -104,8 +103,8 @@ void NamedImportance::set(const std::string& name, double factor) {
 }
 
 bool is_body_part(std::string_view name) {
-  return std::any_of(std::begin(kBodyParts), std::end(kBodyParts),
-                     [&](BodyPart part) { return mocapress::name(part) == name; });
+  return std::ranges::any_of(kBodyParts,
+                             [&](BodyPart part) { return mocapress::name(part) == name; });
 }
 
 std::vector<int> joints_named(const Skeleton& skeleton, const std::string& name) {
@@ -125,8 +124,7 @@ Importance importance_for(const NamedImportance& named, const Skeleton& skeleton
       if (joints.empty() && !parts) throw Error("the skeleton has no joint named " + name);
       for (const int joint : joints) factors[static_cast<std::size_t>(joint)] = factor;
     }
-  const bool even =
-      std::all_of(factors.begin(), factors.end(), [](double factor) { return factor == 1; });
+  const bool even = std::ranges::all_of(factors, [](double factor) { return factor == 1; });
   if (!even) importance.joints = std::move(factors);
   return importance;
 }
@@ -140,7 +138,7 @@ NamedImportance named(const Importance& importance, const Skeleton& skeleton) {
     if (joints.empty()) continue;
     // A joint named like its part is covered by the part's name.
     const int namesake = skeleton.find(std::string(name(part)));
-    const bool has_namesake = std::find(joints.begin(), joints.end(), namesake) != joints.end();
+    const bool has_namesake = std::ranges::find(joints, namesake) != joints.end();
     const double factor = has_namesake ? importance.joints[static_cast<std::size_t>(namesake)]
                                        : usual_factor(importance.joints, joints);
     if (factor == 1) continue;

@@ -21,8 +21,8 @@ SplitSearch::SplitSearch(double slide_without_cm, int finer_steps)
 
 std::optional<double> SplitSearch::next() const {
   if (tried_.empty()) return kFirst;
-  const bool held = std::any_of(tried_.begin(), tried_.end(),
-                                [this](const Split& split) { return holds(split); });
+  const bool held =
+      std::ranges::any_of(tried_, [this](const Split& split) { return holds(split); });
   // If a correction holds the feet, try a coarser one; if the finest tried is the best, a finer one
   // may be better.
   if (held && holds(tried_.back()) && tried_.back().ratio < kMost) return 2 * tried_.back().ratio;
@@ -32,9 +32,9 @@ std::optional<double> SplitSearch::next() const {
   const bool gets_cheaper = tried_.size() < 2 || tried_[0].price <= tried_[1].price;
   if ((!held || (best_.ratio == finest && gets_cheaper)) && finest > kLeast) return finest / 2;
   if (!held) return {};
-  const auto above = std::find_if(tried_.begin(), tried_.end(),
-                                  [this](const Split& split) { return split.ratio > best_.ratio; });
-  const auto finer = std::count_if(tried_.begin(), tried_.end(), [](const Split& split) {
+  const auto above = std::ranges::find_if(
+      tried_, [this](const Split& split) { return split.ratio > best_.ratio; });
+  const auto finer = std::ranges::count_if(tried_, [](const Split& split) {
     return std::exp2(std::round(std::log2(split.ratio))) != split.ratio;
   });
   if (finer >= finer_steps_ || above == tried_.end()) return {};
@@ -42,8 +42,8 @@ std::optional<double> SplitSearch::next() const {
 }
 
 bool SplitSearch::tried(const Split& split) {
-  const auto place = std::find_if(tried_.begin(), tried_.end(),
-                                  [&](const Split& other) { return other.ratio > split.ratio; });
+  const auto place =
+      std::ranges::find_if(tried_, [&](const Split& other) { return other.ratio > split.ratio; });
   const bool better = tried_.empty() || is_better(split);
   tried_.insert(place, split);
   if (better) best_ = split;
