@@ -158,9 +158,9 @@ SegmentDatabase::Cutting SegmentDatabase::cut(const Eigen::MatrixXd& markers, co
     if (count > 1 && segments < count * kSmallestCluster) break;
     if (count < kMostClusters && segments > count * kLargestCluster) continue;
     Clustering clustering{k_means(cutting.markers, count), {}, {}};
-    std::vector<std::vector<int>> rows(static_cast<std::size_t>(count));
+    std::vector<std::vector<int>> rows(count);
     for (std::size_t s = 0; s < clustering.clusters.size(); ++s) {
-      auto& mates = rows[static_cast<std::size_t>(clustering.clusters[s])];
+      auto& mates = rows[clustering.clusters[s]];
       clustering.places.push_back(static_cast<int>(mates.size()));
       mates.push_back(static_cast<int>(s));
     }
@@ -248,8 +248,7 @@ void SegmentDatabase::Encoding::write_clip(ByteWriter& writer) const {
   // Each curve starts at the end of the decoder's last one.
   const Eigen::MatrixXd& others = cut.others;
   for (Eigen::Index c = 0; c < others.cols(); ++c) {
-    const double at_first =
-        static_cast<float>(first_frame(database->other_channels_[static_cast<std::size_t>(c)]));
+    const double at_first = static_cast<float>(first_frame(database->other_channels_[c]));
     const double range = largest_of(others.col(c).array() - at_first);
     const float step = step_for(tolerance / 4 / database->other_scales_(c), 2 * range);
     writer.write(step);
@@ -363,7 +362,7 @@ class ClipDecoder {
     for (std::size_t c = 0; c < channels.size(); ++c) {
       const double step = read_finite(reader);
       const Eigen::VectorXd read = read_steps(reader, controls.rows(), step);
-      auto column = controls.col(static_cast<Eigen::Index>(c));
+      auto column = controls.col(c);
       double start = first(channels[c]);
       for (Eigen::Index s = 0; s < controls.rows(); s += 3) {
         column.segment<3>(s) = read.segment<3>(s).array() + start;

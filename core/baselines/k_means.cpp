@@ -29,7 +29,7 @@ std::vector<int> k_means(const Eigen::MatrixXd& rows, int clusters) {
     Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(clusters, rows.cols());
     Eigen::VectorXd counts = Eigen::VectorXd::Zero(clusters);
     for (Eigen::Index r = 0; r < rows.rows(); ++r) {
-      const int cluster = of_rows[static_cast<std::size_t>(r)];
+      const int cluster = of_rows[r];
       sums.row(cluster) += rows.row(r);
       counts(cluster) += 1;
     }

@@ -205,7 +205,7 @@ Clip decode_liu_mcmillan(const Skeleton& skeleton, double sample_rate_hz, int fr
   const int channels = skeleton.channel_count();
   const auto bytes = inflate_bytes(motion, most_segment_bytes(frames, channels));
   ByteReader reader(bytes);
-  std::vector<std::int8_t> exponents(static_cast<std::size_t>(channels));
+  std::vector<std::int8_t> exponents(channels);
   for (std::int8_t& exponent : exponents) exponent = reader.read<std::int8_t>();
   const double step = reader.read<float>();
   if (!std::isfinite(step)) reader.fail("a step that is not finite");

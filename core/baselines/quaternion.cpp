@@ -103,8 +103,7 @@ SignalMoves QuaternionSignals::moves(const Clip& clip, const Eigen::MatrixXd& si
     for (const JointSignals& of : joints_) {
       const Joint& joint = skeleton_.joint(of.joint);
       const Eigen::Matrix3d world_from_parent =
-          joint.parent < 0 ? Eigen::Matrix3d::Identity()
-                           : pose.world_from_joint[static_cast<std::size_t>(joint.parent)];
+          joint.parent < 0 ? Eigen::Matrix3d::Identity() : pose.world_from_joint[joint.parent];
       int signal = of.first;
       for (const int channel : of.translations)
         set(signal++, world_from_parent.col(axis_of(skeleton_.channel_kind(channel))));
@@ -127,8 +126,7 @@ std::vector<double> QuaternionSignals::scales() const {
     for (int c = 0; c < channels && of.turns; ++c) {
       const int channel = skeleton_.first_channel(of.joint) + c;
       if (!is_rotation(skeleton_.channel_kind(channel))) continue;
-      scales.insert(scales.end(), 4,
-                    kTurnOfComponent * of_channels[static_cast<std::size_t>(channel)]);
+      scales.insert(scales.end(), 4, kTurnOfComponent * of_channels[channel]);
       break;
     }
   }

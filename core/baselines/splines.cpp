@@ -14,10 +14,7 @@ namespace {
 /// The second derivative at each key, zero at both ends: a tridiagonal system, solved by
 /// elimination from left to right.
 Eigen::VectorXd second_derivatives(std::span<const int> frames, const Eigen::VectorXd& values) {
-  const auto gap = [&](Eigen::Index i) {
-    return static_cast<double>(frames[static_cast<std::size_t>(i + 1)] -
-                               frames[static_cast<std::size_t>(i)]);
-  };
+  const auto gap = [&](Eigen::Index i) { return static_cast<double>(frames[i + 1] - frames[i]); };
   const Eigen::Index keys = values.size();
   Eigen::VectorXd second = Eigen::VectorXd::Zero(keys);
   Eigen::VectorXd upper = Eigen::VectorXd::Zero(keys);

@@ -33,7 +33,7 @@ class SubsampleCoder : public DetailCoder {
   int most_detail() const override { return static_cast<int>(strides_.size()) - 1; }
 
   std::vector<std::byte> encode(int detail) const override {
-    const int stride = strides_[static_cast<std::size_t>(detail)];
+    const int stride = strides_[detail];
     ByteWriter writer;
     writer.write(static_cast<std::uint32_t>(stride));
     const std::vector<int> keys = key_frames(static_cast<int>(channels_.rows()), stride);
@@ -60,7 +60,7 @@ Clip decode_subsample(const Skeleton& skeleton, double sample_rate_hz, int frame
   const std::vector<int> keys = key_frames(frames, static_cast<int>(stride));
   Clip clip{sample_rate_hz, Eigen::MatrixXd(frames, skeleton.channel_count())};
   for (auto channel : clip.channels.colwise()) {
-    const Eigen::VectorXd values = read_series16(reader, static_cast<Eigen::Index>(keys.size()));
+    const Eigen::VectorXd values = read_series16(reader, keys.size());
     if (frames > 0) channel = natural_spline(keys, values);
   }
   reader.expect_end();

@@ -28,9 +28,8 @@ VirtualMarkers::VirtualMarkers(const Skeleton& skeleton) : skeleton_(skeleton) {
   for (int j = 0; j < skeleton.joint_count(); ++j) {
     const Joint& joint = skeleton.joint(j);
     const bool root = joint.parent < 0;
-    roots_.push_back(root ? j : roots_[static_cast<std::size_t>(joint.parent)]);
-    if (!root && turns(joint))
-      places_.push_back({j, std::max(lengths[static_cast<std::size_t>(j)], kShortestArm)});
+    roots_.push_back(root ? j : roots_[joint.parent]);
+    if (!root && turns(joint)) places_.push_back({j, std::max(lengths[j], kShortestArm)});
     for (std::size_t i = 0; i < joint.channels.size(); ++i)
       (root || !is_rotation(joint.channels[i]) ? other_channels_ : angles_)
           .push_back(skeleton.first_channel(j) + static_cast<int>(i));
@@ -55,14 +54,14 @@ Eigen::RowVectorXd VirtualMarkers::of(const FrameRow& frame) const {
 }
 
 void VirtualMarkers::turn(const Eigen::RowVectorXd& markers, Eigen::RowVectorXd& frame) const {
-  std::vector<Eigen::Matrix3d> root_from_joint(static_cast<std::size_t>(skeleton_.joint_count()),
+  std::vector<Eigen::Matrix3d> root_from_joint(skeleton_.joint_count(),
                                                Eigen::Matrix3d::Identity());
   const double* next = markers.data();
   for (int j = 0; j < skeleton_.joint_count(); ++j) {
     const Joint& joint = skeleton_.joint(j);
     if (joint.parent < 0) continue;
-    Eigen::Matrix3d& result = root_from_joint[static_cast<std::size_t>(j)];
-    result = root_from_joint[static_cast<std::size_t>(joint.parent)];
+    Eigen::Matrix3d& result = root_from_joint[j];
+    result = root_from_joint[joint.parent];
     if (!turns(joint)) continue;
     // Starts from the parent's decoded place, so that a joint corrects what its parent could not
     // reach.

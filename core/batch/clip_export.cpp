@@ -81,16 +81,14 @@ void compare(const Motion& meant, const Motion& found, const std::vector<std::st
   const Eigen::MatrixXd tracks = landmark_tracks(meant.skeleton, meant.clip);
   const Eigen::MatrixXd found_tracks = landmark_tracks(found.skeleton, found.clip);
   for (int joint = 0; joint < meant.skeleton.joint_count(); ++joint) {
-    const int same = found.skeleton.find(names[static_cast<std::size_t>(joint)]);
-    if (same < 0)
-      throw Error(file + ": reads back without " + names[static_cast<std::size_t>(joint)]);
+    const int same = found.skeleton.find(names[joint]);
+    if (same < 0) throw Error(file + ": reads back without " + names[joint]);
     const double off = (tracks.middleCols<3>(3 * joint) - found_tracks.middleCols<3>(3 * same))
                            .rowwise()
                            .norm()
                            .maxCoeff();
     if (!(off <= kMost))
-      throw Error(file + ": reads back " + fixed_text(off, 6) + " cm off at " +
-                  names[static_cast<std::size_t>(joint)]);
+      throw Error(file + ": reads back " + fixed_text(off, 6) + " cm off at " + names[joint]);
   }
 }
 

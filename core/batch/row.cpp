@@ -212,8 +212,7 @@ WorstPose pose_from(const Json& json) {
   json.at("point").get_to(pose.point);
   json.at("off_cm").get_to(pose.off_cm);
   json.at("ground_cm").get_to(pose.ground_cm);
-  for (int axis = 0; axis < 3; ++axis)
-    pose.facing[axis] = json.at("facing").at(static_cast<std::size_t>(axis)).get<double>();
+  for (int axis = 0; axis < 3; ++axis) pose.facing[axis] = json.at("facing").at(axis).get<double>();
   for (const Json& bone : json.at("bones"))
     pose.bones.push_back({bone.at(0).get<int>(), bone.at(1).get<int>(),
                           bone.at(2).get<double>() / kUnit, bone.at(3).get<double>() / kUnit});

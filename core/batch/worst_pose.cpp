@@ -40,7 +40,7 @@ WorstPose worst_pose(const Skeleton& skeleton, PosePoints original, PosePoints d
   round_all(original);
   round_all(decoded);
   WorstPose pose{.frame = worst.frame,
-                 .landmark = landmarks(skeleton)[static_cast<std::size_t>(worst.landmark)].name,
+                 .landmark = landmarks(skeleton)[worst.landmark].name,
                  .point = worst.landmark,
                  .off_cm = worst.cm,
                  .ground_cm = rounded(ground_cm),

@@ -32,7 +32,7 @@ Eigen::VectorXd speeds(const Eigen::MatrixXd& tracks, int landmark, double sampl
 std::vector<ContactSpan> spans_of(const std::vector<bool>& planted, int landmark, int least) {
   std::vector<ContactSpan> spans;
   for (int t = 0; t < static_cast<int>(planted.size()); ++t) {
-    if (!planted[static_cast<std::size_t>(t)]) continue;
+    if (!planted[t]) continue;
     if (!spans.empty() && t - spans.back().last_frame <= least)
       spans.back().last_frame = t;
     else
@@ -47,7 +47,7 @@ std::vector<ContactSpan> spans_of(const std::vector<bool>& planted, int landmark
 double ground_height(const Eigen::MatrixXd& tracks, int landmark) {
   constexpr double kShareOfGlitches = 0.02;
   if (tracks.rows() == 0) return 0;
-  std::vector<double> heights(static_cast<std::size_t>(tracks.rows()));
+  std::vector<double> heights(tracks.rows());
   Eigen::Map<Eigen::VectorXd>(heights.data(), tracks.rows()) = tracks.col(3 * landmark + 1);
   const auto low = heights.begin() + static_cast<std::ptrdiff_t>(
                                          kShareOfGlitches * static_cast<double>(heights.size()));
@@ -64,13 +64,13 @@ std::vector<ContactSpan> find_contacts(const Eigen::MatrixXd& tracks, double sam
   for (const int landmark : landmarks) {
     const double rest = ground_height(tracks, landmark);
     const Eigen::VectorXd speed = speeds(tracks, landmark, sample_rate_hz);
-    std::vector<bool> planted(static_cast<std::size_t>(tracks.rows()));
+    std::vector<bool> planted(tracks.rows());
     bool in_contact = false;
     for (Eigen::Index t = 0; t < tracks.rows(); ++t) {
       const double height = tracks(t, 3 * landmark + 1) - rest;
       in_contact = in_contact ? height < settings.end_height && speed(t) < settings.end_speed
                               : height < settings.begin_height && speed(t) < settings.begin_speed;
-      planted[static_cast<std::size_t>(t)] = in_contact;
+      planted[t] = in_contact;
     }
     const std::vector<ContactSpan> spans = spans_of(planted, landmark, least);
     all.insert(all.end(), spans.begin(), spans.end());
@@ -96,8 +96,7 @@ std::vector<ContactSpan> find_foot_contacts(const Motion& motion, const ContactS
   std::iota(numbers.begin(), numbers.end(), 0);
   std::vector<ContactSpan> spans =
       find_contacts(tracks, motion.clip.sample_rate_hz, numbers, settings);
-  for (ContactSpan& span : spans)
-    span.landmark = feet[static_cast<std::size_t>(span.landmark)].joint;
+  for (ContactSpan& span : spans) span.landmark = feet[span.landmark].joint;
   return spans;
 }
 

@@ -72,7 +72,7 @@ std::vector<int> feet_by_topology(const Skeleton& skeleton) {
   std::vector<Leaf> leaves;
   for (int j = 0; j < skeleton.joint_count(); ++j)
     if (children_of(skeleton, j).empty() && limb_above(skeleton, j).size() >= kLegJoints)
-      leaves.push_back({pose.origin[static_cast<std::size_t>(j)].y(), j});
+      leaves.push_back({pose.origin[j].y(), j});
   std::ranges::stable_sort(leaves,
                            [](const Leaf& a, const Leaf& b) { return a.height < b.height; });
   std::vector<int> feet;

@@ -98,9 +98,9 @@ AsfSkeleton AsfReader::read() {
   AsfSkeleton skeleton{cursor_.file(), {}, *cm_per_unit_, radians_per_unit_};
   std::vector<int> joint_of_bone(bones_.size(), -1);
   for (const int b : depth_first()) {
-    const ReadBone& bone = bones_[static_cast<std::size_t>(b)];
-    const int parent = bone.parent < 0 ? -1 : joint_of_bone[static_cast<std::size_t>(bone.parent)];
-    joint_of_bone[static_cast<std::size_t>(b)] = static_cast<int>(skeleton.joints.size());
+    const ReadBone& bone = bones_[b];
+    const int parent = bone.parent < 0 ? -1 : joint_of_bone[bone.parent];
+    joint_of_bone[b] = static_cast<int>(skeleton.joints.size());
     skeleton.joints.push_back(joint_of(bone, parent));
   }
   return skeleton;
@@ -241,10 +241,10 @@ void AsfReader::read_children(int line) {
   while (cursor_.on_line(line)) {
     const Token at = cursor_.peek();
     const int child = take_bone();
-    ReadBone& bone = bones_[static_cast<std::size_t>(child)];
+    ReadBone& bone = bones_[child];
     if (child == 0 || bone.parent >= 0) cursor_.fail(at, "a second parent for " + quoted(at));
     bone.parent = parent;
-    bones_[static_cast<std::size_t>(parent)].children.push_back(child);
+    bones_[parent].children.push_back(child);
   }
 }
 
@@ -264,19 +264,19 @@ std::vector<int> AsfReader::depth_first() const {
     const int b = waiting.back();
     waiting.pop_back();
     order.push_back(b);
-    const ReadBone& bone = bones_[static_cast<std::size_t>(b)];
-    const int depth = depths[static_cast<std::size_t>(b)];
+    const ReadBone& bone = bones_[b];
+    const int depth = depths[b];
     if (depth > runtime::kMostDepth)
       cursor_.fail(bone.at, "bone '" + shortened(bone.name) + "' is nested deeper than " +
                                 std::to_string(runtime::kMostDepth));
-    for (const int child : bone.children) depths[static_cast<std::size_t>(child)] = depth + 1;
+    for (const int child : bone.children) depths[child] = depth + 1;
     waiting.insert(waiting.end(), bone.children.rbegin(), bone.children.rend());
   }
   if (order.size() == bones_.size()) return order;
   std::vector<bool> reached(bones_.size(), false);
-  for (const int b : order) reached[static_cast<std::size_t>(b)] = true;
+  for (const int b : order) reached[b] = true;
   const auto lost = std::ranges::find(reached, false) - reached.begin();
-  const ReadBone& bone = bones_[static_cast<std::size_t>(lost)];
+  const ReadBone& bone = bones_[lost];
   cursor_.fail(bone.at,
                "bone '" + shortened(bone.name) + "' does not hang from the root in :hierarchy");
 }
@@ -297,7 +297,7 @@ AsfJoint AsfReader::joint_of(const ReadBone& bone, int parent_joint) const {
     result.feed_channels(bone.axis_order);
     return result;
   }
-  const ReadBone& parent = bones_[static_cast<std::size_t>(bone.parent)];
+  const ReadBone& parent = bones_[bone.parent];
   if (bone.parent > 0) joint.offset = parent.direction * parent.length * *cm_per_unit_;
   const Eigen::Vector3d end = bone.direction * bone.length * *cm_per_unit_;
   if (bone.children.empty() && end.norm() > 0) joint.end_site = end;

@@ -50,7 +50,7 @@ std::vector<Eigen::Vector3d> bone_ends(const Skeleton& skeleton) {
     ends.push_back(joint.end_site.value_or(Eigen::Vector3d::Zero()));
   for (int j = skeleton.joint_count() - 1; j > 0; --j) {
     const Joint& joint = skeleton.joint(j);
-    if (!joint.offset.isZero(0)) ends[static_cast<std::size_t>(joint.parent)] = joint.offset;
+    if (!joint.offset.isZero(0)) ends[joint.parent] = joint.offset;
   }
   ends[0].setZero();
   return ends;
@@ -106,8 +106,8 @@ void AsfWriter::make_bones() {
   bones_.push_back({names[0], -1, ends[0], &skeleton_.joint(0)});
   for (std::size_t j = 1; j < names.size(); ++j) {
     const Joint& joint = skeleton_.joints()[j];
-    int parent = bone_of_joint[static_cast<std::size_t>(joint.parent)];
-    const Eigen::Vector3d way = joint.offset - bones_[static_cast<std::size_t>(parent)].end;
+    int parent = bone_of_joint[joint.parent];
+    const Eigen::Vector3d way = joint.offset - bones_[parent].end;
     if (!way.isZero(0)) {
       bones_.push_back({unique_word("to_" + names[j], taken), parent, way, nullptr});
       parent = static_cast<int>(bones_.size()) - 1;
@@ -129,7 +129,7 @@ void AsfWriter::check_limits() const {
   for (const WrittenBone& bone : bones_) {
     if (bone.name.size() > runtime::kMostNameBytes)
       throw Error("a bone's name would be too long for an .asf: " + bone.name);
-    depths.push_back(bone.parent < 0 ? 1 : depths[static_cast<std::size_t>(bone.parent)] + 1);
+    depths.push_back(bone.parent < 0 ? 1 : depths[bone.parent] + 1);
     if (depths.back() > runtime::kMostDepth)
       throw Error("in an .asf bones of this skeleton would be nested deeper than " +
                   std::to_string(runtime::kMostDepth));
@@ -174,7 +174,7 @@ void AsfWriter::write_bone(std::size_t index) {
 void AsfWriter::write_hierarchy() {
   std::vector<std::string> children(bones_.size());
   for (std::size_t b = 1; b < bones_.size(); ++b)
-    children[static_cast<std::size_t>(bones_[b].parent)] += ' ' + bones_[b].name;
+    children[bones_[b].parent] += ' ' + bones_[b].name;
   text_ += ":hierarchy\n  begin\n";
   for (std::size_t b = 0; b < bones_.size(); ++b)
     if (!children[b].empty()) text_ += "    " + bones_[b].name + children[b] + '\n';

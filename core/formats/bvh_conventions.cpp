@@ -133,7 +133,7 @@ bool stands_along_z(const Motion& motion) {
   if (heads.empty() || feet.empty()) return false;
   const auto mean = [](const std::vector<int>& joints, const Pose& pose) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const int joint : joints) sum += pose.origin[static_cast<std::size_t>(joint)];
+    for (const int joint : joints) sum += pose.origin[joint];
     return Eigen::Vector3d(sum / static_cast<double>(joints.size()));
   };
   const auto stands = [&](const Eigen::Vector3d& feet_to_head) {

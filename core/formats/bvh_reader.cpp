@@ -34,15 +34,14 @@ struct ScaleChannel {
 std::optional<int> scale_axis_named(std::string_view name) {
   constexpr std::string_view kAxes = "xyz";
   for (int axis = 0; axis < 3; ++axis)
-    if (equals_ignoring_case(name, std::string(1, kAxes[static_cast<std::size_t>(axis)]) + "scale"))
-      return axis;
+    if (equals_ignoring_case(name, std::string(1, kAxes[axis]) + "scale")) return axis;
   return std::nullopt;
 }
 
 std::optional<ChannelKind> channel_named(std::string_view name) {
   constexpr std::string_view kAxes = "xyz";
   for (int axis = 0; axis < 3; ++axis) {
-    const std::string letter(1, kAxes[static_cast<std::size_t>(axis)]);
+    const std::string letter(1, kAxes[axis]);
     if (equals_ignoring_case(name, letter + "position")) return translation_about(axis);
     if (equals_ignoring_case(name, letter + "rotation")) return rotation_about(axis);
   }
@@ -135,7 +134,7 @@ void BvhReader::read_tree() {
   std::vector<int> open;  // path from the root to the joint being read
   open_joint(open);
   while (!open.empty()) {
-    Joint& joint = joints_[static_cast<std::size_t>(open.back())];
+    Joint& joint = joints_[open.back()];
     if (cursor_.skip("}"))
       open.pop_back();
     else if (cursor_.skip("OFFSET"))
@@ -217,7 +216,7 @@ void BvhReader::read_end_site(Joint& joint) {
 void BvhReader::keep_end_sites_of_leaves() {
   for (const Joint& joint : joints_) {
     if (joint.parent < 0) continue;
-    Joint& parent = joints_[static_cast<std::size_t>(joint.parent)];
+    Joint& parent = joints_[joint.parent];
     dropped_end_sites_ += parent.end_site.has_value();
     parent.end_site.reset();
   }
@@ -293,7 +292,7 @@ Eigen::MatrixXd BvhReader::without_scales(const RawRows& rows) {
         cursor_.fail(cursor_.peek(), "more than " + std::to_string(runtime::kMostTracks) +
                                          " channels of scale that change");
       ScalarTrack track{.kind = scale_along(scale->axis),
-                        .node = joints_[static_cast<std::size_t>(scale->joint)].name,
+                        .node = joints_[scale->joint].name,
                         .name = {},
                         .values = {}};
       for (const double value : rows.col(c)) track.values.push_back(static_cast<float>(value));

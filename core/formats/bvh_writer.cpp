@@ -84,22 +84,21 @@ struct Place {
 
 /// Joints in the order in which braces nest: each straight before its first child.
 std::vector<Place> depth_first(const Skeleton& skeleton) {
-  std::vector<std::vector<int>> children(static_cast<std::size_t>(skeleton.joint_count()));
+  std::vector<std::vector<int>> children(skeleton.joint_count());
   std::vector<Place> waiting;
   for (int j = skeleton.joint_count() - 1; j >= 0; --j) {
     const int parent = skeleton.joint(j).parent;
     if (parent < 0)
       waiting.push_back({j, 0});
     else
-      children[static_cast<std::size_t>(parent)].push_back(j);
+      children[parent].push_back(j);
   }
   std::vector<Place> order;
   while (!waiting.empty()) {
     const Place place = waiting.back();
     waiting.pop_back();
     order.push_back(place);
-    for (const int child : children[static_cast<std::size_t>(place.joint)])
-      waiting.push_back({child, place.depth + 1});
+    for (const int child : children[place.joint]) waiting.push_back({child, place.depth + 1});
   }
   return order;
 }
@@ -159,7 +158,7 @@ std::string BvhWriter::write() {
 void BvhWriter::open_joint(const Place& place) {
   const Joint& joint = motion_.skeleton.joint(place.joint);
   begin_line(place.depth, joint.parent < 0 ? "ROOT " : "JOINT ");
-  text_ += names_[static_cast<std::size_t>(place.joint)] + '\n';
+  text_ += names_[place.joint] + '\n';
   begin_line(place.depth, "{\n");
   begin_line(place.depth + 1, "OFFSET");
   const bool at_zero = joint.parent < 0 && translates(joint) && !style_.root;

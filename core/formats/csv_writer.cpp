@@ -21,7 +21,7 @@ std::string csv_text(const Motion& motion, const ScalarTracks& tracks) {
     }
     for (const ScalarTrack& track : tracks) {
       text += ',';
-      append_number(text, static_cast<double>(track.values[static_cast<std::size_t>(t)]), 9);
+      append_number(text, static_cast<double>(track.values[t]), 9);
     }
     text += '\n';
   }

@@ -129,12 +129,12 @@ std::vector<NodeMesh> MeshReader::read() {
 std::vector<NodeMesh::Bone> MeshReader::bones_of(std::size_t number) {
   Affine3d carrier_from_mesh = Affine3d::Identity();
   int at = static_cast<int>(number);
-  while (at >= 0 && index_in_take_[static_cast<std::size_t>(at)] < 0) {
+  while (at >= 0 && index_in_take_[at] < 0) {
     carrier_from_mesh = parent_from(file_, node(static_cast<std::size_t>(at))) * carrier_from_mesh;
-    at = parents_[static_cast<std::size_t>(at)];
+    at = parents_[at];
   }
   if (at < 0) return {};
-  return {{index_in_take_[static_cast<std::size_t>(at)], carrier_from_mesh}};
+  return {{index_in_take_[at], carrier_from_mesh}};
 }
 
 std::vector<NodeMesh::Bone> MeshReader::bones_of_skin(std::size_t number) {

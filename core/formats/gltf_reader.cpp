@@ -95,8 +95,7 @@ class KeyCurveReader {
 
   Eigen::Vector4d element(std::size_t index) const {
     Eigen::Vector4d element = Eigen::Vector4d::Zero();
-    for (std::size_t i = 0; i < width_; ++i)
-      element(static_cast<Eigen::Index>(i)) = curve_.values[width_ * index + i];
+    for (std::size_t i = 0; i < width_; ++i) element(i) = curve_.values[width_ * index + i];
     return element;
   }
 
@@ -411,11 +410,10 @@ void TakeReader::add_nodes() {
     const int parent = parents_[number];
     std::string name = name_of(number);
     result_.number_of_node.push_back(number);
-    result_.take.nodes.push_back(
-        {.name = std::move(name),
-         .parent = parent < 0 ? -1 : index_of[static_cast<std::size_t>(parent)],
-         .joint = is_joint[number],
-         .rest = rest_of(node(number))});
+    result_.take.nodes.push_back({.name = std::move(name),
+                                  .parent = parent < 0 ? -1 : index_of[parent],
+                                  .joint = is_joint[number],
+                                  .rest = rest_of(node(number))});
   }
   for (KeyCurve& curve : curves_) curve.node = static_cast<std::size_t>(index_of[curve.node]);
 }
@@ -452,7 +450,7 @@ void TakeReader::sample() {
   for (const KeyCurve& curve : curves_) of_node[curve.node].emplace_back(curve, times.near_s);
   for (auto& [index, readers] : of_node) {
     AnimatedNode& node = take.nodes[index];
-    node.frames.reserve(static_cast<std::size_t>(times.frames));
+    node.frames.reserve(times.frames);
     for (int f = 0; f < times.frames; ++f) {
       LocalTransform local = node.rest;
       for (KeyCurveReader& reader : readers) reader.apply(times.at(f), local);

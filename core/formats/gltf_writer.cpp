@@ -37,12 +37,11 @@ Json nodes_of(const Skeleton& skeleton, const std::vector<NodeTrack>& tracks, do
   }
   for (int j = 0; j < skeleton.joint_count(); ++j) {
     const Joint& joint = skeleton.joint(j);
-    if (joint.parent >= 0) nodes[static_cast<std::size_t>(joint.parent)]["children"].push_back(j);
+    if (joint.parent >= 0) nodes[joint.parent]["children"].push_back(j);
     if (!joint.end_site) continue;
-    nodes[static_cast<std::size_t>(j)]["children"].push_back(nodes.size());
-    nodes.push_back({{"name", names[static_cast<std::size_t>(j)] + "_end"},
-                     {"translation", json_of(end_in_node(placements[static_cast<std::size_t>(j)],
-                                                         *joint.end_site))}});
+    nodes[j]["children"].push_back(nodes.size());
+    nodes.push_back({{"name", names[j] + "_end"},
+                     {"translation", json_of(end_in_node(placements[j], *joint.end_site))}});
   }
   return nodes;
 }

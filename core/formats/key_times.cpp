@@ -108,7 +108,7 @@ std::optional<double> guess_rate(const std::vector<double>& keys_s,
 
 /// A warning for keys that are not on frames, or frames without keys.
 std::string unevenness(const SampleTimes& times, const std::vector<double>& keys_s) {
-  std::vector<bool> is_key(static_cast<std::size_t>(times.frames), false);
+  std::vector<bool> is_key(times.frames, false);
   for (const double key : keys_s) {
     const double frame = (key - times.first_s) * times.rate_hz;
     if (std::abs(frame - std::round(frame)) <= times.near_s * times.rate_hz)

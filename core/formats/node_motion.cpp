@@ -108,7 +108,7 @@ NodeTree::NodeTree(const std::string& file, const std::vector<AnimatedNode>& nod
     : nodes_(nodes), children_(nodes.size()), roles_(nodes.size(), Role::None) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     assert(nodes[i].parent < static_cast<int>(i));
-    if (nodes[i].parent >= 0) children_[static_cast<std::size_t>(nodes[i].parent)].push_back(i);
+    if (nodes[i].parent >= 0) children_[nodes[i].parent].push_back(i);
     are_marked_ = are_marked_ || nodes[i].joint;
   }
   find_movement();
@@ -157,7 +157,7 @@ void NodeTree::fold_from_top() {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     if (roles_[i] != Role::Joint) continue;
     const int parent = nodes_[i].parent;
-    const bool on_top = parent < 0 || roles_[static_cast<std::size_t>(parent)] == Role::Part;
+    const bool on_top = parent < 0 || roles_[parent] == Role::Part;
     const int children = joint_children(i);
     const bool is_plain = same_transform(local(i, 0), {});
     const bool is_stand = on_top && !nodes_[i].joint && !moves_[i] && children > 0 &&
@@ -177,7 +177,7 @@ void NodeTree::find_bone_ends() {
 
 LocalTransform NodeTree::local(std::size_t node, int frame) const {
   const AnimatedNode& of = nodes_[node];
-  return of.frames.empty() ? of.rest : of.frames[static_cast<std::size_t>(frame)];
+  return of.frames.empty() ? of.rest : of.frames[frame];
 }
 
 bool NodeTree::changes_scale(std::size_t node) const {
@@ -189,8 +189,7 @@ bool NodeTree::changes_scale(std::size_t node) const {
 
 int NodeTree::joint_above(std::size_t node) const {
   int above = nodes_[node].parent;
-  while (above >= 0 && roles_[static_cast<std::size_t>(above)] != Role::Joint)
-    above = nodes_[static_cast<std::size_t>(above)].parent;
+  while (above >= 0 && roles_[above] != Role::Joint) above = nodes_[above].parent;
   return above;
 }
 
@@ -312,7 +311,7 @@ MotionFile MotionBuilder::build() {
   Motion motion{std::move(skeleton_), {take_.sample_rate_hz, {}}};
   motion.clip.channels.resize(take_.frames, static_cast<Eigen::Index>(channels_.size()));
   for (std::size_t c = 0; c < channels_.size(); ++c) {
-    motion.clip.channels.col(static_cast<Eigen::Index>(c)) = channels_[c];
+    motion.clip.channels.col(c) = channels_[c];
     channels_[c] = {};  // a long clip is not held twice
   }
   return {.motion = std::move(motion),
@@ -329,8 +328,8 @@ void MotionBuilder::number_joints() {
     joint_of_node_[i] = static_cast<int>(joints_.size());
     const int above = tree_.joint_above(i);
     node_of_joint_.push_back(i);
-    joints_.push_back({.name = take_.nodes[i].name,
-                       .parent = above < 0 ? -1 : joint_of_node_[static_cast<std::size_t>(above)]});
+    joints_.push_back(
+        {.name = take_.nodes[i].name, .parent = above < 0 ? -1 : joint_of_node_[above]});
   }
 }
 
@@ -340,7 +339,7 @@ void MotionBuilder::check() {
     refuse("more than " + std::to_string(runtime::kMostJoints) + " joints");
   std::vector<int> depths;
   for (const Joint& joint : joints_) {
-    depths.push_back(joint.parent < 0 ? 1 : depths[static_cast<std::size_t>(joint.parent)] + 1);
+    depths.push_back(joint.parent < 0 ? 1 : depths[joint.parent] + 1);
     if (depths.back() > runtime::kMostDepth)
       refuse("joints are nested deeper than " + std::to_string(runtime::kMostDepth));
   }
@@ -366,8 +365,7 @@ void MotionBuilder::place_nodes() {
 NodePlacement MotionBuilder::placed(std::size_t node, const LocalTransform& local,
                                     const std::vector<NodePlacement>& placements) const {
   const int parent = take_.nodes[node].parent;
-  return below(parent < 0 ? file_placement(source_.cm_per_unit, source_.up)
-                          : placements[static_cast<std::size_t>(parent)],
+  return below(parent < 0 ? file_placement(source_.cm_per_unit, source_.up) : placements[parent],
                local);
 }
 
@@ -378,21 +376,19 @@ void MotionBuilder::place_frame(int frame, std::vector<NodePlacement>& placement
     placements[i] = placed(i, tree_.local(i, frame), placements);
     if (role == Role::None || role == Role::Part) continue;
     const int above = tree_.joint_above(i);
-    const NodePlacement& from = above < 0 ? world : placements[static_cast<std::size_t>(above)];
+    const NodePlacement& from = above < 0 ? world : placements[above];
     const Vector3d in_parent = from.rotation.conjugate() * (placements[i].origin - from.origin);
     if (!in_parent.allFinite() || in_parent.norm() > kFarthest)
       throw InputError(file_, 0, 0,
                        shortened(take_.nodes[i].name) + " is farther than 1e9 cm away");
     if (role == Role::BoneEnd) {
-      Joint& joint =
-          joints_[static_cast<std::size_t>(joint_of_node_[static_cast<std::size_t>(above)])];
+      Joint& joint = joints_[joint_of_node_[above]];
       if (frame == 0 && in_parent.norm() > kSamePlace) joint.end_site = in_parent;
       continue;
     }
-    Track& track = tracks_[static_cast<std::size_t>(joint_of_node_[i])];
-    track.translation[static_cast<std::size_t>(frame)] = in_parent;
-    track.rotation[static_cast<std::size_t>(frame)] =
-        (from.rotation.conjugate() * placements[i].rotation).normalized();
+    Track& track = tracks_[joint_of_node_[i]];
+    track.translation[frame] = in_parent;
+    track.rotation[frame] = (from.rotation.conjugate() * placements[i].rotation).normalized();
   }
 }
 
@@ -437,7 +433,7 @@ void MotionBuilder::add_joint(std::size_t j) {
       joint.channels.push_back(translation_about(axis));
       Eigen::VectorXd channel(take_.frames);
       for (int t = 0; t < take_.frames; ++t)
-        channel(t) = track.translation[static_cast<std::size_t>(t)](axis) - joint.offset(axis);
+        channel(t) = track.translation[t](axis) - joint.offset(axis);
       channels_.push_back(std::move(channel));
     }
   }
@@ -452,8 +448,7 @@ void MotionBuilder::add_joint(std::size_t j) {
     }
     Vector3d last = Vector3d::Zero();
     for (int t = 0; t < take_.frames; ++t) {
-      last =
-          three_angles(axes, track.rotation[static_cast<std::size_t>(t)].toRotationMatrix(), last);
+      last = three_angles(axes, track.rotation[t].toRotationMatrix(), last);
       for (int i = 0; i < 3; ++i) channels_[first + static_cast<std::size_t>(i)](t) = last(i);
     }
   }
@@ -469,11 +464,11 @@ void MotionBuilder::add_skin() {
     nodes[i].rest_world_from_node = world_from(rest[i]);
     const int carrier = tree_.role(i) == Role::Joint ? static_cast<int>(i) : tree_.joint_above(i);
     if (carrier < 0) continue;
-    const NodePlacement& joint = first_placements_[static_cast<std::size_t>(carrier)];
+    const NodePlacement& joint = first_placements_[carrier];
     Eigen::Affine3d world_from_joint = Eigen::Affine3d::Identity();
     world_from_joint.linear() = joint.rotation.toRotationMatrix();
     world_from_joint.translation() = joint.origin;
-    nodes[i].joint = joint_of_node_[static_cast<std::size_t>(carrier)];
+    nodes[i].joint = joint_of_node_[carrier];
     nodes[i].joint_from_node = world_from_joint.inverse() * world_from(first_placements_[i]);
   }
   skin_ = skin_of(file_, take_.meshes, nodes,

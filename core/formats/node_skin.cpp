@@ -58,9 +58,7 @@ class SkinBuilder {
   Skin take() { return std::move(skin_); }
 
  private:
-  const NodeJoint& joint_of(const NodeMesh::Bone& bone) const {
-    return nodes_[static_cast<std::size_t>(bone.node)];
-  }
+  const NodeJoint& joint_of(const NodeMesh::Bone& bone) const { return nodes_[bone.node]; }
   Affine3d place_bound(const NodeMesh& mesh);
   std::optional<std::uint8_t> bone_of(const SkinBone& bone);
   int picture_at(const std::shared_ptr<const SkinPicture>& picture);

@@ -35,12 +35,12 @@ LocalTransform local_of(const Skeleton& skeleton, const Pose& pose, int joint, d
 std::vector<LocalTransform> scaled_locals(const Skeleton& skeleton, const Pose& pose,
                                           const JointScales& scales, int frame,
                                           double cm_per_unit) {
-  std::vector<LocalTransform> locals(static_cast<std::size_t>(skeleton.joint_count()));
+  std::vector<LocalTransform> locals(skeleton.joint_count());
   std::vector<NodePlacement> placements(locals.size());
   const NodePlacement world = file_placement(cm_per_unit, UpAxis::Y);
   for (std::size_t j = 0; j < locals.size(); ++j) {
     const int above = skeleton.joint(static_cast<int>(j)).parent;
-    const NodePlacement& parent = above < 0 ? world : placements[static_cast<std::size_t>(above)];
+    const NodePlacement& parent = above < 0 ? world : placements[above];
     LocalTransform& local = locals[j];
     local.translation = parent.world_from_node.inverse() * (pose.origin[j] - parent.origin);
     local.rotation =
@@ -90,8 +90,7 @@ class SourceTracks {
     const std::vector<std::size_t> nodes = nodes_of_joints(file_, take_);
     const Skeleton own = motion_of(file_, take_, options, SourceFormat::Kind::None).motion.skeleton;
     std::unordered_map<std::string, std::size_t> node_of_name;
-    for (int j = 0; j < own.joint_count(); ++j)
-      node_of_name.emplace(own.joint(j).name, nodes[static_cast<std::size_t>(j)]);
+    for (int j = 0; j < own.joint_count(); ++j) node_of_name.emplace(own.joint(j).name, nodes[j]);
     for (std::size_t j = 0; j < names.size(); ++j) {
       const auto found = node_of_name.find(names[j]);
       if (found == node_of_name.end())
@@ -112,8 +111,7 @@ class SourceTracks {
     placements_.resize(tracks_.size());
     for (std::size_t n = 0; n < tracks_.size(); ++n) {
       const int above = take_.nodes[n].parent;
-      const NodePlacement& parent =
-          above < 0 ? above_all_ : placements_[static_cast<std::size_t>(above)];
+      const NodePlacement& parent = above < 0 ? above_all_ : placements_[above];
       LocalTransform local = still(n);
       if (joint_of_node_[n] >= 0) {
         const auto j = static_cast<std::size_t>(joint_of_node_[n]);
@@ -151,7 +149,7 @@ JointScales::JointScales(const ScalarTracks& tracks, const Skeleton& skeleton)
     if (joint < 0) continue;
     const auto axis =
         static_cast<std::size_t>(track.kind) - static_cast<std::size_t>(TrackKind::ScaleX);
-    of_joint_[static_cast<std::size_t>(joint)][axis] = &track;
+    of_joint_[joint][axis] = &track;
     any_ = true;
   }
 }
@@ -165,8 +163,7 @@ Vector3d JointScales::at(std::size_t joint, int frame) const {
   Vector3d scale = Vector3d::Ones();
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (const ScalarTrack* const track = of_joint_[joint][axis])
-      scale(static_cast<Eigen::Index>(axis)) =
-          static_cast<double>(track->values[static_cast<std::size_t>(frame)]);
+      scale(axis) = static_cast<double>(track->values[frame]);
   return scale;
 }
 
@@ -182,9 +179,9 @@ Pose resting_pose(const Motion& motion, const SourceFormat& source) {
 std::vector<NodeTrack> tracks_of(const Motion& motion, const Pose& rest, double cm_per_unit,
                                  const JointScales& scales) {
   const Skeleton& skeleton = motion.skeleton;
-  std::vector<NodeTrack> tracks(static_cast<std::size_t>(skeleton.joint_count()));
+  std::vector<NodeTrack> tracks(skeleton.joint_count());
   for (int j = 0; j < skeleton.joint_count(); ++j) {
-    NodeTrack& track = tracks[static_cast<std::size_t>(j)];
+    NodeTrack& track = tracks[j];
     track.node = static_cast<std::size_t>(j);
     track.rest = local_of(skeleton, rest, j, cm_per_unit);
   }
@@ -207,8 +204,8 @@ std::vector<NodeTrack> tracks_of(const Motion& motion, const Pose& rest, double 
     }
     for (int j = 0; j < skeleton.joint_count(); ++j) {
       const LocalTransform local = local_of(skeleton, pose, j, cm_per_unit);
-      tracks[static_cast<std::size_t>(j)].translation.push_back(local.translation);
-      tracks[static_cast<std::size_t>(j)].rotation.push_back(local.rotation);
+      tracks[j].translation.push_back(local.translation);
+      tracks[j].rotation.push_back(local.rotation);
     }
   }
   return tracks;
@@ -220,9 +217,8 @@ std::vector<NodePlacement> rest_placements(const Skeleton& skeleton,
   std::vector<NodePlacement> placements;
   for (std::size_t j = 0; j < tracks.size(); ++j) {
     const int above = skeleton.joint(static_cast<int>(j)).parent;
-    placements.push_back(below(above < 0 ? file_placement(cm_per_unit, UpAxis::Y)
-                                         : placements[static_cast<std::size_t>(above)],
-                               tracks[j].rest));
+    placements.push_back(below(
+        above < 0 ? file_placement(cm_per_unit, UpAxis::Y) : placements[above], tracks[j].rest));
   }
   return placements;
 }

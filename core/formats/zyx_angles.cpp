@@ -21,8 +21,7 @@ void convert_channels(const Joint& joint, const Eigen::MatrixXd& from,
                       Eigen::Ref<Eigen::MatrixXd> to) {
   Eigen::Index translations = 0;
   for (std::size_t i = 0; i < joint.channels.size(); ++i)
-    if (!is_rotation(joint.channels[i]))
-      to.col(translations++) = from.col(static_cast<Eigen::Index>(i));
+    if (!is_rotation(joint.channels[i])) to.col(translations++) = from.col(i);
   if (translations == to.cols()) return;
   Eigen::Vector3d angles = Eigen::Vector3d::Zero();
   for (Eigen::Index t = 0; t < from.rows(); ++t) {

@@ -67,8 +67,7 @@ Eigen::MatrixXd effector_tracks(const Eigen::MatrixXd& landmark_tracks,
                                 const std::vector<Effector>& effectors) {
   Eigen::MatrixXd tracks(landmark_tracks.rows(), 3 * std::ssize(effectors));
   for (Eigen::Index e = 0; e < std::ssize(effectors); ++e)
-    tracks.middleCols<3>(3 * e) =
-        landmark_tracks.middleCols<3>(3 * effectors[static_cast<std::size_t>(e)].joint);
+    tracks.middleCols<3>(3 * e) = landmark_tracks.middleCols<3>(3 * effectors[e].joint);
   return tracks;
 }
 

@@ -20,10 +20,7 @@ bool is_below(const Skeleton& skeleton, int joint, int ancestor) {
 std::vector<int> limb_above(const Skeleton& skeleton, int joint) {
   constexpr double kAboutAsFar = 0.6;
   const Pose pose = rest_pose(skeleton);
-  const auto distance = [&](int a, int b) {
-    return (pose.origin[static_cast<std::size_t>(a)] - pose.origin[static_cast<std::size_t>(b)])
-        .norm();
-  };
+  const auto distance = [&](int a, int b) { return (pose.origin[a] - pose.origin[b]).norm(); };
   std::vector<int> limb;
   int inner = joint;  // the joint the limb comes from
   for (int j = skeleton.joint(joint).parent; j >= 0 && skeleton.joint(j).parent >= 0;

@@ -69,8 +69,8 @@ Limb::Limb(const Skeleton& skeleton, const std::vector<Effector>& effectors)
   const runtime::LimbPlan size = planned->size(0);
   effector_numbers_.resize(effectors.size());
   effector_links_.resize(effectors.size());
-  links_.resize(static_cast<std::size_t>(size.links));
-  turns_.resize(static_cast<std::size_t>(size.turns));
+  links_.resize(size.links);
+  turns_.resize(size.turns);
   limb_ = std::make_unique<OwnMemory<runtime::Limb>>(size.links);
   (*limb_)->set(planned->lay_out(0, {effector_numbers_.data(), effector_links_.data(),
                                      links_.data(), turns_.data()}),
@@ -96,8 +96,7 @@ std::vector<Limb> limbs_of(const Skeleton& skeleton, const std::vector<Effector>
   std::vector<Limb> limbs;
   for (int l = 0; l < planned->limb_count(); ++l) {
     std::vector<Effector> of_limb;
-    for (const int number : planned->effectors_of(l))
-      of_limb.push_back(effectors[static_cast<std::size_t>(number)]);
+    for (const int number : planned->effectors_of(l)) of_limb.push_back(effectors[number]);
     limbs.emplace_back(skeleton, of_limb);
   }
   return limbs;

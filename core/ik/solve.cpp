@@ -38,7 +38,7 @@ void try_frame(IkSolver solver, Limb& limb, const FrameRow& frame, Eigen::Matrix
     limb.set_frame(frame);
     const Eigen::VectorXd before = limb.angles();
     for (std::size_t e = 0; e < effectors; ++e) targets[e] = limb.position(static_cast<int>(e));
-    targets[static_cast<std::size_t>(r / 3)](r % 3) += kTried;
+    targets[r / 3](r % 3) += kTried;
     solve(solver, limb, targets);
     for (Eigen::Index a = 0; a < limb.angle_count(); ++a)
       turns(t, rows * a + r) = (limb.angles()(a) - before(a)) / kTried;

@@ -102,7 +102,7 @@ void BlindTest::ask() {
 
 bool BlindTest::answer(bool x_is_b) {
   const bool right = x_is_b == question_.x_is_b;
-  answers_.push_back({levels_[static_cast<std::size_t>(question_.level)], right});
+  answers_.push_back({levels_[question_.level], right});
   grid_.add(answers_.back());
   ask();
   return right;

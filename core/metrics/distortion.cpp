@@ -39,7 +39,7 @@ double percentile(std::vector<float>& values, double share, std::ptrdiff_t* afte
   const std::ptrdiff_t place = std::max<std::ptrdiff_t>(rank - 1, 0);
   std::nth_element(values.begin() + (after ? *after : 0), values.begin() + place, values.end());
   if (after) *after = place;
-  return values[static_cast<std::size_t>(place)];
+  return values[place];
 }
 
 std::vector<float> all_of(const Eigen::MatrixXf& values) {
@@ -113,7 +113,7 @@ Eigen::MatrixXd squared_on(const SkinPoints& skin, JointErrors& errors, Eigen::I
       for (Eigen::Index axis = 0; axis < 3; ++axis)
         moved += (weight * in_joint(axis)) * of_joint.middleCols<3>(3 + 3 * axis);
     }
-    squared.col(static_cast<Eigen::Index>(p)) = moved.rowwise().squaredNorm();
+    squared.col(p) = moved.rowwise().squaredNorm();
   }
   return squared;
 }
@@ -142,8 +142,7 @@ Eigen::MatrixXd PointErrors::squared(const TrackRows& original, const TrackRows&
   }
   if (weighting_ == Weighting::Skin) return squared_on(*skeleton_.skin(), errors, original.rows());
   for (std::size_t p = 0; p < points.size(); ++p)
-    JointErrors::find_squares(errors.of(points[p].joint), points[p].in_joint,
-                              squared.col(static_cast<Eigen::Index>(p)));
+    JointErrors::find_squares(errors.of(points[p].joint), points[p].in_joint, squared.col(p));
   return squared;
 }
 
@@ -193,7 +192,7 @@ void DistortionMeter::add(Set& set, int first_frame, const Eigen::MatrixXd& squa
     Eigen::Index point = 0;
     squared.maxCoeff(&frame, &point);
     set.worst_square = worst;
-    const int joint = set.errors.measured().points[static_cast<std::size_t>(point)].joint;
+    const int joint = set.errors.measured().points[point].joint;
     set.worst = {first_frame + static_cast<int>(frame),
                  is_on_bones(set.errors.weighting()) ? static_cast<int>(point) : joint,
                  std::sqrt(worst)};
@@ -218,7 +217,7 @@ void DistortionMeter::add_turns(int first_frame, Eigen::Index frames, JointError
   const std::vector<Landmark>& points = sets_.front().errors.measured().points;
   for (Eigen::Index end = skeleton_.joint_count(); end < turns_.cols(); ++end)
     turns_.col(end).segment(first_frame, frames) =
-        turns_.col(points[static_cast<std::size_t>(end)].joint).segment(first_frame, frames);
+        turns_.col(points[end].joint).segment(first_frame, frames);
 }
 
 void DistortionMeter::add(int first_frame, const TrackRows& original, const TrackRows& decoded) {
@@ -266,7 +265,7 @@ Eigen::MatrixX2d DistortionMeter::skin_of_joints() const {
   Eigen::VectorXi counts = Eigen::VectorXi::Zero(skeleton_.joint_count());
   Eigen::MatrixX2d found = Eigen::MatrixX2d::Zero(counts.size(), 2);
   for (Eigen::Index p = 0; p < skin.squares.size(); ++p) {
-    const int joint = skin.errors.measured().points[static_cast<std::size_t>(p)].joint;
+    const int joint = skin.errors.measured().points[p].joint;
     ++counts(joint);
     found(joint, 0) += skin.squares(p);
     found(joint, 1) = std::max(found(joint, 1), skin.greatest(p));
@@ -364,7 +363,7 @@ BodyFigures body_figures(const Skeleton& skeleton, const Distortion& distortion)
   const auto turn_of = [&](BodyPart part) {
     return worst_turn(distortion, namesakes_of(skeleton, part));
   };
-  std::vector<int> all(static_cast<std::size_t>(skeleton.joint_count()));
+  std::vector<int> all(skeleton.joint_count());
   std::iota(all.begin(), all.end(), 0);
   BodyFigures figures{.surface = distortion.surface,
                       .shell = distortion.shell,

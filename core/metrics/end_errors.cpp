@@ -13,7 +13,7 @@ void EndErrorMeter::add(const TrackRows& original, const TrackRows& decoded,
         decoded.row(t).head(3 * landmarks_) - original.row(t).head(3 * landmarks_);
     if (frames_ == 0) first_square_ = squares(t);
     last_square_ = squares(t);
-    if (frames_ < 2) first_[static_cast<std::size_t>(frames_)] = error;
+    if (frames_ < 2) first_[frames_] = error;
     if (frames_ >= 1) changes_.add((error - last_[0]).squaredNorm());
     if (frames_ >= 2) bends_.add((error - 2 * last_[0] + last_[1]).squaredNorm());
     last_[1] = std::exchange(last_[0], std::move(error));

@@ -100,7 +100,7 @@ void Jitter::add(int first_frame, const TrackRows& tracks) {
   const int end = first_frame + static_cast<int>(tracks.rows());
   double accelerations = 0;  // squared, per frame
   for (Eigen::Index joint = 0; joint < std::ssize(states_); ++joint) {
-    State& state = states_[static_cast<std::size_t>(joint)];
+    State& state = states_[joint];
     const double* const x = tracks.col(3 * joint).data();
     const double* const y = tracks.col(3 * joint + 1).data();
     const double* const z = tracks.col(3 * joint + 2).data();

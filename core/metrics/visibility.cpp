@@ -35,7 +35,7 @@ Eigen::VectorXd reaches(const Skeleton& skeleton, const std::vector<Landmark>& p
       of_joints(j) = of_joints(skeleton.joint(j).parent) + skeleton.joint(j).offset.norm();
   Eigen::VectorXd reaches(std::ssize(points));
   for (Eigen::Index p = 0; p < reaches.size(); ++p) {
-    const Landmark& point = points[static_cast<std::size_t>(p)];
+    const Landmark& point = points[p];
     reaches(p) = of_joints(point.joint) + point.in_joint.norm();
   }
   return reaches;
@@ -204,7 +204,7 @@ void VisibilityMeter::finish_window() {
   floor_ = std::min(floor_, now.original.points.row(1).minCoeff());
   lowest_.row(window_).setConstant(std::numeric_limits<float>::infinity());
   for (Eigen::Index p = 0; p < std::ssize(points_); ++p) {
-    float& lowest = lowest_(window_, points_[static_cast<std::size_t>(p)].joint);
+    float& lowest = lowest_(window_, points_[p].joint);
     lowest = std::min(lowest, static_cast<float>(now.decoded.points(1, p)));
   }
   compare_places(now);
@@ -231,9 +231,7 @@ void VisibilityMeter::compare_places(const Both& now) {
   const Eigen::Vector3d body = now.decoded.centre - now.original.centre;
   for (Eigen::Index p = 0; p < std::ssize(points_); ++p) {
     const double off = (now.decoded.points.col(p) - now.original.points.col(p) - body).norm();
-    see(seen_, window_,
-        {Cue::Place, points_[static_cast<std::size_t>(p)].joint, middle_of(window_), off,
-         reaches_(p)});
+    see(seen_, window_, {Cue::Place, points_[p].joint, middle_of(window_), off, reaches_(p)});
   }
 }
 
@@ -264,7 +262,7 @@ void VisibilityMeter::compare_velocities(const Both& first, const Both& before, 
       (now.decoded.centre - c.centre) - (first.decoded.centre - a.centre);
   compare(0, of_body, (b.centre - a.centre).norm() + (c.centre - b.centre).norm());
   for (Eigen::Index p = 0; p < std::ssize(points_); ++p)
-    compare(points_[static_cast<std::size_t>(p)].joint,
+    compare(points_[p].joint,
             (now.decoded.points.col(p) - c.points.col(p)) -
                 (first.decoded.points.col(p) - a.points.col(p)) - of_body,
             way_of(p));
@@ -344,7 +342,7 @@ void VisibilityMeter::see_contacts(Visibility& seen) const {
     worst.worst_slide_cm = std::max(worst.worst_slide_cm, contact.slide_cm);
     worst.worst_lift_cm = std::max(worst.worst_lift_cm, contact.lift_cm);
     const ContactSpan& span = contact.span;
-    const int joint = points_[static_cast<std::size_t>(span.landmark)].joint;
+    const int joint = points_[span.landmark].joint;
     const int frame = (span.first_frame + span.last_frame) / 2;
     for (int window = seen.table.window_of(span.first_frame);
          window <= seen.table.window_of(span.last_frame); ++window) {

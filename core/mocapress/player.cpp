@@ -92,7 +92,7 @@ Eigen::VectorXf Player::track_values(double seconds, AtEnds at_ends) const {
   if (!std::isfinite(seconds)) throw Error("an instant that is not finite");
   if (at_ends == AtEnds::Loop && !is_loop()) throw Error("the clip is not a loop");
   const mcpr_track_request all{.sample_rate = sample_rate_hz(), .wrap = wrap_of(at_ends)};
-  Eigen::VectorXf values(static_cast<Eigen::Index>(tracks().size()));
+  Eigen::VectorXf values(tracks().size());
   if (tracks().empty()) return values;
   const mcpr_tracks* const held = mcpr_clip_tracks(parts_->clip.get());
   const AlignedBytes scratch(mcpr_track_scratch_bytes(held, &all));

@@ -57,7 +57,7 @@ std::vector<bool> sliding_joints(const Skeleton& skeleton) {
   const bool tells = 2 * able <= std::ssize(joints);
   std::vector<int> children(joints.size(), 0);
   for (const Joint& joint : joints)
-    if (joint.parent >= 0) ++children[static_cast<std::size_t>(joint.parent)];
+    if (joint.parent >= 0) ++children[joint.parent];
   std::vector<bool> slides;
   for (const Joint& joint : joints) {
     const auto parent = static_cast<std::size_t>(std::max(joint.parent, 0));
@@ -94,8 +94,7 @@ class Anatomy {
     for (const int j : joints_of(skeleton, BodyPart::Feet)) named_at(j) = BodyRegion::Foot;
     for (const BodyRegion end : {BodyRegion::Head, BodyRegion::Hand, BodyRegion::Foot})
       for (const int top : tops(end))
-        for (int j = top; j >= 0; j = skeleton.joint(j).parent)
-          ++ends_below_[static_cast<std::size_t>(j)];
+        for (int j = top; j >= 0; j = skeleton.joint(j).parent) ++ends_below_[j];
     arms_ = limbs(BodyRegion::Hand);
     legs_ = limbs(BodyRegion::Foot);
   }
@@ -107,13 +106,11 @@ class Anatomy {
     std::vector<BodyRegion> regions(named_.size(), BodyRegion::Trunk);
     std::vector<bool> known(named_.size(), false);
     const auto set = [&](int joint, BodyRegion region) {
-      regions[static_cast<std::size_t>(joint)] = region;
-      known[static_cast<std::size_t>(joint)] = true;
+      regions[joint] = region;
+      known[joint] = true;
     };
     for (int j = 0; j < skeleton_.joint_count(); ++j)
-      if (named_[static_cast<std::size_t>(j)] == BodyRegion::Head ||
-          named_[static_cast<std::size_t>(j)] == BodyRegion::Neck)
-        set(j, named_[static_cast<std::size_t>(j)]);
+      if (named_[j] == BodyRegion::Head || named_[j] == BodyRegion::Neck) set(j, named_[j]);
     const auto set_limbs = [&](const std::vector<Limb>& limbs, BodyRegion end, BodyRegion lower,
                                BodyRegion upper) {
       for (const Limb& limb : limbs) {
@@ -126,9 +123,8 @@ class Anatomy {
     set_limbs(arms_, BodyRegion::Hand, BodyRegion::Forearm, BodyRegion::UpperArm);
     set_limbs(legs_, BodyRegion::Foot, BodyRegion::LowerLeg, BodyRegion::Thigh);
     for (int j = 0; j < skeleton_.joint_count(); ++j)
-      if (const int parent = skeleton_.joint(j).parent;
-          !known[static_cast<std::size_t>(j)] && parent >= 0)
-        regions[static_cast<std::size_t>(j)] = regions[static_cast<std::size_t>(parent)];
+      if (const int parent = skeleton_.joint(j).parent; !known[j] && parent >= 0)
+        regions[j] = regions[parent];
     return regions;
   }
 
@@ -137,11 +133,10 @@ class Anatomy {
     std::vector<int> sides(named_.size(), 0);
     int side = 0;
     for (const auto* limbs : {&arms_, &legs_})
-      for (const Limb& limb : *limbs) sides[static_cast<std::size_t>(limb.above[1])] = ++side;
+      for (const Limb& limb : *limbs) sides[limb.above[1]] = ++side;
     for (int j = 0; j < skeleton_.joint_count(); ++j)
-      if (const int parent = skeleton_.joint(j).parent;
-          parent >= 0 && sides[static_cast<std::size_t>(j)] == 0)
-        sides[static_cast<std::size_t>(j)] = sides[static_cast<std::size_t>(parent)];
+      if (const int parent = skeleton_.joint(j).parent; parent >= 0 && sides[j] == 0)
+        sides[j] = sides[parent];
     return sides;
   }
 
@@ -153,16 +148,15 @@ class Anatomy {
   }
 
  private:
-  BodyRegion& named_at(int joint) { return named_[static_cast<std::size_t>(joint)]; }
+  BodyRegion& named_at(int joint) { return named_[joint]; }
 
   /// Joints named for a region without such a joint above them.
   std::vector<int> tops(BodyRegion region) const {
     std::vector<int> found;
     for (int j = 0; j < skeleton_.joint_count(); ++j) {
-      if (named_[static_cast<std::size_t>(j)] != region) continue;
+      if (named_[j] != region) continue;
       int above = skeleton_.joint(j).parent;
-      while (above >= 0 && named_[static_cast<std::size_t>(above)] != region)
-        above = skeleton_.joint(above).parent;
+      while (above >= 0 && named_[above] != region) above = skeleton_.joint(above).parent;
       if (above < 0) found.push_back(j);
     }
     return found;
@@ -174,8 +168,8 @@ class Anatomy {
     std::vector<Limb> found;
     for (const int top : tops(end)) {
       Limb limb{top, {}};
-      for (int j = skeleton_.joint(top).parent;
-           j >= 0 && ends_below_[static_cast<std::size_t>(j)] == 1; j = skeleton_.joint(j).parent)
+      for (int j = skeleton_.joint(top).parent; j >= 0 && ends_below_[j] == 1;
+           j = skeleton_.joint(j).parent)
         limb.above.push_back(j);
       if (limb.above.size() >= 2) found.push_back(std::move(limb));
     }
@@ -191,13 +185,12 @@ class Anatomy {
 
 /// The length of bones from a root to its furthest joint or end.
 double reach(const Skeleton& skeleton, const std::vector<bool>& slides) {
-  std::vector<double> way(static_cast<std::size_t>(skeleton.joint_count()), 0);
+  std::vector<double> way(skeleton.joint_count(), 0);
   double furthest = 0;
   for (int j = 0; j < skeleton.joint_count(); ++j) {
     const Joint& joint = skeleton.joint(j);
-    double& own = way[static_cast<std::size_t>(j)];
-    if (joint.parent >= 0 && !slides[static_cast<std::size_t>(j)])
-      own = way[static_cast<std::size_t>(joint.parent)] + joint.offset.norm();
+    double& own = way[j];
+    if (joint.parent >= 0 && !slides[j]) own = way[joint.parent] + joint.offset.norm();
     furthest = std::max(furthest, own + (joint.end_site ? joint.end_site->norm() : 0));
   }
   return furthest;
@@ -207,20 +200,18 @@ double reach(const Skeleton& skeleton, const std::vector<bool>& slides) {
 std::vector<BodyLimb> bones(const Skeleton& skeleton, const std::vector<bool>& slides,
                             double stature) {
   std::vector<BodyLimb> bones;
-  std::vector<bool> drives(static_cast<std::size_t>(skeleton.joint_count()), false);
+  std::vector<bool> drives(skeleton.joint_count(), false);
   for (const Segment& segment : skeleton.segments()) {
-    const bool connects = segment.child < 0 || !slides[static_cast<std::size_t>(segment.child)];
-    if (segment.child >= 0) drives[static_cast<std::size_t>(segment.joint)] = true;
+    const bool connects = segment.child < 0 || !slides[segment.child];
+    if (segment.child >= 0) drives[segment.joint] = true;
     if (!connects || segment.length <= kShortestBone * stature) continue;
-    drives[static_cast<std::size_t>(segment.joint)] = true;
+    drives[segment.joint] = true;
     bones.push_back({segment.joint, segment.end_in_joint, 0, 0});
   }
   for (int j = 0; j < skeleton.joint_count(); ++j) {
     const Joint& joint = skeleton.joint(j);
     const double before = joint.offset.norm();
-    if (drives[static_cast<std::size_t>(j)] || joint.parent < 0 ||
-        slides[static_cast<std::size_t>(j)] || before <= kShortestBone * stature)
-      continue;
+    if (drives[j] || joint.parent < 0 || slides[j] || before <= kShortestBone * stature) continue;
     const double length = std::min(before, kLongestExtent * stature);
     bones.push_back({j, joint.offset * (length / before), 0, 0});
   }
@@ -230,16 +221,15 @@ std::vector<BodyLimb> bones(const Skeleton& skeleton, const std::vector<bool>& s
 /// Adds bones for joints that turn nothing else, since everything below them slides, as it does
 /// where a scale changes.
 void add_unseen(const Skeleton& skeleton, double stature, std::vector<BodyLimb>& limbs) {
-  std::vector<bool> seen(static_cast<std::size_t>(skeleton.joint_count()), false);
+  std::vector<bool> seen(skeleton.joint_count(), false);
   const auto mark_from = [&](int joint) {
-    for (int j = joint; j >= 0; j = skeleton.joint(j).parent)
-      seen[static_cast<std::size_t>(j)] = true;
+    for (int j = joint; j >= 0; j = skeleton.joint(j).parent) seen[j] = true;
   };
   for (const BodyLimb& limb : limbs) mark_from(limb.joint);
   for (int j = skeleton.joint_count() - 1; j >= 0; --j) {
     const Joint& joint = skeleton.joint(j);
     const bool turns = std::ranges::any_of(joint.channels, is_rotation);
-    if (seen[static_cast<std::size_t>(j)] || !turns) continue;
+    if (seen[j] || !turns) continue;
     const double before = joint.offset.norm();
     const Eigen::Vector3d along =
         before > 0 ? Eigen::Vector3d(joint.offset / before) : Eigen::Vector3d::UnitY();
@@ -262,15 +252,15 @@ std::optional<double> stature(const Skeleton& skeleton) {
 }
 
 int body_root(const Skeleton& skeleton) {
-  std::vector<int> children(static_cast<std::size_t>(skeleton.joint_count()), 0);
+  std::vector<int> children(skeleton.joint_count(), 0);
   for (const Joint& joint : skeleton.joints())
-    if (joint.parent >= 0) ++children[static_cast<std::size_t>(joint.parent)];
+    if (joint.parent >= 0) ++children[joint.parent];
   const auto is_moved = [](const Joint& joint) {
     return std::ranges::any_of(joint.channels, [](ChannelKind kind) { return !is_rotation(kind); });
   };
   // Joints come parents first, so that those above the body are the first ones.
   int root = 0;
-  while (root + 1 < skeleton.joint_count() && children[static_cast<std::size_t>(root)] == 1 &&
+  while (root + 1 < skeleton.joint_count() && children[root] == 1 &&
          skeleton.joint(root + 1).parent == root && is_moved(skeleton.joint(root + 1)))
     ++root;
   return root;

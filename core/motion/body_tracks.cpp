@@ -95,7 +95,7 @@ MOCAPRESS_INLINE Eigen::Index find_errors(const TrackColumns& tracks, Eigen::Ind
 }  // namespace
 
 const JointErrors::OfJoint& JointErrors::of(int joint) {
-  std::optional<OfJoint>& found = found_[static_cast<std::size_t>(joint)];
+  std::optional<OfJoint>& found = found_[joint];
   if (found) return *found;
   OfJoint& errors = found.emplace(original_.rows(), 12);
   const TrackColumns tracks{original_.data(), decoded_.data(), original_.outerStride(),

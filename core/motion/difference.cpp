@@ -64,7 +64,7 @@ Eigen::RowVectorXd values_of(const Motion& motion, int joint, int frame) {
 double sum_of_kind(const Joint& joint, const Eigen::RowVectorXd& values, ChannelKind kind) {
   double sum = 0;
   for (std::size_t c = 0; c < joint.channels.size(); ++c)
-    if (joint.channels[c] == kind) sum += values(static_cast<Eigen::Index>(c));
+    if (joint.channels[c] == kind) sum += values(c);
   return sum;
 }
 
@@ -83,7 +83,7 @@ Motion combined(const Motion& base, const Motion& motion, int sign) {
       const Eigen::RowVectorXd there = values_of(base, j, t);
       const Eigen::RowVectorXd own = values_of(motion, j, t);
       for (Eigen::Index c = 0; c < count; ++c) {
-        const ChannelKind kind = joint.channels[static_cast<std::size_t>(c)];
+        const ChannelKind kind = joint.channels[c];
         if (!is_rotation(kind) || !turns_freely)
           values(c) = sum_of_kind(of_motion, own, kind) + sign * sum_of_kind(of_base, there, kind);
       }
@@ -104,8 +104,7 @@ std::shared_ptr<const SkinPoints> turned(const std::shared_ptr<const SkinPoints>
   if (skin == nullptr) return skin;
   auto result = std::make_shared<SkinPoints>(*skin);
   for (SkinPoint& point : *result)
-    for (SkinPointShare& share : point)
-      share.in_joint = turns[static_cast<std::size_t>(share.joint)] * share.in_joint;
+    for (SkinPointShare& share : point) share.in_joint = turns[share.joint] * share.in_joint;
   return result;
 }
 
@@ -130,13 +129,12 @@ Motion on_base_pose(const Motion& base, const Motion& difference) {
   for (int j = 0; j < difference.skeleton.joint_count(); ++j) {
     Joint joint = difference.skeleton.joint(j);
     const auto parent = static_cast<std::size_t>(joint.parent);
-    joint.offset = pose.origin[static_cast<std::size_t>(j)];
+    joint.offset = pose.origin[j];
     if (joint.parent >= 0) {
       joint.offset -= pose.origin[parent];
       joint.joint_from_axes = pose.world_from_joint[parent] * joint.joint_from_axes;
     }
-    if (joint.end_site)
-      *joint.end_site = pose.world_from_joint[static_cast<std::size_t>(j)] * *joint.end_site;
+    if (joint.end_site) *joint.end_site = pose.world_from_joint[j] * *joint.end_site;
     result.skeleton.add(std::move(joint));
   }
   result.skeleton.set_skin(turned(difference.skeleton.skin(), pose.world_from_joint));

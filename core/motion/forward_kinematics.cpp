@@ -44,9 +44,7 @@ void approach(Turns& turns, const Eigen::Matrix3d& rotation) {
   constexpr int kMostRounds = 32;
   constexpr double kSettled = 1e-10;
   const auto count = static_cast<Eigen::Index>(turns.axes.size());
-  const auto turn = [&](Eigen::Index i) {
-    return axis_rotation(turns.axes[static_cast<std::size_t>(i)], turns.angles(i));
-  };
+  const auto turn = [&](Eigen::Index i) { return axis_rotation(turns.axes[i], turns.angles(i)); };
   for (int round = 0; round < kMostRounds; ++round) {
     const Eigen::VectorXd before = turns.angles;
     for (Eigen::Index i = 0; i < count; ++i) {
@@ -54,8 +52,8 @@ void approach(Turns& turns, const Eigen::Matrix3d& rotation) {
       Eigen::Matrix3d right = Eigen::Matrix3d::Identity();
       for (Eigen::Index o = 0; o < i; ++o) left *= turn(o);
       for (Eigen::Index o = i + 1; o < count; ++o) right *= turn(o);
-      turns.angles(i) = nearest_angle(turns.axes[static_cast<std::size_t>(i)],
-                                      left.transpose() * rotation * right.transpose());
+      turns.angles(i) =
+          nearest_angle(turns.axes[i], left.transpose() * rotation * right.transpose());
     }
     for (Eigen::Index i = 0; i < count; ++i)
       turns.angles(i) = runtime::nearest_turn(turns.angles(i), before(i));
@@ -129,8 +127,7 @@ Pose rest_pose(const Skeleton& skeleton) {
   for (const Joint& joint : skeleton.joints()) {
     pose.world_from_joint.push_back(Eigen::Matrix3d::Identity());
     pose.origin.push_back(joint.offset);
-    if (joint.parent >= 0)
-      pose.origin.back() += pose.origin[static_cast<std::size_t>(joint.parent)];
+    if (joint.parent >= 0) pose.origin.back() += pose.origin[joint.parent];
   }
   return pose;
 }

@@ -45,15 +45,13 @@ std::string_view name(Weighting weighting) {
 
 Eigen::VectorXd landmark_weights(const Skeleton& skeleton, Weighting weighting) {
   const std::vector<Landmark> points = landmarks(skeleton);
-  std::vector<int> end_site_landmark(static_cast<std::size_t>(skeleton.joint_count()), -1);
+  std::vector<int> end_site_landmark(skeleton.joint_count(), -1);
   for (int p = skeleton.joint_count(); p < static_cast<int>(points.size()); ++p)
-    end_site_landmark[static_cast<std::size_t>(points[static_cast<std::size_t>(p)].joint)] = p;
+    end_site_landmark[points[p].joint] = p;
 
-  Eigen::VectorXd weights = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(points.size()));
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(points.size());
   for (const Segment& segment : skeleton.segments()) {
-    const int far_end = segment.child >= 0
-                            ? segment.child
-                            : end_site_landmark[static_cast<std::size_t>(segment.joint)];
+    const int far_end = segment.child >= 0 ? segment.child : end_site_landmark[segment.joint];
     weights(weighting == Weighting::BoneEnds ? far_end : segment.joint) += segment.length;
   }
   // A skeleton without length (one joint, no end site) still has a position to compare.

@@ -41,7 +41,7 @@ std::vector<Carrier> carriers_of(const std::vector<SkinBone>& bones, const Skele
   std::map<int, int> place_of;
   std::vector<Carrier> carriers;
   for (const auto& [joint, bone] : bone_of) {
-    Carrier carrier{.joint = joint_in_to[static_cast<std::size_t>(joint)],
+    Carrier carrier{.joint = joint_in_to[joint],
                     .bone = bone,
                     .in_bind = bone->joint_from_bind.inverse().translation(),
                     .own = Vector3d::Zero(),
@@ -50,7 +50,7 @@ std::vector<Carrier> carriers_of(const std::vector<SkinBone>& bones, const Skele
     while (above >= 0 && !place_of.contains(above)) above = from.joint(above).parent;
     if (above >= 0) {
       carrier.above = place_of[above];
-      Carrier& parent = carriers[static_cast<std::size_t>(carrier.above)];
+      Carrier& parent = carriers[carrier.above];
       ++parent.below;
       carrier.own = parent.bone->joint_from_bind * carrier.in_bind;
       carrier.of_clip = offset_between(to, parent.joint, carrier.joint);
@@ -69,9 +69,8 @@ std::vector<bool> on_trunk(const std::vector<Carrier>& carriers) {
   const auto hips =
       std::ranges::find_if(carriers, [](const Carrier& carrier) { return carrier.below > 1; });
   if (hips == carriers.end()) return trunk;
-  for (auto at = static_cast<int>(hips - carriers.begin()); at >= 0;
-       at = carriers[static_cast<std::size_t>(at)].above)
-    trunk[static_cast<std::size_t>(at)] = true;
+  for (auto at = static_cast<int>(hips - carriers.begin()); at >= 0; at = carriers[at].above)
+    trunk[at] = true;
   return trunk;
 }
 
@@ -109,7 +108,7 @@ OwnLengths own_lengths(const std::vector<SkinBone>& bones, const Skeleton& from,
   for (std::size_t i = 0; i < carriers.size(); ++i) {
     const Carrier& carrier = carriers[i];
     OwnLengths::Bone bone{carrier.joint, -1, Vector3d::Zero()};
-    if (carrier.above >= 0) bone.above = carriers[static_cast<std::size_t>(carrier.above)].joint;
+    if (carrier.above >= 0) bone.above = carriers[carrier.above].joint;
     if (!trunk[i] && carrier.of_clip) {
       bone.longer = carrier.own - lengths.scale * *carrier.of_clip;
       differs = differs || (carrier.own - *carrier.of_clip).norm() > kSameLength;
@@ -131,7 +130,7 @@ std::vector<Vector3d> own_origins(const OwnLengths& lengths, const Pose& pose) {
   for (const auto& [joint, above, longer] : lengths.bones) {
     if (above < 0) continue;
     const auto a = static_cast<std::size_t>(above);
-    moved[static_cast<std::size_t>(joint)] = moved[a] + pose.world_from_joint[a] * longer;
+    moved[joint] = moved[a] + pose.world_from_joint[a] * longer;
   }
   for (std::size_t j = 0; j < moved.size(); ++j)
     origins.emplace_back(lengths.centre + lengths.scale * (pose.origin[j] - lengths.centre) +

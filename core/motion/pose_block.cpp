@@ -99,8 +99,7 @@ template <int kFrames>
 MOCAPRESS_INLINE void turn_axes(const double* sines, const double* cosines, const Axes& axes, int a,
                                 int b) {
   for (int i = 0; i < 3; ++i)
-    turn_columns<kFrames>(sines, cosines, axes[static_cast<std::size_t>(3 * a + i)],
-                          axes[static_cast<std::size_t>(3 * b + i)]);
+    turn_columns<kFrames>(sines, cosines, axes[3 * a + i], axes[3 * b + i]);
 }
 
 template <int kFrames>
@@ -197,9 +196,8 @@ void PoseBlock::multiply(int from, const Eigen::Matrix3d& matrix, int joint) {
   Axes given;
   Axes made;
   for (Eigen::Index i = 0; i < 9; ++i) {
-    given[static_cast<std::size_t>(i)] =
-        from == joint ? before_.col(i).data() : axes_.col(Eigen::Index{9} * from + i).data();
-    made[static_cast<std::size_t>(i)] = axes_.col(Eigen::Index{9} * joint + i).data();
+    given[i] = from == joint ? before_.col(i).data() : axes_.col(Eigen::Index{9} * from + i).data();
+    made[i] = axes_.col(Eigen::Index{9} * joint + i).data();
   }
   for_frames(frames_, [&](auto count) {
     constexpr int kFrames = decltype(count)::value;
@@ -214,8 +212,7 @@ void PoseBlock::turn(int joint, int axis, const Eigen::Ref<const Eigen::VectorXd
   std::ranges::copy(radians, angles.begin());
   const bool is_far = !(radians.cwiseAbs().maxCoeff() < kMostTurned);
   Axes axes;
-  for (Eigen::Index i = 0; i < 9; ++i)
-    axes[static_cast<std::size_t>(i)] = axes_.col(Eigen::Index{9} * joint + i).data();
+  for (Eigen::Index i = 0; i < 9; ++i) axes[i] = axes_.col(Eigen::Index{9} * joint + i).data();
   const int next = (axis + 1) % 3;
   const int last = (axis + 2) % 3;
   if (is_far)

@@ -93,11 +93,11 @@ Motion converted(const Motion& motion, const RotationForms& forms,
   Motion result{with_forms(motion.skeleton, forms), motion.clip};
   parallel_for(0, motion.skeleton.joint_count(), [&](int j) {
     const Joint& joint = motion.skeleton.joint(j);
-    if (!changes(joint, forms[static_cast<std::size_t>(j)])) return;
+    if (!changes(joint, forms[j])) return;
     const auto from = channels_of(motion, j);
     auto to = result.clip.channels.middleCols(result.skeleton.first_channel(j), from.cols());
     const std::vector<Eigen::Index> places = rotation_places(joint);
-    Conversion conversion(joint, forms[static_cast<std::size_t>(j)]);
+    Conversion conversion(joint, forms[j]);
     if (first_angles) conversion.go_on_from(first_angles->col(j));
     for (Eigen::Index t = 0; t < from.rows(); ++t)
       to(t, places) = conversion.next(from.row(t)).transpose();
@@ -139,7 +139,7 @@ FixedTurn fixed_turn_near(const Eigen::Matrix3d& rotation) {
   const Eigen::Vector3d vector = found.axis() * (found.angle() * kFixedTurns / std::numbers::pi);
   FixedTurn turn;
   for (int i = 0; i < 3; ++i)
-    turn[static_cast<std::size_t>(i)] = static_cast<std::int8_t>(
+    turn[i] = static_cast<std::int8_t>(
         std::clamp<long>(std::lround(vector(i)), -kFixedTurns, kFixedTurns - 1));
   return turn;
 }
@@ -177,8 +177,8 @@ std::vector<Eigen::Matrix3Xd> angles_at(const Motion& motion, const RotationForm
                                        Eigen::Matrix3Xd::Zero(3, motion.skeleton.joint_count()));
   parallel_for(0, motion.skeleton.joint_count(), [&](int j) {
     const Joint& joint = motion.skeleton.joint(j);
-    if (!changes(joint, forms[static_cast<std::size_t>(j)])) return;
-    Conversion conversion(joint, forms[static_cast<std::size_t>(j)]);
+    if (!changes(joint, forms[j])) return;
+    Conversion conversion(joint, forms[j]);
     int t = 0;
     for (std::size_t i = 0; i < frames.size(); ++i)
       for (; t <= frames[i]; ++t) angles[i].col(j) = conversion.next(channels_of(motion, j).row(t));

@@ -50,7 +50,7 @@ int Skeleton::add(Joint joint) {
 
 ChannelKind Skeleton::channel_kind(int channel) const {
   const int owner = channel_joint(channel);
-  return joint(owner).channels[static_cast<std::size_t>(channel - first_channel(owner))];
+  return joint(owner).channels[channel - first_channel(owner)];
 }
 
 std::string Skeleton::channel_name(int channel) const {
@@ -66,8 +66,7 @@ int Skeleton::find(const std::string& name) const {
 std::vector<Segment> Skeleton::segments() const {
   std::vector<std::vector<Segment>> driven(joints_.size());
   const auto drive = [&](int joint, int child, const Eigen::Vector3d& end_in_joint) {
-    driven[static_cast<std::size_t>(joint)].push_back(
-        {joint, child, end_in_joint, end_in_joint.norm()});
+    driven[joint].push_back({joint, child, end_in_joint, end_in_joint.norm()});
   };
   for (int j = 0; j < joint_count(); ++j) {
     if (joint(j).parent >= 0) drive(joint(j).parent, j, joint(j).offset);
@@ -80,8 +79,7 @@ std::vector<Segment> Skeleton::segments() const {
 
 std::vector<double> Skeleton::driven_lengths() const {
   std::vector<double> lengths(joints_.size(), 0.0);
-  for (const Segment& segment : segments())
-    lengths[static_cast<std::size_t>(segment.joint)] += segment.length;
+  for (const Segment& segment : segments()) lengths[segment.joint] += segment.length;
   return lengths;
 }
 

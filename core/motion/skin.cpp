@@ -40,9 +40,7 @@ std::vector<int> joints_by_name(const Skeleton& from, const Skeleton& to) {
 /// Throws Error where joints that `to` lacks carry most of the skin.
 void require_most(const Skin& skin, const Skeleton& from, const Skeleton& to,
                   const std::vector<int>& joint_in_to) {
-  const auto is_there = [&](int joint) {
-    return joint_in_to[static_cast<std::size_t>(joint)] >= 0;
-  };
+  const auto is_there = [&](int joint) { return joint_in_to[joint] >= 0; };
   double carried = 0;
   const SkinPoints points = points_on(skin);
   for (const SkinPoint& point : points)
@@ -63,14 +61,12 @@ void hold_missing(Skin& skin, const Skeleton& from, const std::vector<int>& join
   const auto bone_of = [&](int joint) {
     return std::ranges::find_if(bones, [&](const SkinBone& bone) { return bone.joint == joint; });
   };
-  const auto topmost = std::ranges::find_if(bones, [&](const SkinBone& bone) {
-    return joint_in_to[static_cast<std::size_t>(bone.joint)] >= 0;
-  });
+  const auto topmost = std::ranges::find_if(
+      bones, [&](const SkinBone& bone) { return joint_in_to[bone.joint] >= 0; });
   for (SkinBone& bone : skin.bones) {
     // A joint that carries nothing does not say where it was when the skin was bound.
     int carrier = bone.joint;
-    while (carrier >= 0 &&
-           (joint_in_to[static_cast<std::size_t>(carrier)] < 0 || bone_of(carrier) == bones.end()))
+    while (carrier >= 0 && (joint_in_to[carrier] < 0 || bone_of(carrier) == bones.end()))
       carrier = from.joint(carrier).parent;
     if (carrier != bone.joint) bone = carrier < 0 ? *topmost : *bone_of(carrier);
   }
@@ -85,8 +81,7 @@ bool have_same_axes(const Skeleton& from, const Skeleton& to, const std::vector<
     const Joint& ours = from.joints()[j];
     if (joint_in_to[j] < 0 || ours.parent < 0) continue;
     const Joint& theirs = to.joint(joint_in_to[j]);
-    if (theirs.parent < 0 || theirs.parent != joint_in_to[static_cast<std::size_t>(ours.parent)])
-      continue;
+    if (theirs.parent < 0 || theirs.parent != joint_in_to[ours.parent]) continue;
     const double length = ours.offset.norm();
     if (length < kShortest || theirs.offset.norm() < kShortest) continue;
     all += length;
@@ -103,7 +98,7 @@ std::vector<Matrix3d> rest_from_bind(const Skin& skin, const Skeleton& from, con
   const auto count = static_cast<std::size_t>(from.joint_count());
   std::vector<std::optional<Vector3d>> in_bind(count);
   for (const SkinBone& bone : skin.bones)
-    in_bind[static_cast<std::size_t>(bone.joint)] = bone.joint_from_bind.inverse().translation();
+    in_bind[bone.joint] = bone.joint_from_bind.inverse().translation();
   const Pose rest = rest_pose(to);
   std::vector<int> children(count);
   std::vector<Matrix3d> swings(count, Matrix3d::Identity());
@@ -113,8 +108,7 @@ std::vector<Matrix3d> rest_from_bind(const Skin& skin, const Skeleton& from, con
     if (!in_bind[child] || !in_bind[parent] || joint_in_to[child] < 0 || joint_in_to[parent] < 0)
       continue;
     const Vector3d ours = *in_bind[child] - *in_bind[parent];
-    const Vector3d theirs = rest.origin[static_cast<std::size_t>(joint_in_to[child])] -
-                            rest.origin[static_cast<std::size_t>(joint_in_to[parent])];
+    const Vector3d theirs = rest.origin[joint_in_to[child]] - rest.origin[joint_in_to[parent]];
     if (ours.norm() < kShortest || theirs.norm() < kShortest) continue;
     swings[parent] = shortest_turn(ours, theirs);
     ++children[parent];
@@ -122,8 +116,7 @@ std::vector<Matrix3d> rest_from_bind(const Skin& skin, const Skeleton& from, con
   std::vector<Matrix3d> turns;
   for (std::size_t j = 0; j < count; ++j) {
     const int parent = from.joints()[j].parent;
-    const Matrix3d inherited =
-        parent < 0 ? Matrix3d::Identity() : turns[static_cast<std::size_t>(parent)];
+    const Matrix3d inherited = parent < 0 ? Matrix3d::Identity() : turns[parent];
     turns.push_back(children[j] == 1 ? swings[j] : inherited);
   }
   return turns;
@@ -181,8 +174,7 @@ std::vector<std::string> missing_joints(const Skin& skin, const Skeleton& from,
   std::vector<std::string> missing;
   for (const SkinBone& bone : skin.bones) {
     const std::string& name = from.joint(bone.joint).name;
-    if (joint_in_to[static_cast<std::size_t>(bone.joint)] < 0 &&
-        std::ranges::find(missing, name) == missing.end())
+    if (joint_in_to[bone.joint] < 0 && std::ranges::find(missing, name) == missing.end())
       missing.push_back(name);
   }
   return missing;
@@ -197,7 +189,7 @@ Skin bound_to(const Skin& skin, const Skeleton& from, const Skeleton& to) {
     const std::vector<Matrix3d> turns = rest_from_bind(bound, from, to, joint_in_to);
     for (SkinBone& bone : bound.bones) {
       // At rest the joints of `to` are turned as the world is.
-      const Matrix3d& turn = turns[static_cast<std::size_t>(bone.joint)];
+      const Matrix3d& turn = turns[bone.joint];
       Affine3d from_bind = Affine3d::Identity();
       from_bind.linear() = turn;
       from_bind.translation() = -turn * bone.joint_from_bind.inverse().translation();
@@ -205,7 +197,7 @@ Skin bound_to(const Skin& skin, const Skeleton& from, const Skeleton& to) {
     }
   }
   bound.lengths = own_lengths(bound.bones, from, to, joint_in_to);
-  for (SkinBone& bone : bound.bones) bone.joint = joint_in_to[static_cast<std::size_t>(bone.joint)];
+  for (SkinBone& bone : bound.bones) bone.joint = joint_in_to[bone.joint];
   return bound;
 }
 

@@ -33,8 +33,8 @@ SkinPoint point_in(const Skin& skin, const std::array<std::uint32_t, 3>& triangl
   for (std::size_t corner = 0; corner < 3; ++corner) {
     const Skin::Vertex& vertex = skin.vertices[triangle[corner]];
     for (std::size_t i = 0; i < vertex.carried_by.weights.size(); ++i) {
-      const double weight = shares_of_corners(static_cast<Eigen::Index>(corner)) *
-                            static_cast<double>(vertex.carried_by.weights[i]);
+      const double weight =
+          shares_of_corners(corner) * static_cast<double>(vertex.carried_by.weights[i]);
       if (!(weight > 0)) continue;
       const SkinBone& bone = skin.bones[vertex.carried_by.bones[i]];
       SkinPointShare& share =

@@ -54,16 +54,16 @@ std::vector<FarMesh> follow_mesh(const Skeleton& skeleton, Surface& surface) {
     double weight = 0;
     double squares = 0;  // cm^2, weighted
   };
-  std::vector<OfJoint> bodies(static_cast<std::size_t>(skeleton.joint_count()));
+  std::vector<OfJoint> bodies(skeleton.joint_count());
   for (const SurfacePoint& point : surface) {
-    OfJoint& body = bodies[static_cast<std::size_t>(point.joint)];
+    OfJoint& body = bodies[point.joint];
     body.weight += point.weight;
     body.squares += point.weight * point.in_joint.squaredNorm();
   }
   for (const CarriedMesh& mesh : carried_meshes(*skeleton.skin())) {
     double squares = 0;  // cm^2
     for (const Eigen::Vector3d& in_joint : mesh.in_joint) squares += in_joint.squaredNorm() / 4;
-    const OfJoint& body = bodies[static_cast<std::size_t>(mesh.joint)];
+    const OfJoint& body = bodies[mesh.joint];
     const double body_cm = body.weight > 0 ? std::sqrt(body.squares / body.weight) : 0;
     const double mesh_cm = std::sqrt(squares);
     if (mesh_cm <= kMuchFurther * std::max(body_cm, kShellRadius)) continue;
@@ -89,7 +89,7 @@ MeasuredPoints surface_points(const Skeleton& skeleton) {
   for (std::size_t p = 0; p < surface.size(); ++p) {
     const auto& [joint, in_joint, weight] = surface[p];
     measured.points.push_back({joint, in_joint, skeleton.joint(joint).name});
-    measured.weights(static_cast<Eigen::Index>(p)) = weight;
+    measured.weights(p) = weight;
   }
   return measured;
 }

@@ -37,8 +37,7 @@ double radius(double carried_length) {
 std::vector<double> carried_lengths(const Skeleton& skeleton) {
   std::vector<double> carried = skeleton.driven_lengths();
   for (int j = skeleton.joint_count() - 1; j > 0; --j)
-    if (const int parent = skeleton.joint(j).parent; parent >= 0)
-      carried[static_cast<std::size_t>(parent)] += carried[static_cast<std::size_t>(j)];
+    if (const int parent = skeleton.joint(j).parent; parent >= 0) carried[parent] += carried[j];
   return carried;
 }
 
@@ -46,17 +45,17 @@ std::vector<double> carried_lengths(const Skeleton& skeleton) {
 
 std::vector<DrawnBone> figure_shape(const Skeleton& skeleton) {
   const std::vector<double> carried = carried_lengths(skeleton);
-  std::vector<int> end_landmark(static_cast<std::size_t>(skeleton.joint_count()), -1);
+  std::vector<int> end_landmark(skeleton.joint_count(), -1);
   int landmark = skeleton.joint_count();
   for (int j = 0; j < skeleton.joint_count(); ++j)
-    if (skeleton.joint(j).end_site) end_landmark[static_cast<std::size_t>(j)] = landmark++;
+    if (skeleton.joint(j).end_site) end_landmark[j] = landmark++;
   const int root = body_root(skeleton);
   std::vector<DrawnBone> bones;
   for (const Segment& segment : skeleton.segments()) {
     if (segment.length < kShortest || segment.joint < root) continue;
     const bool leaf = segment.child < 0;
-    const int to = leaf ? end_landmark[static_cast<std::size_t>(segment.joint)] : segment.child;
-    const double beyond = leaf ? 0 : carried[static_cast<std::size_t>(segment.child)];
+    const int to = leaf ? end_landmark[segment.joint] : segment.child;
+    const double beyond = leaf ? 0 : carried[segment.child];
     DrawnBone bone{segment.joint, to, radius(beyond + segment.length), 0};
     bone.to_radius = std::max(radius(beyond), 0.55 * bone.from_radius);
     if (beyond < kShortest) {
@@ -75,9 +74,7 @@ std::vector<DrawnBone> figure_shape(const Skeleton& skeleton) {
 Eigen::Vector3d facing(const Skeleton& skeleton, const std::vector<Eigen::Vector3d>& points) {
   const std::vector<Effector> feet = find_feet(skeleton);
   if (feet.size() >= 2) {
-    const auto hip = [&](const Effector& foot) {
-      return points[static_cast<std::size_t>(foot.chain.front())];
-    };
+    const auto hip = [&](const Effector& foot) { return points[foot.chain.front()]; };
     const Eigen::Vector3d forward = (hip(feet[0]) - hip(feet[1])).cross(Eigen::Vector3d::UnitY());
     if (forward.norm() > 1) return forward.normalized();
   }

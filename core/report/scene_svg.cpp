@@ -99,8 +99,8 @@ void SceneSvg::add_floor() {
 }
 
 std::string SceneSvg::capsule(const DrawnBone& bone, const PosePoints& points) const {
-  const OnSheet from = project(points[static_cast<std::size_t>(bone.from)]);
-  const OnSheet to = project(points[static_cast<std::size_t>(bone.to)]);
+  const OnSheet from = project(points[bone.from]);
+  const OnSheet to = project(points[bone.to]);
   return capsule_path(from.x, from.y, bone.from_radius * from.scale, to.x, to.y,
                       bone.to_radius * to.scale);
 }
@@ -113,8 +113,8 @@ void SceneSvg::add_shadow(const PosePoints& points) {
   }
   std::string d;
   for (const DrawnBone& bone : picture_.bones) {
-    const OnSheet from = project(fallen[static_cast<std::size_t>(bone.from)]);
-    const OnSheet to = project(fallen[static_cast<std::size_t>(bone.to)]);
+    const OnSheet from = project(fallen[bone.from]);
+    const OnSheet to = project(fallen[bone.to]);
     // A disc on the floor appears flattened.
     d += capsule_path(from.x, from.y, 0.45 * bone.from_radius * from.scale, to.x, to.y,
                       0.45 * bone.to_radius * to.scale);
@@ -125,9 +125,7 @@ void SceneSvg::add_shadow(const PosePoints& points) {
 void SceneSvg::add_figure(const PosePoints& points, std::string_view css) {
   std::vector<double> nearness;
   for (const DrawnBone& bone : picture_.bones)
-    nearness.push_back(
-        (points[static_cast<std::size_t>(bone.from)] + points[static_cast<std::size_t>(bone.to)])
-            .dot(toward_));
+    nearness.push_back((points[bone.from] + points[bone.to]).dot(toward_));
   std::vector<std::size_t> order(nearness.size());
   std::iota(order.begin(), order.end(), 0u);
   std::ranges::stable_sort(order,

@@ -72,7 +72,7 @@ SightChart sight_chart(const SightTable& table, const Skeleton& skeleton) {
   if (table.windows() == 0) return {};
   SightChart chart = {{"", sights_of(table.times_noticed.rowwise().maxCoeff())}};
   const Eigen::VectorXf worst = table.times_noticed.colwise().maxCoeff();
-  std::vector<int> joints(static_cast<std::size_t>(worst.size()));
+  std::vector<int> joints(worst.size());
   std::iota(joints.begin(), joints.end(), 0);
   std::ranges::stable_sort(joints, [&](int a, int b) { return worst(a) > worst(b); });
   joints.resize(std::min(joints.size(), kMostJoints));

@@ -27,7 +27,7 @@ class Allocation {
   }
 
   int channels() const { return static_cast<int>(kept_.size()); }
-  int kept(int channel) const { return kept_[static_cast<std::size_t>(channel)]; }
+  int kept(int channel) const { return kept_[channel]; }
   const Kept& all_kept() const { return kept_; }
   double eps() const { return std::sqrt(std::max(state_.squared_eps(), 0.0)); }
 
@@ -35,7 +35,7 @@ class Allocation {
     const int now = kept(channel);
     state_.add(channel, count > 0 ? synthesise(ranked_, channel, now, now + count)
                                   : -synthesise(ranked_, channel, now + count, now));
-    kept_[static_cast<std::size_t>(channel)] += count;
+    kept_[channel] += count;
   }
 
   /// The channel in which `count` more coefficients lower the error most. `favourite` wins ties.
@@ -59,7 +59,7 @@ class Allocation {
   }
 
   const Eigen::VectorXd& gain(int channel, int count) {
-    Gain& gain = gains_[static_cast<std::size_t>(channel)];
+    Gain& gain = gains_[channel];
     if (gain.kept != kept(channel) || gain.count != count)
       gain = {kept(channel), count,
               synthesise(ranked_, channel, kept(channel), kept(channel) + count)};

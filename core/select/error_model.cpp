@@ -83,14 +83,13 @@ ErrorModel::ErrorModel(const Skeleton& skeleton, const MeasuredPoints& measured,
   int channel = 0;
   for (int j = 0; j < skeleton.joint_count(); ++j) {
     LinkageJoint joint{.parent = skeleton.joint(j).parent, .first_channel = channel, .turns = {}};
-    for (; channel < std::ssize(places_) && places_[static_cast<std::size_t>(channel)].joint == j;
-         ++channel) {
-      const bool turns = places_[static_cast<std::size_t>(channel)].rotates;
+    for (; channel < std::ssize(places_) && places_[channel].joint == j; ++channel) {
+      const bool turns = places_[channel].rotates;
       joint.turns.push_back(turns);
       joint.shifts = joint.shifts || !turns;
     }
     if (joint.parent >= 0) {
-      linkage_[static_cast<std::size_t>(joint.parent)].is_leaf = false;
+      linkage_[joint.parent].is_leaf = false;
       for (LinkageJoint& other : linkage_)
         if (other.parent == joint.parent) other.is_last_child = false;
     }
@@ -112,11 +111,10 @@ void ErrorModel::compute_motions(const Skeleton& skeleton, const MeasuredPoints&
   const Eigen::Index rows = moves.axes.rows();
   const auto channels = static_cast<Eigen::Index>(moves.places.size());
   const FrameRange all{0, rows};
-  for (LinkageJoint& joint : linkage_)
-    joint.numbers.resize(static_cast<std::size_t>(all.eights() * joint.stride()));
+  for (LinkageJoint& joint : linkage_) joint.numbers.resize(all.eights() * joint.stride());
   for (int p = 0; p < weights.size(); ++p)
-    for (int j = points[static_cast<std::size_t>(p)].joint; j >= 0; j = skeleton.joint(j).parent)
-      linkage_[static_cast<std::size_t>(j)].mass += static_cast<float>(std::max(weights(p), 0.0));
+    for (int j = points[p].joint; j >= 0; j = skeleton.joint(j).parent)
+      linkage_[j].mass += static_cast<float>(std::max(weights(p), 0.0));
   curvature_.resize(rows, channels);
   samples_ =
       Eigen::MatrixXf::Zero(2 * kVector * ((rows + kSampleEvery - 1) / kSampleEvery), channels);
@@ -126,25 +124,22 @@ void ErrorModel::compute_motions(const Skeleton& skeleton, const MeasuredPoints&
     const auto frames = static_cast<int>(std::min(kBlock, rows - first));
     // Places are relative to the first joint, since those far from the origin would lose digits.
     const ThreeColumns origin = three_of(origins_, 0, first);
-    std::vector<CompositeBody> bodies(static_cast<std::size_t>(skeleton.joint_count()));
+    std::vector<CompositeBody> bodies(skeleton.joint_count());
     for (int p = 0; p < weights.size(); ++p)
       if (weights(p) > 0)
-        bodies[static_cast<std::size_t>(points[static_cast<std::size_t>(p)].joint)].add(
-            weights(p), three_of(point_tracks, p, first), origin, frames);
+        bodies[points[p].joint].add(weights(p), three_of(point_tracks, p, first), origin, frames);
     for (int j = skeleton.joint_count() - 1; j >= 0; --j)
       if (const int parent = skeleton.joint(j).parent; parent >= 0)
-        bodies[static_cast<std::size_t>(parent)].add(bodies[static_cast<std::size_t>(j)], frames);
+        bodies[parent].add(bodies[j], frames);
     for (int j = 0; j < skeleton.joint_count(); ++j)
-      set_joint(j,
-                bodies[static_cast<std::size_t>(j)].seen_from(three_of(origins_, j, first), origin,
-                                                              frames),
-                moves.axes, first, frames);
+      set_joint(j, bodies[j].seen_from(three_of(origins_, j, first), origin, frames), moves.axes,
+                first, frames);
   });
 }
 
 void ErrorModel::set_joint(int j, const CompositeBody& body, const Eigen::MatrixXd& axes,
                            Eigen::Index first, Eigen::Index frames) {
-  LinkageJoint& joint = linkage_[static_cast<std::size_t>(j)];
+  LinkageJoint& joint = linkage_[j];
   const ThreeColumns origin = three_of(origins_, j, first);
   const ThreeColumns parent = three_of(origins_, std::max(joint.parent, 0), first);
   const ThreeColumns root = three_of(origins_, 0, first);
@@ -158,7 +153,7 @@ void ErrorModel::set_joint(int j, const CompositeBody& body, const Eigen::Matrix
     joint.set(first + t, LinkageJoint::kInertia, inertia.diagonal());
     joint.set(first + t, LinkageJoint::kMixed, mixed);
     for (int c = joint.first_channel; c < joint.end_channel(); ++c) {
-      const bool turns = places_[static_cast<std::size_t>(c)].rotates;
+      const bool turns = places_[c].rotates;
       const Eigen::Vector3d axis = at(three_of(axes, c, first), t);
       const Eigen::Vector3d torque = turns ? inertia * axis : moment.cross(axis);
       const Eigen::Vector3d force = turns ? axis.cross(moment) : body.mass * axis;
@@ -177,22 +172,22 @@ void ErrorModel::set_joint(int j, const CompositeBody& body, const Eigen::Matrix
 }
 
 bool ErrorModel::are_related(int a, int b) const {
-  const int upper = places_[static_cast<std::size_t>(a)].joint;
-  const int lower = places_[static_cast<std::size_t>(b)].joint;
+  const int upper = places_[a].joint;
+  const int lower = places_[b].joint;
   return moves(a, lower) || moves(b, upper);
 }
 
 Eigen::ArrayXf ErrorModel::entry(int a, int b) const {
-  const bool a_is_upper = moves(a, places_[static_cast<std::size_t>(b)].joint);
+  const bool a_is_upper = moves(a, places_[b].joint);
   const int upper = a_is_upper ? a : b;
   const int lower = a_is_upper ? b : a;
   const FrameRange all{0, frames()};
   const Eigen::ArrayXf once = Eigen::ArrayXf::Ones(frames());
-  std::vector<JointState> state(static_cast<std::size_t>(all.eights()));
+  std::vector<JointState> state(all.eights());
   std::vector<JointState> of_parent(state.size());
   const LinkageJoint* joint = &joint_of(lower);
   add_error(*joint, lower, once.data(), all, true, state.data());
-  for (; joint != &joint_of(upper); joint = &linkage_[static_cast<std::size_t>(joint->parent)]) {
+  for (; joint != &joint_of(upper); joint = &linkage_[joint->parent]) {
     hand_up(*joint, all, state.data(), of_parent.data());
     state.swap(of_parent);
   }
@@ -219,7 +214,7 @@ void ErrorModel::sum_squares(const std::vector<int>& channels, const ShortFuncti
   Eigen::MatrixXf motions(kVector * samples, count);
   Eigen::MatrixXf forces(kVector * samples, count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const float* const of_channel = samples_.col(channels[static_cast<std::size_t>(i)]).data();
+    const float* const of_channel = samples_.col(channels[i]).data();
     for (Eigen::Index k = 0; k < samples; ++k) {
       const float* const numbers = of_channel + 2 * kVector * ((first + k * apart) / kSampleEvery);
       Eigen::Map<Numbers>(motions.col(i).data() + kVector * k) =
@@ -229,9 +224,9 @@ void ErrorModel::sum_squares(const std::vector<int>& channels, const ShortFuncti
     }
   }
   for (Eigen::Index lower = 0; lower < count; ++lower) {
-    const auto below = static_cast<std::size_t>(channels[static_cast<std::size_t>(lower)]);
+    const auto below = static_cast<std::size_t>(channels[lower]);
     for (Eigen::Index upper = 0; upper <= lower; ++upper) {
-      const int above = channels[static_cast<std::size_t>(upper)];
+      const int above = channels[upper];
       if (is_moved_by_[below * places_.size() + static_cast<std::size_t>(above)])
         sums(upper, lower) = sums(lower, upper) =
             inner_product(motions.col(upper).data(), forces.col(lower).data(), kVector * samples);
@@ -241,14 +236,14 @@ void ErrorModel::sum_squares(const std::vector<int>& channels, const ShortFuncti
 }
 
 bool ErrorModel::moves(int channel, int joint) const {
-  const int own = places_[static_cast<std::size_t>(channel)].joint;
-  while (joint > own) joint = linkage_[static_cast<std::size_t>(joint)].parent;
+  const int own = places_[channel].joint;
+  while (joint > own) joint = linkage_[joint].parent;
   return joint == own;
 }
 
 Eigen::MatrixXd ErrorModel::velocity(int channel, const Eigen::MatrixXd& places) const {
-  const auto [j, rotates] = places_[static_cast<std::size_t>(channel)];
-  const LinkageJoint& joint = linkage_[static_cast<std::size_t>(j)];
+  const auto [j, rotates] = places_[channel];
+  const LinkageJoint& joint = linkage_[j];
   Eigen::MatrixXd moved(places.rows(), 3);
   for (Eigen::Index t = 0; t < places.rows(); ++t) {
     const Eigen::RowVector3d axis = joint.at(t, joint.axis_of(channel)).transpose();
@@ -277,17 +272,15 @@ void ErrorModel::find_gradient(const Eigen::MatrixXf& errors, Eigen::MatrixXf& g
   parallel_ranges(Eigen::Index{0}, tiles, kFewTiles, [&](Eigen::Index tile, Eigen::Index end) {
     std::vector<State> states(linkage_.size());
     std::array<float, kTile> energies{};
-    const auto state_of = [&](int joint) {
-      return joint < 0 ? nullptr : states[static_cast<std::size_t>(joint)].data();
-    };
+    const auto state_of = [&](int joint) { return joint < 0 ? nullptr : states[joint].data(); };
     for (; tile < end; ++tile) {
       const FrameRange range{tile * kTile, std::min(kTile, frames() - tile * kTile)};
       for (int j = static_cast<int>(std::ssize(linkage_)) - 1; j >= 0; --j) {
-        const LinkageJoint& joint = linkage_[static_cast<std::size_t>(j)];
+        const LinkageJoint& joint = linkage_[j];
         hand_up(joint, columns, range, state_of(j), state_of(joint.parent), energies.data());
       }
       for (int j = 0; j < std::ssize(linkage_); ++j) {
-        const LinkageJoint& joint = linkage_[static_cast<std::size_t>(j)];
+        const LinkageJoint& joint = linkage_[j];
         enter(joint, columns, range, state_of(joint.parent), state_of(j));
         for (int c = joint.first_channel; c < joint.end_channel(); ++c)
           find_work(joint, c, range, state_of(j), gradient.col(c).data() + range.first);
@@ -306,39 +299,35 @@ void ErrorModel::add_to_gradient(int channel, const Eigen::VectorXd& delta,
   for (const PointTerm& term : terms_) term.add_to_gradient(channel, delta, gradient);
   constexpr Eigen::Index kTile = 128;
   using State = std::array<JointState, kTile / EightFrames::kCount>;
-  const int own = places_[static_cast<std::size_t>(channel)].joint;
+  const int own = places_[channel].joint;
   const auto states = std::make_unique_for_overwrite<State[]>(linkage_.size());
   for (Eigen::Index first = 0; first < delta.size(); first += kTile) {
     const FrameRange range{first, std::min(kTile, delta.size() - first)};
     const Eigen::ArrayXf step = delta.segment(first, range.count).cast<float>();
     if ((step == 0).all()) continue;
     const auto add_work_of = [&](int j) {
-      const LinkageJoint& joint = linkage_[static_cast<std::size_t>(j)];
+      const LinkageJoint& joint = linkage_[j];
       for (int c = joint.first_channel; c < joint.end_channel(); ++c) {
         std::array<float, kTile> work;
-        find_work(joint, c, range, states[static_cast<std::size_t>(j)].data(), work.data());
+        find_work(joint, c, range, states[j].data(), work.data());
         gradient.col(c).segment(first, range.count) +=
             Eigen::Map<const Eigen::VectorXf>(work.data(), range.count).cast<double>();
       }
     };
-    State& state = states[static_cast<std::size_t>(own)];
+    State& state = states[own];
     state = {};
-    add_error(linkage_[static_cast<std::size_t>(own)], channel, step.data(), range, true,
-              state.data());
+    add_error(linkage_[own], channel, step.data(), range, true, state.data());
     add_work_of(own);
     // The force acts on all joints above, and the movement passes to all below.
-    for (int j = own, parent; (parent = linkage_[static_cast<std::size_t>(j)].parent) >= 0;
-         j = parent) {
-      hand_up(linkage_[static_cast<std::size_t>(j)], range,
-              states[static_cast<std::size_t>(j)].data(),
-              states[static_cast<std::size_t>(parent)].data());
+    for (int j = own, parent; (parent = linkage_[j].parent) >= 0; j = parent) {
+      hand_up(linkage_[j], range, states[j].data(), states[parent].data());
       add_work_of(parent);
     }
     for (int j = own + 1; j < std::ssize(linkage_); ++j) {
       if (!moves(channel, j)) continue;
-      const LinkageJoint& joint = linkage_[static_cast<std::size_t>(j)];
-      State& moved = states[static_cast<std::size_t>(j)];
-      enter(joint, range, states[static_cast<std::size_t>(joint.parent)].data(), moved.data());
+      const LinkageJoint& joint = linkage_[j];
+      State& moved = states[j];
+      enter(joint, range, states[joint.parent].data(), moved.data());
       add_work_of(j);
     }
   }

@@ -29,7 +29,7 @@ void ErrorSweep::restart() {
     const FrameRange frames{first, std::min(kTile, all_.count - first)};
     const Eigen::Index eight = first / EightFrames::kCount;
     for (int j = static_cast<int>(std::ssize(model_.linkage_)) - 1; j >= 0; --j) {
-      const LinkageJoint& joint = model_.linkage_[static_cast<std::size_t>(j)];
+      const LinkageJoint& joint = model_.linkage_[j];
       JointState* const parent = state_of(joint.parent);
       hand_up(joint, errors(), frames, state_of(j) + eight, parent ? parent + eight : nullptr,
               energies_.data() + first);
@@ -48,7 +48,7 @@ void ErrorSweep::restart() {
 
 void ErrorSweep::enter_joint(int joint) {
   while (joint_ < joint) {
-    const LinkageJoint& next = model_.linkage_[static_cast<std::size_t>(++joint_)];
+    const LinkageJoint& next = model_.linkage_[++joint_];
     enter(next, errors(), all_, state_of(next.parent), state_of(joint_));
   }
 }
@@ -56,7 +56,7 @@ void ErrorSweep::enter_joint(int joint) {
 Eigen::Ref<const Eigen::ArrayXf> ErrorSweep::next() {
   ++channel_;
   const LinkageJoint& joint = model_.joint_of(channel_);
-  enter_joint(model_.places_[static_cast<std::size_t>(channel_)].joint);
+  enter_joint(model_.places_[channel_].joint);
   find_work(joint, channel_, all_, state_of(joint_), gradient_.data());
   for (std::size_t i = 0; i < of_terms_.size(); ++i)
     model_.terms_[i].add_work(channel_, of_terms_[i], gradient_.head(all_.count));

@@ -48,7 +48,7 @@ MOCAPRESS_INLINE void load_some(const float* from, Eigen::Index count, Vector& v
     return;
   }
   std::array<float, kLanes<Vector, float>> padded{};
-  for (Eigen::Index i = 0; i < count; ++i) padded[static_cast<std::size_t>(i)] = from[i];
+  for (Eigen::Index i = 0; i < count; ++i) padded[i] = from[i];
   load(padded.data(), vector);
 }
 
@@ -64,7 +64,7 @@ MOCAPRESS_INLINE void add_errors(const Task& task, Eigen::Index eight, int part,
     Three<Vector> axis;
     load_some(task.error(c) + frame, task.frames.count - frame, error);
     load_three(axes + 3 * c, part, axis);
-    add_product(error, axis, !kShifts || joint.turns[static_cast<std::size_t>(c)] ? turn : shift);
+    add_product(error, axis, !kShifts || joint.turns[c] ? turn : shift);
   }
 }
 
@@ -209,7 +209,7 @@ MOCAPRESS_INLINE void enter_of(const Task& task, const JointState* parent, Joint
 template <typename Vector>
 MOCAPRESS_INLINE void find_work_of(const Task& task, Eigen::Index channel, const JointState* state,
                                    float* work) {
-  const bool turns = task.joint.turns[static_cast<std::size_t>(channel)] != 0;
+  const bool turns = task.joint.turns[channel] != 0;
   for (Eigen::Index eight = 0; eight < task.frames.eights(); ++eight)
     for (int part = 0; part < kEight; part += kLanes<Vector, float>) {
       Three<Vector> axis;
@@ -279,7 +279,7 @@ MOCAPRESS_INLINE void enter_with(const Task& task, const JointState* parent, Joi
 template <typename Vector>
 MOCAPRESS_INLINE void add_error_with(const Task& task, Eigen::Index channel, const float* delta,
                                      bool forces, JointState* state) {
-  if (task.joint.turns[static_cast<std::size_t>(channel)] != 0)
+  if (task.joint.turns[channel] != 0)
     forces ? add_error_of<Vector, true, true>(task, channel, delta, state)
            : add_error_of<Vector, true, false>(task, channel, delta, state);
   else

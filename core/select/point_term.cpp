@@ -40,16 +40,16 @@ PointTerm::PointTerm(const ErrorModel& model, const PointResponse& response)
   const auto coupling = [&](Eigen::Index i) { return couplings.middleCols(rows * i, rows); };
   const auto turns = [&](Eigen::Index a) { return response.turns.middleCols(rows * a, rows); };
   for (Eigen::Index i = 0; i < count; ++i) {
-    const int channel = channels_[static_cast<std::size_t>(i)];
-    place_[static_cast<std::size_t>(channel)] = static_cast<int>(i);
+    const int channel = channels_[i];
+    place_[channel] = static_cast<int>(i);
     for (Eigen::Index p = 0; p < std::ssize(response.joints); ++p) {
-      const int joint = response.joints[static_cast<std::size_t>(p)];
+      const int joint = response.joints[p];
       if (model.moves(channel, joint))
         jacobian(i).middleCols<3>(3 * p) =
             model.velocity(channel, response.places.middleCols(3 * p, 3));
     }
     for (Eigen::Index a = 0; a < std::ssize(response.angles); ++a) {
-      const int angle = response.angles[static_cast<std::size_t>(a)];
+      const int angle = response.angles[a];
       if (model.are_related(angle, channel))
         coupling(i) += model.entry(angle, channel).cast<double>().matrix().asDiagonal() * turns(a);
     }
@@ -62,8 +62,7 @@ PointTerm::PointTerm(const ErrorModel& model, const PointResponse& response)
       auto cost = costs.col(rows * r + s);
       if (r == s) cost = response.weights.col(r / 3);
       for (Eigen::Index a = 0; a < std::ssize(response.angles); ++a) {
-        const int place =
-            place_[static_cast<std::size_t>(response.angles[static_cast<std::size_t>(a)])];
+        const int place = place_[response.angles[a]];
         cost += coupling(place).col(r).cwiseProduct(turns(a).col(s));
       }
     }
@@ -85,12 +84,11 @@ PointTerm::PointTerm(const ErrorModel& model, const PointResponse& response)
 
 void PointTerm::add_curvature(Eigen::MatrixXd& curvature) const {
   for (Eigen::Index i = 0; i < std::ssize(channels_); ++i)
-    curvature.col(channels_[static_cast<std::size_t>(i)]) +=
-        motions_.middleCols(width_ * i, width_)
-            .cwiseProduct(forces_.middleCols(width_ * i, width_))
-            .rowwise()
-            .sum()
-            .cast<double>();
+    curvature.col(channels_[i]) += motions_.middleCols(width_ * i, width_)
+                                       .cwiseProduct(forces_.middleCols(width_ * i, width_))
+                                       .rowwise()
+                                       .sum()
+                                       .cast<double>();
 }
 
 Eigen::MatrixXf PointTerm::forces_of(const Eigen::MatrixXf& errors) const {
@@ -117,13 +115,13 @@ void PointTerm::add_sums(const std::vector<int>& channels, Eigen::Index first, E
                          const Eigen::ArrayXf& weights, Eigen::MatrixXf& sums) const {
   std::vector<Eigen::Index> mine;  // places of these among `channels`
   for (Eigen::Index i = 0; i < std::ssize(channels); ++i)
-    if (place_of(channels[static_cast<std::size_t>(i)]) >= 0) mine.push_back(i);
+    if (place_of(channels[i]) >= 0) mine.push_back(i);
   const Eigen::Index samples = weights.size();
   const auto count = std::ssize(mine);
   Eigen::MatrixXf motions(width_ * samples, count);
   Eigen::MatrixXf forces(width_ * samples, count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const int channel = channels[static_cast<std::size_t>(mine[static_cast<std::size_t>(i)])];
+    const int channel = channels[mine[i]];
     for (Eigen::Index n = 0; n < width_; ++n) {
       const Eigen::Index column = width_ * place_of(channel) + n;
       const auto at_samples = [&](const Eigen::MatrixXf& of) {

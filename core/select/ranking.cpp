@@ -29,7 +29,7 @@ Coefficients transform(const Clip& clip, Basis basis) {
   const std::vector<bool> still = still_channels(clip);
   parallel_for(0, coefficients.channels(), [&](int c) {
     auto column = coefficients.values.col(c);
-    if (column.size() > 0 && still[static_cast<std::size_t>(c)])
+    if (column.size() > 0 && still[c])
       set_constant(clip.channels(0, c), coefficients.lifting, column);
     else
       coefficients.lifting.forward(span_of(column), span_of(column));
@@ -42,11 +42,11 @@ RankedCoefficients rank_coefficients(const Clip& clip, Basis basis) {
   const std::vector<double> norms = ranked.lifting.norms();
   const Eigen::Map<const Eigen::VectorXd> norm(norms.data(), clip.frames());
   ranked.importance.resizeLike(ranked.values);
-  ranked.by_importance.resize(static_cast<std::size_t>(ranked.channels()));
+  ranked.by_importance.resize(ranked.channels());
   parallel_for(0, ranked.channels(), [&](int c) {
     ranked.importance.col(c) = ranked.values.col(c).cwiseAbs().cwiseProduct(norm);
-    auto& order = ranked.by_importance[static_cast<std::size_t>(c)];
-    order.resize(static_cast<std::size_t>(ranked.per_channel()));
+    auto& order = ranked.by_importance[c];
+    order.resize(ranked.per_channel());
     std::iota(order.begin(), order.end(), 0);
     // Ties go to the coarser coefficient, so that every machine gets the same order.
     std::ranges::stable_sort(
@@ -58,9 +58,9 @@ RankedCoefficients rank_coefficients(const Clip& clip, Basis basis) {
 Eigen::MatrixXd truncate(const RankedCoefficients& ranked, const Kept& kept) {
   Eigen::MatrixXd truncated = Eigen::MatrixXd::Zero(ranked.per_channel(), ranked.channels());
   for (int c = 0; c < ranked.channels(); ++c) {
-    const auto& order = ranked.by_importance[static_cast<std::size_t>(c)];
-    for (int i = 0; i < kept[static_cast<std::size_t>(c)]; ++i) {
-      const int coefficient = order[static_cast<std::size_t>(i)];
+    const auto& order = ranked.by_importance[c];
+    for (int i = 0; i < kept[c]; ++i) {
+      const int coefficient = order[i];
       truncated(coefficient, c) = ranked.values(coefficient, c);
     }
   }
@@ -69,9 +69,9 @@ Eigen::MatrixXd truncate(const RankedCoefficients& ranked, const Kept& kept) {
 
 Eigen::VectorXd synthesise(const RankedCoefficients& ranked, int channel, int first, int last) {
   Eigen::VectorXd signal = Eigen::VectorXd::Zero(ranked.per_channel());
-  const auto& order = ranked.by_importance[static_cast<std::size_t>(channel)];
+  const auto& order = ranked.by_importance[channel];
   for (int i = first; i < last; ++i) {
-    const int coefficient = order[static_cast<std::size_t>(i)];
+    const int coefficient = order[i];
     signal(coefficient) = ranked.values(coefficient, channel);
   }
   ranked.lifting.inverse(span_of(signal), span_of(signal));
@@ -82,8 +82,7 @@ Kept keep_per_channel(const RankedCoefficients& ranked, int count) {
   assert(count >= 0 && count <= ranked.total());
   const int channels = ranked.channels();
   Kept kept(static_cast<std::size_t>(channels));
-  for (int c = 0; c < channels; ++c)
-    kept[static_cast<std::size_t>(c)] = count / channels + (c < count % channels ? 1 : 0);
+  for (int c = 0; c < channels; ++c) kept[c] = count / channels + (c < count % channels ? 1 : 0);
   return kept;
 }
 
@@ -92,7 +91,7 @@ std::vector<double> channel_scales(const Skeleton& skeleton) {
   const double longest = lengths.empty() ? 1 : *std::ranges::max_element(lengths);
   std::vector<double> scales;
   for (int c = 0; c < skeleton.channel_count(); ++c) {
-    const double length = lengths[static_cast<std::size_t>(skeleton.channel_joint(c))];
+    const double length = lengths[skeleton.channel_joint(c)];
     const bool rotates = is_rotation(skeleton.channel_kind(c));
     scales.push_back(!rotates ? 1 : length > 0 ? length : std::max(longest, 1.0));
   }
@@ -105,10 +104,10 @@ StandardOrder::StandardOrder(const RankedCoefficients& ranked, const Skeleton& s
 StandardOrder::StandardOrder(const RankedCoefficients& ranked, const std::vector<double>& scales)
     : channels_(ranked.channels()) {
   std::vector<std::pair<double, int>> all;  // scaled importance, channel
-  all.reserve(static_cast<std::size_t>(ranked.total()));
+  all.reserve(ranked.total());
   for (int c = 0; c < channels_; ++c)
     for (int i = 0; i < ranked.per_channel(); ++i)
-      all.emplace_back(ranked.importance(i, c) * scales[static_cast<std::size_t>(c)], c);
+      all.emplace_back(ranked.importance(i, c) * scales[c], c);
   std::ranges::sort(all, [](const auto& a, const auto& b) {
     return a.first != b.first ? a.first > b.first : a.second < b.second;
   });
@@ -118,8 +117,7 @@ StandardOrder::StandardOrder(const RankedCoefficients& ranked, const std::vector
 Kept StandardOrder::keep(int count) const {
   assert(count >= 0 && count <= static_cast<int>(channel_by_importance_.size()));
   Kept kept(static_cast<std::size_t>(channels_), 0);
-  for (int i = 0; i < count; ++i)
-    ++kept[static_cast<std::size_t>(channel_by_importance_[static_cast<std::size_t>(i)])];
+  for (int i = 0; i < count; ++i) ++kept[channel_by_importance_[i]];
   return kept;
 }
 

@@ -46,7 +46,7 @@ int style_of(const Results& results, const Series& series) {
   for (const Series& other : results.series())
     if (const auto at = std::ranges::find(kOwn, other.method);
         at != std::end(kOwn) && !other.ik_ratio)
-      taken[static_cast<std::size_t>(at - std::begin(kOwn))] = true;
+      taken[at - std::begin(kOwn)] = true;
   for (const Series& other : results.series()) {
     if (std::ranges::find(kOwn, other.method) != std::end(kOwn) && !other.ik_ratio) continue;
     const auto free = std::ranges::find(taken, false);
@@ -319,8 +319,8 @@ Eigen::Vector3d centre_of(const Picture& picture, const PosePoints& points) {
   Eigen::Vector3d high = points.front();
   for (const DrawnBone& bone : picture.bones)
     for (const int landmark : {bone.from, bone.to}) {
-      low = low.cwiseMin(points[static_cast<std::size_t>(landmark)]);
-      high = high.cwiseMax(points[static_cast<std::size_t>(landmark)]);
+      low = low.cwiseMin(points[landmark]);
+      high = high.cwiseMax(points[landmark]);
     }
   low.y() = std::min(low.y(), picture.ground_cm);
   return (low + high) / 2;
@@ -332,8 +332,7 @@ double seen_height_cm(const Picture& picture) {
   const auto consider = [&](const PicturedFrame& frame) {
     const Eigen::Vector3d centre = centre_of(picture, frame.original);
     for (const DrawnBone& bone : picture.bones)
-      height =
-          std::max(height, 2 * (frame.original[static_cast<std::size_t>(bone.to)] - centre).norm());
+      height = std::max(height, 2 * (frame.original[bone.to] - centre).norm());
   };
   consider(picture.worst);
   for (const PicturedFrame& frame : picture.sequence) consider(frame);

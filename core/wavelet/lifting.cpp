@@ -334,8 +334,8 @@ void Lifting::correlate(std::span<const float> samples, std::span<float> product
 }
 
 double Lifting::norm(int coefficient) const {
-  std::vector<double> function(static_cast<std::size_t>(length_), 0.0);
-  function[static_cast<std::size_t>(coefficient)] = 1;
+  std::vector<double> function(length_, 0.0);
+  function[coefficient] = 1;
   inverse(function, function);
   double squares = 0;
   for (const double value : function) squares += value * value;
@@ -346,12 +346,12 @@ std::vector<double> Lifting::norms_of_band(const Band& band) const {
   // Away from the borders the functions of a band are shifts of one another, so one is computed for
   // all.
   constexpr int kBorder = 10;
-  std::vector<double> norms(static_cast<std::size_t>(band.size));
+  std::vector<double> norms(band.size);
   const bool has_interior = band.size > 2 * kBorder;
   const double interior = has_interior ? norm(band.first + band.size / 2) : 0;
   for (int i = 0; i < band.size; ++i) {
     const bool inside = has_interior && i >= kBorder && i < band.size - kBorder;
-    norms[static_cast<std::size_t>(i)] = inside ? interior : norm(band.first + i);
+    norms[i] = inside ? interior : norm(band.first + i);
   }
   return norms;
 }
@@ -370,8 +370,7 @@ std::vector<double> Lifting::gains() const {
   const auto finest = static_cast<int>(bands_.size()) - 1;
   for (int b = 0; b <= finest; ++b) {
     const int depth = finest == 0 ? 0 : finest - std::max(b, 1) + 1;
-    gains.insert(gains.end(), static_cast<std::size_t>(bands_[static_cast<std::size_t>(b)].size),
-                 std::exp2(0.5 * depth));
+    gains.insert(gains.end(), static_cast<std::size_t>(bands_[b].size), std::exp2(0.5 * depth));
   }
   return gains;
 }

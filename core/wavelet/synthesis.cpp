@@ -50,7 +50,7 @@ Synthesis::Synthesis(const Lifting& lifting) {
   const std::vector<Band>& bands = lifting.bands();
   const auto finest = static_cast<int>(bands.size()) - 1;
   for (int b = 0; b <= finest; ++b) {
-    const Band& band = bands[static_cast<std::size_t>(b)];
+    const Band& band = bands[b];
     // Samples between coefficients.
     const int stride = 1 << std::min(finest - std::max(b, 1) + 1, 30);
     const bool has_interior = band.size > 2 * kBorder;
@@ -68,8 +68,8 @@ Synthesis::Synthesis(const Lifting& lifting) {
 
 Synthesis::Place Synthesis::add(const Lifting& lifting, int coefficient) {
   constexpr double kNothing = 1e-13;
-  std::vector<double> function(static_cast<std::size_t>(lifting.length()), 0.0);
-  function[static_cast<std::size_t>(coefficient)] = 1;
+  std::vector<double> function(lifting.length(), 0.0);
+  function[coefficient] = 1;
   lifting.inverse(function, function);
   const auto matters = [](double value) { return std::abs(value) > kNothing; };
   const auto first = std::ranges::find_if(function, matters);

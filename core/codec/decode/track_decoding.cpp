@@ -19,9 +19,9 @@ ScalarTracks decode_tracks(const CodedTracks& coded) {
   Eigen::Index curve = 0;
   for (std::size_t t = 0; t < tracks.size(); ++t) {
     if (!coded.is_curve[t]) continue;
-    tracks[t].values.resize(static_cast<std::size_t>(samples.rows()));
+    tracks[t].values.resize(samples.rows());
     for (Eigen::Index f = 0; f < samples.rows(); ++f)
-      tracks[t].values[static_cast<std::size_t>(f)] = static_cast<float>(samples(f, curve));
+      tracks[t].values[f] = static_cast<float>(samples(f, curve));
     ++curve;
   }
   return tracks;

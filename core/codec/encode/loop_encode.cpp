@@ -88,8 +88,7 @@ double LoopEncode::balance_joints(double scale) {
         coder_.goal().seen(trial.compressed).table.by_joint().max(kLeastNoticed);
     const double mean = std::exp(noticed.log().mean());
     for (std::size_t j = 0; j < importance.joints.size(); ++j) {
-      const double step =
-          std::clamp(noticed(static_cast<Eigen::Index>(j)) / mean, 1 / kMostStep, kMostStep);
+      const double step = std::clamp(noticed(j) / mean, 1 / kMostStep, kMostStep);
       importance.joints[j] = std::clamp(importance.joints[j] * step, 1 / kMost, kMost);
     }
     coder_.weigh_joints(importance);

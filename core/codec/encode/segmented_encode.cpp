@@ -102,7 +102,7 @@ class SegmentedEncode {
   /// gives.
   Motion motion_of(int segment) const {
     return with_forms(frames_of(motion_, layout_.first(segment), layout_.frames_of(segment)),
-                      forms_, first_angles_[static_cast<std::size_t>(segment)]);
+                      forms_, first_angles_[segment]);
   }
 
   EncodeSettings settings_for(int segment) const {

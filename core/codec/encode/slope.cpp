@@ -73,7 +73,7 @@ Standing standing_of(const Skeleton& skeleton, const Distortion& distortion, Wei
   const std::vector<Landmark> points = landmarks(skeleton);
   Eigen::ArrayXd counts = Eigen::ArrayXd::Zero(skeleton.joint_count());
   for (std::size_t p = 0; p < points.size(); ++p) {
-    const auto column = distortion.distances.col(static_cast<Eigen::Index>(p)).cast<double>();
+    const auto column = distortion.distances.col(p).cast<double>();
     standing.joints_cm(points[p].joint) += column.squaredNorm();
     counts(points[p].joint) += static_cast<double>(column.size());
   }
@@ -88,8 +88,8 @@ Slope relax(const Encoder& encoder, const EncodeSettings& settings, const Standi
   Slope slope{settings, {}};
   slope.settings.figures_only = slope.settings.size_will_do = false;
   std::vector<double>& weights = slope.settings.importance.joints;
-  weights.resize(static_cast<std::size_t>(skeleton.joint_count()), 1);
-  for (const int joint : joints) weights[static_cast<std::size_t>(joint)] /= times * times;
+  weights.resize(skeleton.joint_count(), 1);
+  for (const int joint : joints) weights[joint] /= times * times;
   raise_promises(skeleton, joints, times, slope.settings.promises);
 
   // At the same eps_x the others gain what these joints lose. Then the target is raised by that.

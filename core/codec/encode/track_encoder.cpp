@@ -110,7 +110,7 @@ CodedTracks encode_tracks(const ScalarTracks& tracks, double bound) {
     coded.tracks[t].values.clear();
     coded.curves.step_exponent.push_back(curves[t]->step_exponent);
   }
-  coded.curves.values.resize(frames, static_cast<Eigen::Index>(coded.curves.step_exponent.size()));
+  coded.curves.values.resize(frames, coded.curves.step_exponent.size());
   Eigen::Index column = 0;
   for (const auto& curve : curves)
     if (curve) coded.curves.values.col(column++) = curve->values;

@@ -18,7 +18,7 @@ namespace {
 Kept with_still_channels_whole(const RankedCoefficients& ranked, Kept kept) {
   const int coarse = ranked.lifting.bands().front().size;
   for (int c = 0; c < ranked.channels(); ++c) {
-    int& count = kept[static_cast<std::size_t>(c)];
+    int& count = kept[c];
     if (count == 0) continue;
     const auto values = ranked.values.col(c);
     const bool is_still = (values.head(coarse).array() == values(0)).all() &&
@@ -186,7 +186,7 @@ void TrialCoder::measure(Trial& trial) const {
 void TrialCoder::drop_correction(QuantisedSignals& coded) const {
   const int channels = coefficients_.channels();
   coded.values.conservativeResize(Eigen::NoChange, channels);
-  coded.step_exponent.resize(static_cast<std::size_t>(channels));
+  coded.step_exponent.resize(channels);
 }
 
 Footskate TrialCoder::footskate_of(const Clip& decoded) const {

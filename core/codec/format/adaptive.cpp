@@ -39,7 +39,7 @@ std::vector<SignalNeighbours> channel_neighbours(const Skeleton& skeleton) {
     parents.push_back(static_cast<std::int16_t>(joint.parent));
     channel_counts.push_back(static_cast<std::uint8_t>(joint.channels.size()));
   }
-  std::vector<SignalNeighbours> neighbours(static_cast<std::size_t>(skeleton.channel_count()));
+  std::vector<SignalNeighbours> neighbours(skeleton.channel_count());
   OwnMemory<runtime::NeighbourFinder>(joints)->find({joints, parents.data(), channel_counts.data()},
                                                     neighbours.data());
   return neighbours;

@@ -61,7 +61,7 @@ void read_axes(const runtime::Bytes& axes, const Skeleton& skeleton, RotationFor
   require(runtime::read_turned_axes(
       axes, skeleton.joint_count(), [&](int j) { return may_turn_axes(skeleton.joint(j)); },
       [&](int j, const runtime::TurnedAxes& turned) {
-        RotationForm& form = forms[static_cast<std::size_t>(j)];
+        RotationForm& form = forms[j];
         std::copy_n(turned.before, 3, form.before.begin());
         std::copy_n(turned.after, 3, form.after.begin());
       }));

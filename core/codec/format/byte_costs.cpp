@@ -65,7 +65,7 @@ class CostMeter {
     if (bytes == 0) return;
     bytes_ += bytes;
     const double of_a_frame = bytes / (last_ - first_);
-    const int joint = joints_[static_cast<std::size_t>(signal_)];
+    const int joint = joints_[signal_];
     for (int from = first_frame_ + first_; from < first_frame_ + last_;) {
       const int slice = from / costs_.slice_frames;
       const int until = std::min(first_frame_ + last_, (slice + 1) * costs_.slice_frames);
@@ -107,8 +107,7 @@ double divide(const CompressedClip& clip, ByteCosts& costs) {
   double all = 0;
   std::size_t first_byte = 0;
   for (int k = 0; k < layout.count(); ++k) {
-    const std::size_t size =
-        clip.segments ? clip.segments->bytes[static_cast<std::size_t>(k)] : clip.motion.size();
+    const std::size_t size = clip.segments ? clip.segments->bytes[k] : clip.motion.size();
     const std::span coded = std::span(clip.motion).subspan(first_byte, size);
     first_byte += size;
     runtime::Cursor scale(reinterpret_cast<const std::uint8_t*>(coded.data()), coded.size());

@@ -30,7 +30,7 @@ std::vector<std::byte> CodedEnds::write() const {
   writer.write(
       static_cast<std::uint8_t>(reaches.frames[kLastPose] | (has_velocity ? kVelocityFollows : 0)));
   for (const int end : {kFirstPose, kLastPose})
-    writer.write(static_cast<std::int8_t>(step_exponent[static_cast<std::size_t>(end)]));
+    writer.write(static_cast<std::int8_t>(step_exponent[end]));
   if (has_velocity) {
     writer.write(reaches.frames[kVelocity]);
     writer.write(static_cast<std::int8_t>(step_exponent[kVelocity]));
@@ -61,8 +61,7 @@ EndPoses::EndPoses(const CodedEnds& coded, const std::vector<float>& first_steps
   for (int end = 0; end < coded.count(); ++end) {
     const std::vector<float>& steps = end == runtime::kFirstPose ? first_steps : last_steps;
     for (Eigen::Index c = 0; c < values_.rows(); ++c)
-      values_(c, end) = runtime::end_value(coded.steps(c, end), steps[static_cast<std::size_t>(c)],
-                                           coded.step_exponent[static_cast<std::size_t>(end)]);
+      values_(c, end) = runtime::end_value(coded.steps(c, end), steps[c], coded.step_exponent[end]);
   }
 }
 

@@ -39,7 +39,7 @@ std::size_t CompressedClip::correction_bytes() const {
     AdaptiveSegments coded_segments(*this);
     for (int k = segment_layout().count(); k > 0; --k) {
       QuantisedSignals coded = coded_segments.next();
-      coded.step_exponent.resize(static_cast<std::size_t>(skeleton.channel_count()));
+      coded.step_exponent.resize(skeleton.channel_count());
       coded.values = coded.values.leftCols(skeleton.channel_count()).eval();
       bytes -= pack_adaptive(coded, alone).size();
     }
@@ -69,8 +69,7 @@ AdaptiveSegments::AdaptiveSegments(const CompressedClip& clip)
     : clip_(clip), neighbours_(signal_neighbours(clip)) {}
 
 std::size_t AdaptiveSegments::size() const {
-  return clip_.segments ? clip_.segments->bytes[static_cast<std::size_t>(segment_)]
-                        : clip_.motion.size();
+  return clip_.segments ? clip_.segments->bytes[segment_] : clip_.motion.size();
 }
 
 QuantisedSignals AdaptiveSegments::next() {

@@ -121,7 +121,7 @@ RotationForms read_orders(const runtime::Bytes& payload, const Skeleton& coded) 
         throw FormatError(payload.offset, "unknown order of rotations");
       last = static_cast<RotationOrder>(order);
     }
-    orders[static_cast<std::size_t>(j)].order = *last;
+    orders[j].order = *last;
   }
   if (cursor.failed() || !cursor.at_end())
     throw FormatError(payload.offset, "ordr has the wrong size");

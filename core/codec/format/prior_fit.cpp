@@ -152,9 +152,9 @@ double code(const NotedClip& clip, const CodingKnowledge& known, float share, Gr
   constexpr float kSeldom = 6000.0F / 65536;
   const ContextLayout layout(clip.signals);
   const std::size_t told = known_contexts(clip, known);
-  std::vector<Believed> contexts(static_cast<std::size_t>(layout.end));
+  std::vector<Believed> contexts(layout.end);
   for (int c = layout.zero_own.first; c < layout.class_own.first; ++c)
-    contexts[static_cast<std::size_t>(c)] = {kSeldom, kSeldom, 1, 1};
+    contexts[c] = {kSeldom, kSeldom, 1, 1};
   for (std::size_t c = 0; c < told; ++c) {
     const float one = share_of(static_cast<float>(known.log_odds[c]));
     contexts[c] = {one, one, 1, known.seen[c]};
@@ -329,8 +329,7 @@ void descend(std::span<const NotedClip> clips, const DescentPlan& plan,
   double step = 0;
   std::vector<double> bits(clips.size());
   for (int round = 0; round < plan.rounds && go_on(bits); ++round) {
-    for (std::size_t i = order.size(); i > 1; --i)
-      std::swap(order[i - 1], order[static_cast<std::size_t>(random.below(i))]);
+    for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
     for (std::size_t first = 0; first < clips.size(); first += kBatch) {
       const std::size_t count = std::min(kBatch, clips.size() - first);
       std::vector<Gradient> gradients(kShares, Gradient(known));

@@ -13,7 +13,7 @@
 namespace mocapress {
 
 double QuantisedSignals::step(int signal) const {
-  return step_of(step_exponent[static_cast<std::size_t>(signal)], scale);
+  return step_of(step_exponent[signal], scale);
 }
 
 float file_scale(double scale) {
@@ -39,7 +39,7 @@ QuantisedSignals quantise_kept(const RankedCoefficients& ranked, const std::vect
     coded.step_exponent.push_back(step_exponent_for(std::max(dropped(s), kFinest), scale));
     const double step = coded.step(s);
     for (Eigen::Index c = 0; c < coefficients.rows(); ++c) {
-      const double steps = coefficients(c, s) * gains[static_cast<std::size_t>(c)] / step;
+      const double steps = coefficients(c, s) * gains[c] / step;
       coded.values(c, s) =
           static_cast<int>(std::lround(std::clamp<double>(steps, -kMostSteps, kMostSteps)));
     }

@@ -65,7 +65,7 @@ std::vector<std::byte> rle16_encode(const Eigen::MatrixXd& coefficients,
     writer.write(static_cast<std::int8_t>(exponents.back()));
   }
   for (Eigen::Index c = 0; c < coefficients.cols(); ++c)
-    write_channel(writer, coefficients.col(c), exponents[static_cast<std::size_t>(c)]);
+    write_channel(writer, coefficients.col(c), exponents[c]);
   return writer.release();
 }
 
@@ -75,7 +75,7 @@ Eigen::MatrixXd rle16_decode(std::span<const std::byte> bytes, int per_channel, 
   reader.expect_end();
   Eigen::MatrixXd coefficients = read.values.cast<double>();
   for (Eigen::Index c = 0; c < coefficients.cols(); ++c)
-    coefficients.col(c) *= std::ldexp(1.0, read.exponents[static_cast<std::size_t>(c)]);
+    coefficients.col(c) *= std::ldexp(1.0, read.exponents[c]);
   return coefficients;
 }
 

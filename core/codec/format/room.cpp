@@ -39,7 +39,7 @@ void check_joint(const Joint& joint) {
 void check_depth(const Skeleton& skeleton) {
   std::vector<int> depths;
   for (const Joint& joint : skeleton.joints()) {
-    depths.push_back(joint.parent < 0 ? 1 : depths[static_cast<std::size_t>(joint.parent)] + 1);
+    depths.push_back(joint.parent < 0 ? 1 : depths[joint.parent] + 1);
     if (depths.back() > runtime::kMostDepth)
       refuse("joints are nested deeper than " + std::to_string(runtime::kMostDepth));
   }

@@ -47,7 +47,7 @@ Eigen::VectorXd largest_dropped(const RankedCoefficients& ranked, const std::vec
   // A signal kept whole has no error but its rounding, so it needs steps a little finer than the
   // finest of the others, but not the finest possible.
   for (int c = 0; c < ranked.channels() && std::isfinite(finest); ++c)
-    if (dropped(c) <= kNothing) dropped(c) = finest / (4 * scales[static_cast<std::size_t>(c)]);
+    if (dropped(c) <= kNothing) dropped(c) = finest / (4 * scales[c]);
   return dropped;
 }
 

@@ -37,8 +37,7 @@ std::vector<std::vector<std::size_t>> bytes_by_bands(const CompressedClip& clip)
     std::vector<std::size_t>& of_segment = bytes.emplace_back();
     std::size_t first = 0;
     for (int k = 0; k < layout.count(); ++k) {
-      const std::size_t size =
-          clip.segments ? clip.segments->bytes[static_cast<std::size_t>(k)] : clip.motion.size();
+      const std::size_t size = clip.segments ? clip.segments->bytes[k] : clip.motion.size();
       of_segment.push_back(bytes_without_bands(std::span(clip.motion).subspan(first, size),
                                                neighbours, layout.frames_of(k), left_out));
       first += size;
@@ -52,7 +51,7 @@ std::vector<std::vector<std::size_t>> bytes_by_bands(const CompressedClip& clip)
 std::vector<CutTier> cut(const CompressedClip& clip, int tiers, std::uint64_t values) {
   const std::vector<std::vector<std::size_t>> bytes = bytes_by_bands(clip);
   const auto sum = [&](int left_out) {
-    const auto& of_segment = bytes[static_cast<std::size_t>(left_out)];
+    const auto& of_segment = bytes[left_out];
     return static_cast<double>(std::accumulate(of_segment.begin(), of_segment.end(), 0UL));
   };
   std::vector<CutTier> cuts;
@@ -67,7 +66,7 @@ std::vector<CutTier> cut(const CompressedClip& clip, int tiers, std::uint64_t va
           (best == 0 || std::abs(sum(left_out) - wanted) < std::abs(sum(best) - wanted)))
         best = left_out;
     if (best == 0) continue;
-    cuts.push_back({best, bytes[static_cast<std::size_t>(best)], {}});
+    cuts.push_back({best, bytes[best], {}});
     coarser = best;
     bytes_before = sum(best);
   }

@@ -22,7 +22,7 @@ namespace mocapress {
 namespace {
 
 std::vector<SignalNeighbours> track_neighbours(int curves) {
-  std::vector<SignalNeighbours> neighbours(static_cast<std::size_t>(curves));
+  std::vector<SignalNeighbours> neighbours(curves);
   runtime::set_track_neighbours(curves, neighbours.data());
   return neighbours;
 }

@@ -25,7 +25,7 @@ std::size_t fbx_axis(std::string_view property) {
 Eigen::Vector3d FbxMovement::at(double ticks) const {
   Eigen::Vector3d value = still;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    if (curves[axis]) value(static_cast<Eigen::Index>(axis)) = curves[axis]->at(ticks);
+    if (curves[axis]) value(axis) = curves[axis]->at(ticks);
   return value;
 }
 
@@ -52,7 +52,7 @@ double FbxTakeInfo::value_at(const FbxLayered& movements, std::size_t axis, doub
                              double ticks) const {
   double value = rest;
   for (const FbxMovement* const movement : movements) {
-    const double still = movement->still(static_cast<Eigen::Index>(axis));
+    const double still = movement->still(axis);
     const auto& curve = movement->curves[axis];
     if (!curve && !std::isfinite(still)) continue;
     const double own = curve ? curve->at(ticks) : still;
@@ -196,7 +196,7 @@ bool FbxAnimation::movements_of_record(const FbxTakeInfo& take, const Take& rece
     }
     for_each_channel(channel, [&](const FbxRecord& axis, const std::string& name) {
       const std::size_t a = fbx_axis(name);
-      movement.still(static_cast<Eigen::Index>(a)) = default_of(axis);
+      movement.still(a) = default_of(axis);
       movement.curves[a] = curve_of(axis);
       any = true;  // a channel without keys keeps its default in this take
       return true;

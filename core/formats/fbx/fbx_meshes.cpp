@@ -307,8 +307,7 @@ void FbxMeshReader::read_weights(const FbxRecord& cluster, std::size_t bone, Nod
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (points[i] < 0 || points[i] >= std::ssize(mesh.positions))
       records_.fail(cluster, "has a bone with a weight of a point that its mesh has not");
-    if (weights[i] > 0)
-      mesh.weights[static_cast<std::size_t>(points[i])].emplace_back(bone, weights[i]);
+    if (weights[i] > 0) mesh.weights[points[i]].emplace_back(bone, weights[i]);
   }
 }
 
@@ -320,9 +319,8 @@ Affine3d FbxMeshReader::file_from_node(std::size_t model) const {
   std::vector<NodePlacement> placements;
   const NodePlacement file = file_placement(1, UpAxis::Y);
   for (const AnimatedNode& node : take_.take.nodes)
-    placements.push_back(below(
-        node.parent < 0 ? file : placements[static_cast<std::size_t>(node.parent)], node.rest));
-  const NodePlacement& carrier = placements[static_cast<std::size_t>(on.bones.front().node)];
+    placements.push_back(below(node.parent < 0 ? file : placements[node.parent], node.rest));
+  const NodePlacement& carrier = placements[on.bones.front().node];
   Affine3d file_from_carrier(carrier.world_from_node);
   file_from_carrier.translation() = carrier.origin;
   return file_from_carrier * on.bones.front().node_from_mesh;

@@ -301,8 +301,7 @@ void EditedTake::move(const NodeTrack& track) {
   LocalTransform local = track.rest;
   if (track.scale) local.scale = *track.scale;
   const auto append = [](const Vector3d& value, Curves& curves) {
-    for (std::size_t a = 0; a < 3; ++a)
-      curves[a].push_back(static_cast<float>(value(static_cast<Eigen::Index>(a))));
+    for (std::size_t a = 0; a < 3; ++a) curves[a].push_back(static_cast<float>(value(a)));
   };
   for (std::size_t t = 0; t < ticks_.size(); ++t) {
     local.translation = track.translation[t];
@@ -389,8 +388,8 @@ void EditedTake::sample(const Property& property, Curves& curves,
   const Vector3d rest = properties.vector(name, {properties.number(name, 0), 0, 0});
   for (std::size_t axis = 0; axis < (is_vector ? 3 : 1); ++axis)
     for (std::size_t t = 0; t < ticks_.size(); ++t)
-      curves[axis].push_back(static_cast<float>(
-          take_.value_at(movements, axis, rest(static_cast<Eigen::Index>(axis)), ticks_at(t))));
+      curves[axis].push_back(
+          static_cast<float>(take_.value_at(movements, axis, rest(axis), ticks_at(t))));
   for (std::size_t w = 0; w < read_.track_places.size(); ++w)
     if (read_.track_places[w].object == object && read_.track_places[w].property == name)
       steps[read_.track_places[w].axis] = read_.take.tracks[w].steps;

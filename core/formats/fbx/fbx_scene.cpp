@@ -221,7 +221,7 @@ void FbxTakeReader::mark_joints() {
     if (objects_[o].kind != "Cluster") continue;
     for (const FbxLink& link : objects_.children(o))
       if (const int node = result_.node_of_object[link.object]; node > 0)
-        is_bone[static_cast<std::size_t>(node)] = any = true;
+        is_bone[node] = any = true;
   }
   // A clip of weights or properties alone has the nodes that carry those as its only joints.
   const auto moves_node = [&](const FbxMovement& movement) {
@@ -231,13 +231,13 @@ void FbxTakeReader::mark_joints() {
     for (const FbxMovement& movement : movements_)
       for (const auto object : {std::optional(movement.object), mesh_of_shape(movement.object)})
         if (const int node = object ? result_.node_of_object[*object] : -1; node > 0)
-          nodes[static_cast<std::size_t>(node)].joint = true;
+          nodes[node].joint = true;
   std::vector<bool> carries(nodes.size(), !any);
   for (std::size_t i = nodes.size(); i-- > 0;) {
     const std::string& kind = objects_[result_.object_of_node[i]].kind;
     nodes[i].joint |= is_bone[i] || (i > 0 && carries[i] && is_joint_kind(kind));
     if ((is_bone[i] || (any && carries[i])) && nodes[i].parent >= 0)
-      carries[static_cast<std::size_t>(nodes[i].parent)] = true;
+      carries[nodes[i].parent] = true;
   }
 }
 
@@ -391,7 +391,7 @@ void FbxTakeReader::sample_node(std::size_t node, const std::vector<FbxMovement*
     return part == &transform.pre_rotation || part == &transform.post_rotation;
   });
   const FbxTransform::Turns turns = rest.turns();
-  of.frames.reserve(static_cast<std::size_t>(times_.frames));
+  of.frames.reserve(times_.frames);
   for (int t = 0; t < times_.frames; ++t) {
     transform = rest;
     for (std::size_t m = 0; m < parts.size(); ++m) apply(*movements[m], ticks_at(t), *parts[m]);

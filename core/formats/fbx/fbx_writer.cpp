@@ -56,8 +56,7 @@ std::vector<std::int64_t> ticks_of(const Clip& clip) {
 }
 
 void append(const Vector3d& value, Track3& track) {
-  for (std::size_t a = 0; a < 3; ++a)
-    track[a].push_back(static_cast<float>(value(static_cast<Eigen::Index>(a))));
+  for (std::size_t a = 0; a < 3; ++a) track[a].push_back(static_cast<float>(value(a)));
 }
 
 bool moves(const Track3& track) {
@@ -184,9 +183,8 @@ void FbxDocument::add_joints(const std::vector<NodeTrack>& tracks) {
     const Joint& joint = skeleton_.joint(static_cast<int>(j));
     const LocalTransform& rest = tracks[j].rest;
     const int order = order_of(joint);
-    joints_.push_back(add_limb(
-        names[j], joint.parent < 0 ? kNoObject : joints_[static_cast<std::size_t>(joint.parent)].id,
-        rest, fbx_angles(rest.rotation, order), order, placements[j]));
+    joints_.push_back(add_limb(names[j], joint.parent < 0 ? kNoObject : joints_[joint.parent].id,
+                               rest, fbx_angles(rest.rotation, order), order, placements[j]));
     nodes_.emplace(joint.name, joints_.back());
     if (!joint.end_site) continue;
     const LocalTransform end{.translation = end_in_node(placements[j], *joint.end_site)};

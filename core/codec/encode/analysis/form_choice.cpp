@@ -34,7 +34,7 @@ bool may_choose(const Skeleton& skeleton, const std::vector<bool>& still, int j)
   const int first = skeleton.first_channel(j);
   const auto channels = static_cast<int>(skeleton.joint(j).channels.size());
   for (int c = first; c < first + channels; ++c)
-    if (is_rotation(skeleton.channel_kind(c)) && still[static_cast<std::size_t>(c)]) return false;
+    if (is_rotation(skeleton.channel_kind(c)) && still[c]) return false;
   return true;
 }
 
@@ -93,8 +93,8 @@ class Turns {
         frames_(std::min(kMostFrames, (motion.clip.frames() - first + step - 1) / step)),
         joints_(static_cast<std::size_t>(motion.skeleton.joint_count())) {
     for (OfJoint& joint : joints_) {
-      joint.rotations.resize(static_cast<std::size_t>(frames_));
-      joint.inertias.resize(static_cast<std::size_t>(frames_));
+      joint.rotations.resize(frames_);
+      joint.inertias.resize(frames_);
     }
     parallel_ranges(0, frames_, 64, [&](int from, int end) {
       Pose pose;
@@ -104,9 +104,8 @@ class Turns {
         burdens.assign(joints_.size(), {});
         for (std::size_t p = 0; p < measured.points.size(); ++p) {
           const Landmark& point = measured.points[p];
-          burdens[static_cast<std::size_t>(point.joint)].add(
-              measured.weights(static_cast<Eigen::Index>(p)),
-              pose.to_world(point.joint, point.in_joint) - pose.origin[0]);
+          burdens[point.joint].add(measured.weights(p),
+                                   pose.to_world(point.joint, point.in_joint) - pose.origin[0]);
         }
         for (std::size_t j = joints_.size(); j-- > 0;) {
           const Joint& joint = motion.skeleton.joints()[j];
@@ -132,7 +131,7 @@ class Turns {
 
   /// Axes along and across the mean direction of what hangs on a joint.
   RotationForm along_limb(int j) const {
-    const OfJoint& joint = joints_[static_cast<std::size_t>(j)];
+    const OfJoint& joint = joints_[j];
     Eigen::Matrix3d rotations = Eigen::Matrix3d::Zero();
     Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
     for (std::size_t i = 0; i < joint.rotations.size(); ++i) {
@@ -153,7 +152,7 @@ class Turns {
   /// Estimates the bits of a joint's details, with steps in inverse proportion to what its angles
   /// move.
   double bits(int j, const RotationForm& form) const {
-    const OfJoint& joint = joints_[static_cast<std::size_t>(j)];
+    const OfJoint& joint = joints_[j];
     const std::array<int, 3> axes = axes_of(form.order);
     const Eigen::Matrix3d before = rotation_of(form.before);
     const Eigen::Matrix3d left = before.transpose();
@@ -176,7 +175,7 @@ class Turns {
               before.col(axes[2]) * (sign * std::sin(last(0))),
           before * rotation.col(axes[2])};
       for (int k = 0; k < 3; ++k) {
-        const Eigen::Vector3d& axis = turned[static_cast<std::size_t>(k)];
+        const Eigen::Vector3d& axis = turned[k];
         curvature(k) += axis.dot(joint.inertias[i] * axis) / frames_;
       }
     }
@@ -190,7 +189,7 @@ class Turns {
       const double steps_per_unit = std::sqrt(curvature(k) * step_) / kScale;
       double product = 1;  // several factors share one logarithm, which is slow
       for (int c = lifting.bands()[0].size; c < frames_; ++c) {
-        const double steps = angles(c, k) * gains[static_cast<std::size_t>(c)] * steps_per_unit;
+        const double steps = angles(c, k) * gains[c] * steps_per_unit;
         product *= 1 + steps * steps;
         if (product < 1e100) continue;
         sum += std::log2(product);
@@ -233,11 +232,11 @@ Count count_bits(const Motion& motion, const std::vector<bool>& still) {
     parallel_for(0, motion.skeleton.joint_count(), [&](int j) {
       const Joint& joint = motion.skeleton.joint(j);
       if (!may_choose(motion.skeleton, still, j)) return;
-      Bits& bits = count.bits[static_cast<std::size_t>(j)];
+      Bits& bits = count.bits[j];
       for (std::size_t o = 0; o < kRotationOrders; ++o)
         bits[o] += turns.bits(j, {static_cast<RotationOrder>(o)});
       if (!may_turn_axes(joint)) return;
-      RotationForm& turned = count.turned[static_cast<std::size_t>(j)];
+      RotationForm& turned = count.turned[j];
       if (first == 0) turned = turns.along_limb(j);
       for (std::size_t o = 0; o < kTurnedOrders.size(); ++o) {
         turned.order = kTurnedOrders[o];
@@ -251,11 +250,11 @@ Count count_bits(const Motion& motion, const std::vector<bool>& still) {
 /// For each joint, the joint whose angles predict its own, or -1.
 std::vector<int> mirrors_of(const Skeleton& skeleton) {
   const std::vector<SignalNeighbours> neighbours = channel_neighbours(skeleton);
-  std::vector<int> mirrors(static_cast<std::size_t>(skeleton.joint_count()), -1);
+  std::vector<int> mirrors(skeleton.joint_count(), -1);
   for (int j = 0; j < skeleton.joint_count(); ++j) {
     if (skeleton.joint(j).channels.empty()) continue;
-    const int mirror = neighbours[static_cast<std::size_t>(skeleton.first_channel(j))].mirror;
-    if (mirror >= 0) mirrors[static_cast<std::size_t>(j)] = skeleton.channel_joint(mirror);
+    const int mirror = neighbours[skeleton.first_channel(j)].mirror;
+    if (mirror >= 0) mirrors[j] = skeleton.channel_joint(mirror);
   }
   return mirrors;
 }
@@ -279,12 +278,11 @@ RotationForms choose_forms(const Motion& motion) {
   };
   for (std::size_t j = forms.size(); j-- > 0;)
     if (follows(j))
-      for (std::size_t o = 0; o < kCandidates; ++o)
-        bits[static_cast<std::size_t>(mirrors[j])][o] += bits[j][o];
+      for (std::size_t o = 0; o < kCandidates; ++o) bits[mirrors[j]][o] += bits[j][o];
   for (std::size_t j = 0; j < forms.size(); ++j) {
     if (!may_choose(skeleton, still, static_cast<int>(j))) continue;
     if (follows(j)) {
-      const RotationForm& leader = forms[static_cast<std::size_t>(mirrors[j])];
+      const RotationForm& leader = forms[mirrors[j]];
       if (leader.has_fixed_turns()) forms[j] = turned[j];
       forms[j].order = leader.order;
       continue;

@@ -86,7 +86,7 @@ void ClosedLoopRun::begin() {
   parallel_for(0, channels(), [&](int j) {
     Eigen::ArrayXf differences(errors_.rows());
     for (int b = 0; b < static_cast<int>(bands_.size()); ++b) {
-      const Band& band = bands_[static_cast<std::size_t>(b)];
+      const Band& band = bands_[b];
       find_differences(values_of(j) + band.first, band.size, step_in(j, b),
                        loop_.transform_.values.col(j).data() + band.first,
                        differences.data() + band.first);
@@ -126,7 +126,7 @@ void ClosedLoopRun::sweep_all(ClosedLoop::Result& result,
 void ClosedLoopRun::settle_by_prices(ClosedLoop::Result& result,
                                      const Observer<ClosedLoopProgress>& observer) {
   for (; settling_ < std::ssize(kSettlingPrices) && result.complete; ++settling_) {
-    bit_price_ = kSettlingPrices[static_cast<std::size_t>(settling_)];
+    bit_price_ = kSettlingPrices[settling_];
     sweep_all(result, observer);
   }
 }
@@ -242,7 +242,7 @@ void ClosedLoopRun::sweep(int j) {
   int first_changed = static_cast<int>(frames);
   int end_changed = 0;
   for (int b = 0; b < static_cast<int>(bands_.size()); ++b) {
-    const Band& band = bands_[static_cast<std::size_t>(b)];
+    const Band& band = bands_[b];
     const double step = step_in(j, b);
     const auto promising = static_cast<float>(kPromising * step);
     visit_where(band, values, slopes_.data(), coefficient_curve, promising, [&](int c) {
@@ -315,7 +315,7 @@ Eigen::VectorXi ClosedLoopRun::constant(int j) const {
 Eigen::VectorXi ClosedLoopRun::quantised(int j, const Samples& less) const {
   Eigen::VectorXi values(less.size());
   for (int b = 0; b < static_cast<int>(bands_.size()); ++b) {
-    const Band& band = bands_[static_cast<std::size_t>(b)];
+    const Band& band = bands_[b];
     const double per_unit = 1 / step_in(j, b);
     cut_to_steps(loop_.transform_.values.col(j).data() + band.first, less.data() + band.first,
                  band.size, per_unit, b == 0 ? 0.5 : kDeadZone, values.data() + band.first);
@@ -325,7 +325,7 @@ Eigen::VectorXi ClosedLoopRun::quantised(int j, const Samples& less) const {
 
 Eigen::ArrayXf ClosedLoopRun::samples_of(int j, Eigen::ArrayXf steps) const {
   for (int b = 0; b < static_cast<int>(bands_.size()); ++b) {
-    const Band& band = bands_[static_cast<std::size_t>(b)];
+    const Band& band = bands_[b];
     steps.segment(band.first, band.size) *= static_cast<float>(step_in(j, b));
   }
   loop_.transform_.lifting.inverse(span_of(steps), span_of(steps));
@@ -345,7 +345,7 @@ double ClosedLoopRun::energy_of(int j, Eigen::Index first, const Samples& gradie
 
 ClosedLoopRun::Place ClosedLoopRun::place_of(int j, int band, int index, double step,
                                              double product) const {
-  const int c = bands_[static_cast<std::size_t>(band)].first + index;
+  const int c = bands_[band].first + index;
   return {.channel = j,
           .band = band,
           .index = index,
@@ -366,9 +366,9 @@ void ClosedLoopRun::set(const Place& place, int value) {
 
 void ClosedLoopRun::look_at(int j) {
   const int* const values = values_of(j);
-  magnitudes_[static_cast<std::size_t>(j)].read(bands_, values);
+  magnitudes_[j].read(bands_, values);
   for (std::size_t b = 0; b < bands_.size(); ++b)
-    significant_[static_cast<std::size_t>(j)][b] =
+    significant_[j][b] =
         static_cast<int>(bands_[b].size - std::count(values + bands_[b].first,
                                                      values + bands_[b].first + bands_[b].size, 0));
 }
@@ -423,8 +423,7 @@ ClosedLoopRun::Bits::Bits(const ClosedLoopRun& run, const Place& place) {
 }
 
 double ClosedLoopRun::lambda_of(int coefficient) const {
-  return end_prices_ ? end_prices_->price(reaches_[static_cast<std::size_t>(coefficient)], lambda())
-                     : lambda();
+  return end_prices_ ? end_prices_->price(reaches_[coefficient], lambda()) : lambda();
 }
 
 void ClosedLoopRun::spare_ends() {
@@ -437,8 +436,7 @@ void ClosedLoopRun::spare_ends() {
 double ClosedLoopRun::waking_bits(const Place& place) const {
   if (place.band == 0) return 0;
   const auto band = static_cast<std::size_t>(place.band);
-  const int others =
-      significant_[static_cast<std::size_t>(place.channel)][band] - (value_at(place) != 0 ? 1 : 0);
+  const int others = significant_[place.channel][band] - (value_at(place) != 0 ? 1 : 0);
   return others > 0 ? 0 : 4 + 0.05 * bands_[band].size;
 }
 
@@ -453,7 +451,7 @@ void ClosedLoopRun::sweep_together() {
   // updating the slopes after each move saves no bytes (ADAPTIVE.md).
   constexpr int kApart = 3;
   const auto count = static_cast<int>(bands_.size());
-  together_.taking_part.resize(static_cast<std::size_t>(errors_.rows()));
+  together_.taking_part.resize(errors_.rows());
   for (int first = 0; first < std::min(kApart, count); ++first) {
     for (std::vector<int>& channels : together_.taking_part) channels.clear();
     loop_.model_.find_gradient(errors_, together_.slopes);
@@ -464,11 +462,11 @@ void ClosedLoopRun::sweep_together() {
       loop_.transform_.lifting.correlate(of_channel, of_channel);
       for (int b = first; b < count; b += kApart) find_taking_part(j, b);
     }
-    std::vector<Eigen::ArrayXf> moves(static_cast<std::size_t>(channels()));
+    std::vector<Eigen::ArrayXf> moves(channels());
     for (int b = first; b < count; b += kApart)
-      for (int i = 0; i < bands_[static_cast<std::size_t>(b)].size; ++i) move_together(b, i, moves);
+      for (int i = 0; i < bands_[b].size; ++i) move_together(b, i, moves);
     for (int j = 0; j < channels(); ++j)
-      if (Eigen::ArrayXf& steps = moves[static_cast<std::size_t>(j)]; steps.size() > 0)
+      if (Eigen::ArrayXf& steps = moves[j]; steps.size() > 0)
         errors_.col(j).array() += samples_of(j, std::move(steps));
   }
   find_energy();
@@ -504,19 +502,18 @@ void ClosedLoopRun::find_taking_part(int j, int b) {
   constexpr std::size_t kMostTogether = 512;
   if (is_still(j)) return;
   visit_where(
-      bands_[static_cast<std::size_t>(b)], values_of(j), together_.slopes.col(j).data(),
+      bands_[b], values_of(j), together_.slopes.col(j).data(),
       coefficient_curvature().col(j).data(), static_cast<float>(kPromising * step_in(j, b)),
       [&](int c) {
-        auto& taking_part = together_.taking_part[static_cast<std::size_t>(c)];
+        auto& taking_part = together_.taking_part[c];
         if (std::abs(coded_.values(c, j)) <= kMostSteps - 1 && taking_part.size() < kMostTogether)
           taking_part.push_back(j);
       });
 }
 
 void ClosedLoopRun::move_together(int band, int index, std::vector<Eigen::ArrayXf>& moves) {
-  const int coefficient = bands_[static_cast<std::size_t>(band)].first + index;
-  const std::vector<int>& taking_part =
-      together_.taking_part[static_cast<std::size_t>(coefficient)];
+  const int coefficient = bands_[band].first + index;
+  const std::vector<int>& taking_part = together_.taking_part[coefficient];
   const auto count = std::ssize(taking_part);
   if (count < 2) return;
   const ShortFunction function = loop_.functions_[coefficient];
@@ -541,18 +538,17 @@ void ClosedLoopRun::move_together(int band, int index, std::vector<Eigen::ArrayX
   // Scales the sampled sums to the curvature, which covers every frame.
   Eigen::ArrayXf factors = Eigen::ArrayXf::Zero(cross.rows());
   for (Eigen::Index i = 0; i < count; ++i)
-    if (cross(i, i) > 0)
-      factors(i) = std::sqrt(coefficients[static_cast<std::size_t>(i)].curve / cross(i, i));
+    if (cross(i, i) > 0) factors(i) = std::sqrt(coefficients[i].curve / cross(i, i));
   for (Eigen::Index i = 0; i < count; ++i) {
     cross.col(i).array() *= factors(i) * factors;
-    cross(i, i) = coefficients[static_cast<std::size_t>(i)].curve;
+    cross(i, i) = coefficients[i].curve;
   }
   JointSearch search(coefficients, cross);
   const std::vector<int>& found = search.run();
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (found[i] == 0) continue;
     set(places[i], value_at(places[i]) + found[i]);
-    Eigen::ArrayXf& steps = moves[static_cast<std::size_t>(places[i].channel)];
+    Eigen::ArrayXf& steps = moves[places[i].channel];
     if (steps.size() == 0) steps = Eigen::ArrayXf::Zero(errors_.rows());
     steps(coefficient) = static_cast<float>(found[i]);
   }

@@ -54,8 +54,8 @@ void ErrorBound::next() {
   const int before = channel_ - 1;
   if (before >= skeleton_.first_channel(joint_) && is_rotation(skeleton_.channel_kind(before)))
     for (std::size_t t = 0; t < world_from_axes_.size(); ++t)
-      world_from_axes_[t] *= axis_rotation(axis_of(skeleton_.channel_kind(before)),
-                                           channels_(static_cast<Eigen::Index>(t), before));
+      world_from_axes_[t] *=
+          axis_rotation(axis_of(skeleton_.channel_kind(before)), channels_(t, before));
   find_moved();
 }
 
@@ -67,14 +67,12 @@ void ErrorBound::enter_joint(int joint) {
     Rotations world_from_left(frames, Eigen::Matrix3d::Identity());
     const auto count = static_cast<Eigen::Index>(left.channels.size());
     for (std::size_t t = 0; t < frames; ++t) {
-      if (left.parent >= 0)
-        world_from_left[t] = world_from_joint_[static_cast<std::size_t>(left.parent)][t];
+      if (left.parent >= 0) world_from_left[t] = world_from_joint_[left.parent][t];
       if (count > 0)
-        world_from_left[t] *=
-            skeleton_.axes(joint - 1).parent_from_axes *
-            joint_rotation(left, channels_.row(static_cast<Eigen::Index>(t))
-                                     .segment(skeleton_.first_channel(joint - 1), count)) *
-            skeleton_.axes(joint - 1).axes_from_joint;
+        world_from_left[t] *= skeleton_.axes(joint - 1).parent_from_axes *
+                              joint_rotation(left, channels_.row(t).segment(
+                                                       skeleton_.first_channel(joint - 1), count)) *
+                              skeleton_.axes(joint - 1).axes_from_joint;
     }
     world_from_joint_.push_back(std::move(world_from_left));
   }
@@ -82,7 +80,7 @@ void ErrorBound::enter_joint(int joint) {
   const Joint& entered = skeleton_.joint(joint);
   world_from_axes_.assign(frames, skeleton_.axes(joint).parent_from_axes);
   if (entered.parent < 0) return;
-  const Rotations& world_from_parent = world_from_joint_[static_cast<std::size_t>(entered.parent)];
+  const Rotations& world_from_parent = world_from_joint_[entered.parent];
   for (std::size_t t = 0; t < frames; ++t)
     world_from_axes_[t] = world_from_parent[t] * skeleton_.axes(joint).parent_from_axes;
 }
@@ -101,13 +99,13 @@ void ErrorBound::find_moved() {
     else if (parent < 0)
       axes.row(t) = Eigen::RowVector3d::Unit(axis_of(kind));
     else
-      axes.row(t) = world_from_joint_[static_cast<std::size_t>(parent)][frame].col(axis_of(kind));
+      axes.row(t) = world_from_joint_[parent][frame].col(axis_of(kind));
   }
   const Eigen::MatrixX3d origin =
       original_tracks_.middleCols<3>(3 * joint_) + errors_.middleCols<3>(3 * joint_);
   moved_.resize(points_.size());
   for (Eigen::Index p = 0; p < std::ssize(points_); ++p) {
-    if (!is_at_or_below(points_[static_cast<std::size_t>(p)].joint, joint_)) continue;
+    if (!is_at_or_below(points_[p].joint, joint_)) continue;
     if (turns && p == joint_) continue;
     Moved& moved = moved_[moved_count_++];
     moved.landmark = p;

@@ -38,7 +38,7 @@ JointSearch::JointSearch(std::span<const Coefficient> coefficients, const Eigen:
       moved_(coefficients.size()) {
   assert(cross.rows() == slopes_.size() && cross.cols() == count());
   for (int c = 0; c < count(); ++c) {
-    slopes_(c) = coefficients[static_cast<std::size_t>(c)].slope;
+    slopes_(c) = coefficients[c].slope;
     set_limits(c);
   }
 }
@@ -59,7 +59,7 @@ MOCAPRESS_INLINE bool JointSearch::visit(int c) {
   bool gains = false;
   std::array<float, 2> of_answers = gains_of_answers<Vector>(c);
   for (const int by : {-1, 1}) {
-    if (std::abs(moved_[static_cast<std::size_t>(c)] + by) > 1) continue;
+    if (std::abs(moved_[c] + by) > 1) continue;
     if (cost_of(c, by) - of_answers[by > 0] >= -kLeastGain || !attempt<Vector>(c, by)) continue;
     gains = true;
     if (by < 0) of_answers = gains_of_answers<Vector>(c);
@@ -99,7 +99,7 @@ MOCAPRESS_INLINE bool JointSearch::attempt(int c, int by) {
   slopes_.swap(slopes_before_);
   for (; !changed_.empty(); changed_.pop_back()) {
     const auto [which, step] = changed_.back();
-    moved_[static_cast<std::size_t>(which)] -= step;
+    moved_[which] -= step;
     set_limits(which);
   }
   return false;
@@ -109,7 +109,7 @@ template <typename Vector>
 MOCAPRESS_INLINE float JointSearch::move(int c, int by) {
   const float cost = cost_of(c, by);
   const auto steps = static_cast<float>(by);
-  moved_[static_cast<std::size_t>(c)] += by;
+  moved_[c] += by;
   changed_.emplace_back(c, by);
   const float* const column = cross_.col(c).data();
   for (Eigen::Index i = 0; i < slopes_.size(); i += kLanes<Vector, float>) {
@@ -124,11 +124,10 @@ MOCAPRESS_INLINE float JointSearch::move(int c, int by) {
 }
 
 MOCAPRESS_INLINE float JointSearch::cost_of(int c, int by) const {
-  const auto& [slope, curve, prices] = coefficients_[static_cast<std::size_t>(c)];
-  const int moved = moved_[static_cast<std::size_t>(c)];
-  return 2 * static_cast<float>(by) * slopes_(c) + curve +
-         prices[static_cast<std::size_t>(moved + by + 1)] -
-         prices[static_cast<std::size_t>(moved + 1)];
+  const auto& [slope, curve, prices] = coefficients_[c];
+  const int moved = moved_[c];
+  return 2 * static_cast<float>(by) * slopes_(c) + curve + prices[moved + by + 1] -
+         prices[moved + 1];
 }
 
 template <typename Vector>
@@ -162,11 +161,10 @@ MOCAPRESS_INLINE std::array<float, 2> JointSearch::gains_of_answers(int c) const
 }
 
 MOCAPRESS_INLINE void JointSearch::set_limits(int c) {
-  const auto& [slope, curve, prices] = coefficients_[static_cast<std::size_t>(c)];
-  const int moved = moved_[static_cast<std::size_t>(c)];
+  const auto& [slope, curve, prices] = coefficients_[c];
+  const int moved = moved_[c];
   const auto saved_by = [moved, &prices = prices](int step) {  // clang 14 captures no binding
-    return prices[static_cast<std::size_t>(moved + 1)] -
-           prices[static_cast<std::size_t>(moved + step + 1)];
+    return prices[moved + 1] - prices[moved + step + 1];
   };
   low_(c) = moved < 1 ? (saved_by(1) - curve) / 2 : -kNone;
   high_(c) = moved > -1 ? (curve - saved_by(-1)) / 2 : kNone;
@@ -187,7 +185,7 @@ MOCAPRESS_INLINE int JointSearch::next_beyond_limits(int first, int from) const 
   std::memcpy(pairs.data(), &beyond, sizeof beyond);
   const int passed = from - first;
   for (int pair = passed / 2; pair < static_cast<int>(pairs.size()); ++pair) {
-    std::uint64_t bits = pairs[static_cast<std::size_t>(pair)];
+    std::uint64_t bits = pairs[pair];
     if (2 * pair < passed) bits &= ~std::uint64_t{0} << (kBits / 2);
     if (bits != 0) return first + 2 * pair + (std::countr_zero(bits) >= kBits / 2 ? 1 : 0);
   }

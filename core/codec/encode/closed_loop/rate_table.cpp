@@ -23,9 +23,7 @@ Table make_table() {
       const double mean = 0.02 + 0.2 * before + 0.15 * above;
       const double ratio = mean / (1 + mean);
       for (int m = 0; m < kMagnitudes; ++m)
-        table[static_cast<std::size_t>(before)][static_cast<std::size_t>(above)]
-             [static_cast<std::size_t>(m)] =
-                 (m > 0 ? 1 : 0) - std::log2((1 - ratio) * std::pow(ratio, m));
+        table[before][above][m] = (m > 0 ? 1 : 0) - std::log2((1 - ratio) * std::pow(ratio, m));
     }
   return table;
 }
@@ -46,7 +44,7 @@ std::size_t quick_size_of(int sum) {
 
 double bits_of(int magnitude, int before, int above) {
   const BitsOfMagnitudes& of = kBits[quick_size_of(before)][quick_size_of(above)];
-  if (magnitude < kMagnitudes - 1) return of[static_cast<std::size_t>(magnitude)];
+  if (magnitude < kMagnitudes - 1) return of[magnitude];
   return of[kMagnitudes - 1] + 2 * std::log2(magnitude - kMagnitudes + 2.0);
 }
 
@@ -61,8 +59,7 @@ double bits_among_zeros(int magnitude, bool has_children) {
 
 BitsOfMagnitudes make_lonely(bool has_children) {
   BitsOfMagnitudes lonely{};
-  for (int m = 0; m < kMagnitudes; ++m)
-    lonely[static_cast<std::size_t>(m)] = bits_among_zeros(m, has_children);
+  for (int m = 0; m < kMagnitudes; ++m) lonely[m] = bits_among_zeros(m, has_children);
   return lonely;
 }
 
@@ -136,7 +133,7 @@ double RateTable::bits(const Magnitudes& magnitudes, int b, int i, int value) co
 
 RateTable::Around::Around(const RateTable& table, const Magnitudes& magnitudes, int b, int i) {
   const std::vector<Band>& bands = table.bands_;
-  const int size = bands[static_cast<std::size_t>(b)].size;
+  const int size = bands[b].size;
   const std::uint8_t* const own = magnitudes.in(b);
   const std::uint8_t* const upper = table.above(magnitudes, b);
   const bool has_children = static_cast<std::size_t>(b) + 1 < bands.size();
@@ -159,9 +156,8 @@ RateTable::Around::Around(const RateTable& table, const Magnitudes& magnitudes, 
   const auto follow = [&](const std::uint8_t* band, const std::uint8_t* over, int k,
                           int share_of_before, int share_of_above) {
     const auto found = neighbours_of(band, over, k);
-    followers_[static_cast<std::size_t>(count_++)] = {
-        band[k], found.before - share_of_before * mine, found.above - share_of_above * mine,
-        share_of_before, share_of_above};
+    followers_[count_++] = {band[k], found.before - share_of_before * mine,
+                            found.above - share_of_above * mine, share_of_before, share_of_above};
   };
   for (int k = i + 1; k <= i + 2 && k < size; ++k) follow(own, upper, k, k == i + 1 ? 2 : 1, 0);
   for (int k = std::max(2 * i - 1, 0); k <= 2 * i + 2 && k < children; ++k)
@@ -172,12 +168,12 @@ double RateTable::Around::bits(int value) const {
   const int magnitude = std::abs(value);
   if (is_lonely_) {
     const bool has_children = count_ > 0;
-    return magnitude < kMagnitudes ? kLonely[has_children][static_cast<std::size_t>(magnitude)]
+    return magnitude < kMagnitudes ? kLonely[has_children][magnitude]
                                    : bits_among_zeros(magnitude, has_children);
   }
   double sum = bits_of(magnitude, before_, above_);
   for (int f = 0; f < count_; ++f) {
-    const Follower& follower = followers_[static_cast<std::size_t>(f)];
+    const Follower& follower = followers_[f];
     sum += bits_of(follower.magnitude, follower.before + follower.share_of_before * magnitude,
                    follower.above + follower.share_of_above * magnitude);
   }
@@ -190,7 +186,7 @@ double RateTable::bits(const int* signal, const Magnitudes& magnitudes) const {
   for (int i = 0; i < bands_[0].size; ++i)
     sum += coarse_bits(signal[i] - (i > 0 ? signal[i - 1] : 0));
   for (int b = 1; b < static_cast<int>(bands_.size()); ++b) {
-    const Band& band = bands_[static_cast<std::size_t>(b)];
+    const Band& band = bands_[b];
     const std::uint8_t* const own = magnitudes.in(b);
     const std::uint8_t* const upper = above(magnitudes, b);
     if (std::all_of(own, own + band.size, [](std::uint8_t m) { return m == 0; })) continue;

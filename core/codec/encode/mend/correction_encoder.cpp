@@ -74,8 +74,7 @@ CorrectionEncoder::CorrectionEncoder(const Skeleton& skeleton,
   original_ = effector_tracks(original_tracks, effectors_);
   contacts_.resize(original_.rows(), std::ssize(effectors_));
   for (Eigen::Index e = 0; e < std::ssize(effectors_); ++e)
-    contacts_.col(e) = window_of(effectors_[static_cast<std::size_t>(e)].joint, contacts,
-                                 original_.rows(), sample_rate_hz);
+    contacts_.col(e) = window_of(effectors_[e].joint, contacts, original_.rows(), sample_rate_hz);
 }
 
 std::vector<PointResponse> CorrectionEncoder::responses(
@@ -98,7 +97,7 @@ void CorrectionEncoder::limit_to_contacts(const std::vector<Effector>& effectors
                                           PointResponse& response) const {
   const Eigen::Index points = std::ssize(effectors);
   for (Eigen::Index p = 0; p < points; ++p) {
-    const auto joint = effectors[static_cast<std::size_t>(p)].joint;
+    const auto joint = effectors[p].joint;
     const auto found =
         std::ranges::find_if(effectors_, [&](const Effector& e) { return e.joint == joint; });
     const auto contact = contacts_.col(found - effectors_.begin()).array();

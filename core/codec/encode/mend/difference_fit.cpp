@@ -68,7 +68,7 @@ class SignalFit {
     constexpr int kMostSweeps = 20;
     Eigen::VectorXi steps = Eigen::VectorXi::Zero(values_.size());
     Eigen::VectorXd missing = values_;  // fitted minus rounded values
-    const auto size_of = [&](Eigen::Index c) { return step / gains[static_cast<std::size_t>(c)]; };
+    const auto size_of = [&](Eigen::Index c) { return step / gains[c]; };
     for (Eigen::Index c = 0; c < values_.size(); ++c) {
       if (!mask(c)) continue;
       steps(c) = whole(values_(c) / size_of(c));
@@ -168,7 +168,7 @@ class SignalFit {
 /// Marks the `count` largest entries.
 Eigen::ArrayXX<bool> largest(const Eigen::ArrayXXd& worth, int count) {
   Eigen::ArrayXX<bool> mask = Eigen::ArrayXX<bool>::Constant(worth.rows(), worth.cols(), false);
-  std::vector<Eigen::Index> order(static_cast<std::size_t>(worth.size()));
+  std::vector<Eigen::Index> order(worth.size());
   std::iota(order.begin(), order.end(), Eigen::Index{0});
   const auto end = order.begin() + std::min<std::ptrdiff_t>(count, std::ssize(order));
   std::partial_sort(order.begin(), end, order.end(), [&](Eigen::Index a, Eigen::Index b) {
@@ -190,7 +190,7 @@ double rounding_cost(const Eigen::VectorXd& curvature, const Eigen::ArrayX<bool>
   double kept = 0;
   for (Eigen::Index c = 0; c < curvature.size(); ++c) {
     if (!mask(c)) continue;
-    const double gain = gains[static_cast<std::size_t>(c)];
+    const double gain = gains[c];
     sum += curvature(c) / (gain * gain);
     ++kept;
   }
@@ -208,8 +208,7 @@ DifferenceFit fit_differences(const Clip& columns, const std::vector<FitWeights>
   const Synthesis synthesis(lifting);
   std::vector<SignalFit> fits;
   for (Eigen::Index s = 0; s < signals; ++s)
-    fits.emplace_back(lifting, synthesis, columns.channels.col(s),
-                      weights[static_cast<std::size_t>(s)]);
+    fits.emplace_back(lifting, synthesis, columns.channels.col(s), weights[s]);
 
   Eigen::ArrayXXd worth(frames, signals);
   Eigen::ArrayXX<bool> kept = Eigen::ArrayXX<bool>::Constant(frames, signals, false);
@@ -218,14 +217,12 @@ DifferenceFit fit_differences(const Clip& columns, const std::vector<FitWeights>
   double threshold = 0;  // worth of the best dropped coefficient
   DifferenceFit found;
   for (int round = 0; round < kRounds; ++round) {
-    for (Eigen::Index s = 0; s < signals; ++s)
-      worth.col(s) = fits[static_cast<std::size_t>(s)].worth();
+    for (Eigen::Index s = 0; s < signals; ++s) worth.col(s) = fits[s].worth();
     const Eigen::ArrayXX<bool> chosen = largest(worth, count);
     if (round > 0 && (chosen == kept).all()) break;
     kept = chosen;
-    parallel_for(Eigen::Index{0}, signals, [&](Eigen::Index s) {
-      fits[static_cast<std::size_t>(s)].keep(kept.col(s).cast<double>());
-    });
+    parallel_for(Eigen::Index{0}, signals,
+                 [&](Eigen::Index s) { fits[s].keep(kept.col(s).cast<double>()); });
     double cost = 0;
     for (const SignalFit& fit : fits) cost += fit.cost();
     if (cost >= least) continue;
@@ -234,8 +231,7 @@ DifferenceFit fit_differences(const Clip& columns, const std::vector<FitWeights>
     best = fits;
   }
   for (Eigen::Index s = 0; s < signals; ++s) {
-    const Eigen::ArrayXd dropped =
-        found.kept.col(s).select(0, best[static_cast<std::size_t>(s)].worth());
+    const Eigen::ArrayXd dropped = found.kept.col(s).select(0, best[s].worth());
     if (frames > 0) threshold = std::max(threshold, dropped.maxCoeff());
   }
 
@@ -243,14 +239,13 @@ DifferenceFit fit_differences(const Clip& columns, const std::vector<FitWeights>
   found.steps.resize(signals);
   found.values.resize(frames, signals);
   for (Eigen::Index s = 0; s < signals; ++s) {
-    const SignalFit& fit = best[static_cast<std::size_t>(s)];
+    const SignalFit& fit = best[s];
     const double cost = rounding_cost(fit.curvature(), found.kept.col(s), gains) / 12;
     found.steps(s) =
         coded_step(std::sqrt(kShareOfDropped * std::max(threshold, kLeastDropped) / cost));
   }
   parallel_for(Eigen::Index{0}, signals, [&](Eigen::Index s) {
-    found.values.col(s) = best[static_cast<std::size_t>(s)].rounded(
-        found.steps(s), found.kept.col(s), gains, synthesis);
+    found.values.col(s) = best[s].rounded(found.steps(s), found.kept.col(s), gains, synthesis);
   });
   return found;
 }

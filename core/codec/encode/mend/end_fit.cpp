@@ -46,7 +46,7 @@ struct EndChannels {
                              const Eigen::RowVectorXd& decoded) const {
     Eigen::RowVectorXd difference = original - decoded;
     for (int c = 0; c < skeleton.channel_count(); ++c)
-      if (still[static_cast<std::size_t>(c)])
+      if (still[c])
         difference(c) = 0;
       else if (is_rotation(skeleton.channel_kind(c)))
         difference(c) = std::remainder(difference(c), 2 * std::numbers::pi);
@@ -157,7 +157,7 @@ class End {
                                       int step_exponent) {
     Eigen::RowVectorXd values(whole.size());
     for (Eigen::Index c = 0; c < whole.size(); ++c)
-      values(c) = runtime::end_value(whole(c), steps[static_cast<std::size_t>(c)], step_exponent);
+      values(c) = runtime::end_value(whole(c), steps[c], step_exponent);
     return values;
   }
 
@@ -192,7 +192,7 @@ class End {
     Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(lacking_.size(), lacking_.size());
     const Eigen::VectorXd one = Eigen::VectorXd::Ones(1);
     for (int c = 0; c < model.channels(); ++c) {
-      if (channels_.still[static_cast<std::size_t>(c)]) continue;
+      if (channels_.still[c]) continue;
       Eigen::MatrixXd row = Eigen::MatrixXd::Zero(1, model.channels());
       model.add_to_gradient(c, one, row);
       gram.col(c) = row.transpose();

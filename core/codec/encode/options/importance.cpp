@@ -22,8 +22,8 @@ void weigh_joints(const std::vector<double>& factors, int joint_count, MeasuredP
       throw Error("the importance of a joint must be a number, 0 or more");
   Eigen::VectorXd& weights = measured.weights;
   for (Eigen::Index p = 0; p < weights.size(); ++p) {
-    const auto joint = measured.points[static_cast<std::size_t>(p)].joint;
-    weights(p) *= factors[static_cast<std::size_t>(joint)];
+    const auto joint = measured.points[p].joint;
+    weights(p) *= factors[joint];
   }
   if (weights.sum() <= 0) throw Error("no joint is of any importance");
 }
@@ -79,7 +79,7 @@ namespace {
 /// The factor that most joints have; the smallest in case of a tie.
 double usual_factor(const std::vector<double>& factors, const std::vector<int>& joints) {
   std::map<double, int> counts;
-  for (const int joint : joints) ++counts[factors[static_cast<std::size_t>(joint)]];
+  for (const int joint : joints) ++counts[factors[joint]];
   return std::ranges::max_element(counts,
                                   [](const auto& a, const auto& b) { return a.second < b.second; })
       ->first;
@@ -116,13 +116,13 @@ std::vector<int> joints_named(const Skeleton& skeleton, const std::string& name)
 
 Importance importance_for(const NamedImportance& named, const Skeleton& skeleton) {
   Importance importance{.joints = {}, .contacts = named.contacts};
-  std::vector<double> factors(static_cast<std::size_t>(skeleton.joint_count()), 1.0);
+  std::vector<double> factors(skeleton.joint_count(), 1.0);
   for (const bool parts : {true, false})
     for (const auto& [name, factor] : named.factors) {
       if (is_body_part(name) != parts) continue;
       const std::vector<int> joints = joints_named(skeleton, name);
       if (joints.empty() && !parts) throw Error("the skeleton has no joint named " + name);
-      for (const int joint : joints) factors[static_cast<std::size_t>(joint)] = factor;
+      for (const int joint : joints) factors[joint] = factor;
     }
   const bool even = std::ranges::all_of(factors, [](double factor) { return factor == 1; });
   if (!even) importance.joints = std::move(factors);
@@ -139,11 +139,11 @@ NamedImportance named(const Importance& importance, const Skeleton& skeleton) {
     // A joint named like its part is covered by the part's name.
     const int namesake = skeleton.find(std::string(name(part)));
     const bool has_namesake = std::ranges::find(joints, namesake) != joints.end();
-    const double factor = has_namesake ? importance.joints[static_cast<std::size_t>(namesake)]
-                                       : usual_factor(importance.joints, joints);
+    const double factor =
+        has_namesake ? importance.joints[namesake] : usual_factor(importance.joints, joints);
     if (factor == 1) continue;
     named.set(std::string(name(part)), factor);
-    for (const int joint : joints) covered[static_cast<std::size_t>(joint)] = factor;
+    for (const int joint : joints) covered[joint] = factor;
   }
   for (std::size_t j = 0; j < covered.size(); ++j)
     if (importance.joints[j] != covered[j])

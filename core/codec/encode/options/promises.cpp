@@ -70,8 +70,8 @@ void raise_importance(const std::vector<BrokenPromise>& broken, const Skeleton& 
       importance.root = std::max(kFirst, kMore * promise.times * importance.root);
       continue;
     }
-    importance.joints.resize(static_cast<std::size_t>(skeleton.joint_count()), 1.0);
-    double& factor = importance.joints[static_cast<std::size_t>(promise.joint)];
+    importance.joints.resize(skeleton.joint_count(), 1.0);
+    double& factor = importance.joints[promise.joint];
     factor = raised(factor, promise.times);
   }
 }

@@ -22,7 +22,7 @@ constexpr int kCountedSums = 64;  // all above are of the last class
 const std::array<std::uint8_t, kCountedSums> kClassOf = [] {
   std::array<std::uint8_t, kCountedSums> classes{};
   for (int sum = 0; sum < kCountedSums; ++sum)
-    classes[static_cast<std::size_t>(sum)] = static_cast<std::uint8_t>(
+    classes[sum] = static_cast<std::uint8_t>(
         sum < 4 ? sum : std::min(static_cast<int>(2 * std::log2(sum)), kExpectedClasses - 1));
   return classes;
 }();
@@ -33,8 +33,8 @@ class BandMagnitudes {
   void read(const QuantisedSignals& coded, const runtime::Band& band) {
     size_ = band.size;
     stride_ = band.size + 2 * kZeros;
-    bytes_.assign(static_cast<std::size_t>(stride_ * coded.signal_count()), 0);
-    significant_.assign(static_cast<std::size_t>(coded.signal_count()), 0);
+    bytes_.assign(stride_ * coded.signal_count(), 0);
+    significant_.assign(coded.signal_count(), 0);
     for (int s = 0; s < coded.signal_count(); ++s) {
       const int* const values = coded.values.col(s).data() + band.first;
       std::uint8_t* const to = bytes_.data() + s * stride_ + kZeros;
@@ -43,11 +43,11 @@ class BandMagnitudes {
         any |= values[i];
         to[i] = static_cast<std::uint8_t>(std::min(std::abs(values[i]), 255));
       }
-      significant_[static_cast<std::size_t>(s)] = any != 0 ? 1 : 0;
+      significant_[s] = any != 0 ? 1 : 0;
     }
   }
   int size() const { return size_; }
-  bool is_significant(int s) const { return significant_[static_cast<std::size_t>(s)] != 0; }
+  bool is_significant(int s) const { return significant_[s] != 0; }
   const std::uint8_t* of(int s) const { return bytes_.data() + s * stride_ + kZeros; }
 
  private:
@@ -79,7 +79,7 @@ double adaptive_bits(const std::array<int, kCountedMagnitudes>& counts, double m
   for (int m = 0; m < kCountedMagnitudes; ++m, odds *= ratio) {
     const double share = m + 1 < kCountedMagnitudes ? odds : std::max(rest, kLeast);
     rest -= odds;
-    const double count = counts[static_cast<std::size_t>(m)];
+    const double count = counts[m];
     all += count;
     if (count > 0) nats -= log_gamma(kTrust * share + count) - log_gamma(kTrust * share);
   }
@@ -92,26 +92,23 @@ void find_sums(const BandMagnitudes& band, const BandMagnitudes& above, bool has
                const SignalNeighbours& neighbours, std::vector<std::uint16_t>& sums) {
   const int size = band.size();
   const std::uint8_t* const own = band.of(s);
-  for (int i = 0; i < size; ++i)
-    sums[static_cast<std::size_t>(i)] = static_cast<std::uint16_t>(2 * own[i - 1] + own[i - 2]);
+  for (int i = 0; i < size; ++i) sums[i] = static_cast<std::uint16_t>(2 * own[i - 1] + own[i - 2]);
   if (has_parents) {
     const std::uint8_t* const upper = above.of(s);
     for (int i = 0; i < size; i += 2)
-      sums[static_cast<std::size_t>(i)] +=
-          static_cast<std::uint16_t>(2 * upper[i / 2] + upper[i / 2 - 1]);
+      sums[i] += static_cast<std::uint16_t>(2 * upper[i / 2] + upper[i / 2 - 1]);
     for (int i = 1; i < size; i += 2)
-      sums[static_cast<std::size_t>(i)] +=
-          static_cast<std::uint16_t>(2 * upper[i / 2] + upper[i / 2 + 1]);
+      sums[i] += static_cast<std::uint16_t>(2 * upper[i / 2] + upper[i / 2 + 1]);
   }
   if (neighbours.sibling >= 0 && band.is_significant(neighbours.sibling)) {
     const std::uint8_t* const sibling = band.of(neighbours.sibling);
     for (int i = 0; i < size; ++i)
-      sums[static_cast<std::size_t>(i)] +=
+      sums[i] +=
           static_cast<std::uint16_t>(2 * sibling[i] + (sibling[i - 1] + sibling[i + 1] + 1) / 2);
   }
   if (neighbours.mirror >= 0 && band.is_significant(neighbours.mirror)) {
     const std::uint8_t* const mirror = band.of(neighbours.mirror);
-    for (int i = 0; i < size; ++i) sums[static_cast<std::size_t>(i)] += mirror[i];
+    for (int i = 0; i < size; ++i) sums[i] += mirror[i];
   }
 }
 
@@ -137,21 +134,19 @@ SizeParts size_parts(const QuantisedSignals& coded,
   Counts counts{};
   BandMagnitudes band;
   BandMagnitudes above;
-  std::vector<std::uint16_t> sums(static_cast<std::size_t>(coded.values.rows()));
+  std::vector<std::uint16_t> sums(coded.values.rows());
   for (int b = 1; b < bands.count; ++b) {
     std::swap(band, above);
     band.read(coded, bands[b]);
-    auto& of_level =
-        counts[static_cast<std::size_t>(std::min(bands.count - 1 - b, kCountedLevels - 1))];
+    auto& of_level = counts[std::min(bands.count - 1 - b, kCountedLevels - 1)];
     for (int s = 0; s < coded.signal_count(); ++s) {
       if (!band.is_significant(s)) continue;
       ++bits.bands;
-      find_sums(band, above, b > 1, s, neighbours[static_cast<std::size_t>(s)], sums);
+      find_sums(band, above, b > 1, s, neighbours[s], sums);
       const std::uint8_t* const own = band.of(s);
       for (int i = 0; i < bands[b].size; ++i) {
-        const int sum = std::min<int>(sums[static_cast<std::size_t>(i)], kCountedSums - 1);
-        ++of_level[kClassOf[static_cast<std::size_t>(sum)]]
-                  [std::min<std::size_t>(own[i], kCountedMagnitudes - 1)];
+        const int sum = std::min<int>(sums[i], kCountedSums - 1);
+        ++of_level[kClassOf[sum]][std::min<std::size_t>(own[i], kCountedMagnitudes - 1)];
         if (own[i] >= kCountedMagnitudes - 1)
           bits.details += 2 * std::log2(std::abs(coded.values(bands[b].first + i, s)) -
                                         kCountedMagnitudes + 3.0);
@@ -160,7 +155,7 @@ SizeParts size_parts(const QuantisedSignals& coded,
   }
   for (const auto& of_level : counts)
     for (int e = 0; e < kExpectedClasses; ++e) {
-      const auto& of_class = of_level[static_cast<std::size_t>(e)];
+      const auto& of_class = of_level[e];
       bits.details += adaptive_bits(of_class, mean_of_class(e));
       for (std::size_t m = 1; m < of_class.size(); ++m) bits.signs += of_class[m];
     }

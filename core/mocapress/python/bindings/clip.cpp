@@ -48,7 +48,7 @@ std::shared_ptr<CodedClip> from_bytes(const py::buffer& buffer) {
   const py::buffer_info info = buffer.request();
   if (info.ndim != 1 || info.itemsize != 1 || (info.size > 1 && info.strides[0] != 1))
     throw std::invalid_argument("a clip is made of contiguous bytes");
-  std::vector<std::byte> file(static_cast<std::size_t>(info.size));
+  std::vector<std::byte> file(info.size);
   if (!file.empty()) std::memcpy(file.data(), info.ptr, file.size());
   const py::gil_scoped_release without_gil;
   return std::make_shared<CodedClip>(std::move(file));

@@ -50,7 +50,7 @@ void check(const LocalTransforms& given) {
   if (std::ssize(given.parents) != joints)
     refuse("parents are not one for each of " + std::to_string(joints) + " names");
   for (Eigen::Index j = 0; j < joints; ++j)
-    if (const int parent = given.parents[static_cast<std::size_t>(j)]; parent < -1 || parent >= j)
+    if (const int parent = given.parents[j]; parent < -1 || parent >= j)
       refuse("the parent of joint " + std::to_string(j) + " does not come before it");
   if (given.offsets.rows() != joints || given.offsets.cols() != 3)
     refuse("offsets are not joints x 3");
@@ -81,8 +81,8 @@ bool stays(const Eigen::MatrixX3d& places) {
 }
 
 Joint joint_of(const LocalTransforms& given, Eigen::Index j) {
-  Joint joint{.name = given.names[static_cast<std::size_t>(j)],
-              .parent = given.parents[static_cast<std::size_t>(j)],
+  Joint joint{.name = given.names[j],
+              .parent = given.parents[j],
               .offset = given.offsets.row(j).transpose()};
   if (const auto site = given.end_sites.find(static_cast<int>(j)); site != given.end_sites.end())
     joint.end_site = site->second;

@@ -78,7 +78,7 @@ py::list contacts(const Motion& motion) {
   const std::vector<Landmark> points = landmarks(motion.skeleton);
   py::list all;
   for (const ContactSpan& span : spans)
-    all.append(py::dict("joint"_a = to_str(points[static_cast<std::size_t>(span.landmark)].name),
+    all.append(py::dict("joint"_a = to_str(points[span.landmark].name),
                         "first_frame"_a = span.first_frame, "last_frame"_a = span.last_frame));
   return all;
 }
