@@ -75,29 +75,10 @@ std::vector<ClipChange> changes_of(const std::optional<ClipFigures>& before,
 }
 
 std::string_view name(ClipChange change) {
-  switch (change) {
-    case ClipChange::Failed:
-      return "failed";
-    case ClipChange::NewlyVisible:
-      return "newly-visible";
-    case ClipChange::Worse:
-      return "worse";
-    case ClipChange::Larger:
-      return "larger";
-    case ClipChange::Gone:
-      return "gone";
-    case ClipChange::Added:
-      return "added";
-    case ClipChange::Done:
-      return "done";
-    case ClipChange::NoLongerSeen:
-      return "no-longer-visible";
-    case ClipChange::Better:
-      return "better";
-    case ClipChange::Smaller:
-      return "smaller";
-  }
-  return "";
+  constexpr std::string_view kNames[] = {"failed", "newly-visible", "worse", "larger",
+                                         "gone",   "added",         "done",  "no-longer-visible",
+                                         "better", "smaller"};
+  return kNames[static_cast<std::size_t>(change)];
 }
 
 std::optional<ClipChange> clip_change_named(std::string_view word) {

@@ -364,15 +364,8 @@ class Export {
 }  // namespace
 
 std::string_view name(ClipProgress::Stage stage) {
-  switch (stage) {
-    case ClipProgress::Stage::Reading:
-      return "reading";
-    case ClipProgress::Stage::Encoding:
-      return "encoding";
-    case ClipProgress::Stage::Verifying:
-      return "verifying";
-  }
-  return "";
+  constexpr std::string_view kNames[] = {"reading", "encoding", "verifying"};
+  return kNames[static_cast<std::size_t>(stage)];
 }
 
 bool still_done(const BatchRow& row, const Batch& batch, const BatchItem& item,

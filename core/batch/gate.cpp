@@ -24,17 +24,8 @@ bool is_refused_by(const BatchRow& row, Gate gate) {
 }  // namespace
 
 std::string_view name(Gate gate) {
-  switch (gate) {
-    case Gate::Visible:
-      return "visible";
-    case Gate::Borderline:
-      return "borderline";
-    case Gate::Rejected:
-      return "rejected";
-    case Gate::Warning:
-      return "warning";
-  }
-  return "";
+  constexpr std::string_view kNames[] = {"visible", "borderline", "rejected", "warning"};
+  return kNames[static_cast<std::size_t>(gate)];
 }
 
 std::optional<Gate> gate_named(std::string_view word) {

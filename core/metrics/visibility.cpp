@@ -56,15 +56,8 @@ void raise(std::optional<double>& most, double value) {
 }  // namespace
 
 std::string_view name(Sight sight) {
-  switch (sight) {
-    case Sight::NotVisible:
-      return "not-visible";
-    case Sight::Borderline:
-      return "borderline";
-    case Sight::Visible:
-      return "visible";
-  }
-  return "";
+  constexpr std::string_view kNames[] = {"not-visible", "borderline", "visible"};
+  return kNames[static_cast<std::size_t>(sight)];
 }
 
 std::string sight_text(Sight sight, double distance_m) {

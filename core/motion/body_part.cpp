@@ -33,17 +33,8 @@ std::optional<BodyPart> part_of(const std::string& joint) {
 }  // namespace
 
 std::string_view name(BodyPart part) {
-  switch (part) {
-    case BodyPart::Feet:
-      return "feet";
-    case BodyPart::Hands:
-      return "hands";
-    case BodyPart::Fingers:
-      return "fingers";
-    case BodyPart::Head:
-      return "head";
-  }
-  return "unknown";
+  constexpr std::string_view kNames[] = {"feet", "hands", "fingers", "head"};
+  return kNames[static_cast<std::size_t>(part)];
 }
 
 std::vector<int> joints_of(const Skeleton& skeleton, BodyPart part) {

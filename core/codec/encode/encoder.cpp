@@ -147,15 +147,8 @@ Trial encode_to_target(const ClipAnalysis& analysis, const EncodeSettings& setti
 }  // namespace
 
 std::string_view name(Effort effort) {
-  switch (effort) {
-    case Effort::Draft:
-      return "draft";
-    case Effort::Default:
-      return "default";
-    case Effort::Best:
-      return "best";
-  }
-  return "unknown";
+  constexpr std::string_view kNames[] = {"draft", "default", "best"};
+  return kNames[static_cast<std::size_t>(effort)];
 }
 
 Encoder::Encoder(Motion motion) : analysis_(std::make_unique<ClipAnalysis>(std::move(motion))) {}

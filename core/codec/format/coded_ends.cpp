@@ -11,15 +11,8 @@
 namespace mocapress {
 
 std::string_view name(Ends ends) {
-  switch (ends) {
-    case Ends::Free:
-      return "free";
-    case Ends::Even:
-      return "even";
-    case Ends::Exact:
-      return "exact";
-  }
-  return "unknown";
+  constexpr std::string_view kNames[] = {"free", "even", "exact"};
+  return kNames[static_cast<std::size_t>(ends)];
 }
 
 std::vector<std::byte> CodedEnds::write() const {
