@@ -138,15 +138,6 @@ std::string visibility_note(const ReportLanguage& say, const std::set<std::strin
       {escaped(all)});
 }
 
-std::string muted(std::string_view text) {
-  return element("p", attribute("class", "muted"), text);
-}
-
-std::string tile(const std::string& value, const std::string& text) {
-  return element("div", attribute("class", "tile"),
-                 element("b", "", value) + element("span", "", text));
-}
-
 std::string tiles(const ReportLanguage& say, const Totals& totals, std::size_t waiting) {
   std::string all;
   if (totals.visible + totals.borderline + totals.not_visible > 0)
@@ -248,12 +239,11 @@ std::string review_cells(const ReportLanguage& say, const BatchRow& row) {
 }
 
 void write_failures(std::ostream& out, const ReportLanguage& say, const BatchRows& rows) {
-  const auto left = attribute("class", "name");
   out << "<section>" << element("h2", "", say("Failed"))
       << muted(say("No file was written for these clips; older files of theirs are unchanged."))
       << "<div class=\"scroll\"><table><thead>"
-      << line(head(say("Clip"), left) + head(say("preset"), left) + head(say("reason"), left) +
-              head(say("verdict"), left) + head(say("note"), left))
+      << line(text_head(say("Clip")) + text_head(say("preset")) + text_head(say("reason")) +
+              text_head(say("verdict")) + text_head(say("note")))
       << "</thead><tbody>";
   rows([&](const BatchRow& row) {
     if (!row.done())
@@ -285,19 +275,18 @@ std::string clip_line(const ReportLanguage& say, const BatchRow& row) {
 }
 
 void write_clips(std::ostream& out, const ReportLanguage& say, const BatchRows& rows) {
-  const auto left = attribute("class", "name");
   out << "<section>" << element("script", "", kHidingScript) << element("h2", "", say("Every clip"))
       << muted(say(
              "Errors of the file as read back from the disk, against the original: distances in "
              "centimetres, rotation errors of joints, head and hands in degrees."))
       << "<div class=\"scroll\"><table id=\"clips\"><thead>"
-      << line(head(say("Clip"), left) + head(say("visibility"), left) + head(say("verdict"), left) +
-              head(say("note"), left) + head(say("warnings")) + head(say("ratio")) +
+      << line(text_head(say("Clip")) + text_head(say("visibility")) + text_head(say("verdict")) +
+              text_head(say("note")) + head(say("warnings")) + head(say("ratio")) +
               head(say("max")) + head(say("at frame")) + head(kEpsX) + head("p95") + head("p99") +
               head(say("joints")) + head(say("head")) + head(say("hands")) +
               head(say("foot drift")) + head(say("worst drift")) + head(say("foot path")) +
-              head("KB") + head(say("frames")) + head(say("preset"), left) +
-              head(say("asked"), left) + head(say("method"), left))
+              head("KB") + head(say("frames")) + text_head(say("preset")) +
+              text_head(say("asked")) + text_head(say("method")))
       << "</thead><tbody>\n";
   rows([&](const BatchRow& row) {
     if (row.done() && row.measured) out << clip_line(say, row) << '\n';
@@ -307,11 +296,10 @@ void write_clips(std::ostream& out, const ReportLanguage& say, const BatchRows& 
 
 /// Writes what reviewers noted on frames, clip by clip.
 void write_notes(std::ostream& out, const ReportLanguage& say, const BatchRows& rows) {
-  const auto left = attribute("class", "name");
   out << "<section>" << element("h2", "", say("Notes")) << "<div class=\"scroll\"><table><thead>"
-      << line(head(say("Clip"), left) + head(say("frame")) + head(say("joint"), left) +
-              head(say("note"), left) + head(say("by"), left) + head(say("when"), left) +
-              head(say("stale"), left))
+      << line(text_head(say("Clip")) + head(say("frame")) + text_head(say("joint")) +
+              text_head(say("note")) + text_head(say("by")) + text_head(say("when")) +
+              text_head(say("stale")))
       << "</thead><tbody>\n";
   rows([&](const BatchRow& row) {
     for (const FrameNote& note : row.review.notes)
@@ -368,11 +356,10 @@ void write_warnings(std::ostream& out, const ReportLanguage& say, const BatchRow
       if (++clips.count <= kNamed) clips.named += (clips.count > 1 ? ", " : "") + row.output;
     }
   });
-  const auto left = attribute("class", "name");
   out << "<section>" << element("h2", "", say("Repaired or guessed on reading"))
       << muted(say("report.csv lists each warning with its file and line."))
       << "<div class=\"scroll\"><table><thead>"
-      << line(head(say("warning"), left) + head(say("count")) + head(say("clips"), left))
+      << line(text_head(say("warning")) + head(say("count")) + text_head(say("clips")))
       << "</thead><tbody>\n";
   for (const auto& [warning, clips] : warnings)
     out << line(cell(escaped(say(warning)), "wrap") + cell(std::to_string(clips.count)) +
@@ -424,12 +411,7 @@ void write_batch_html(std::ostream& out, const BatchRows& rows, std::size_t wait
                       std::span<const std::byte> viewer) {
   Totals totals{say};
   rows([&](const BatchRow& row) { totals.add(row); });
-  out << "<!DOCTYPE html>\n<html" << attribute("lang", say.code)
-      << "><head><meta charset=\"utf-8\"/><meta "
-         "name=\"viewport\" "
-         "content=\"width=device-width, initial-scale=1\"/>"
-      << element("title", "", say("Batch export")) << element("style", "", kReportStyle)
-      << "</head><body><main>"
+  out << page_begin(say.code, say("Batch export"), kReportStyle)
       << element("header", "",
                  element("h1", "", say("Batch export")) +
                      muted(escaped(stamp.program + ", " + stamp.time)))

@@ -50,6 +50,11 @@ inline std::string head(std::string_view content, std::string_view attributes = 
   return element("th", attributes, content);
 }
 
+/// The heading of a column of text.
+inline std::string text_head(std::string_view content) {
+  return head(content, attribute("class", "name"));
+}
+
 inline std::string row_head(std::string_view text) {
   return head(escaped(text), attribute("scope", "row"));
 }
@@ -61,6 +66,26 @@ inline std::string line(std::string_view cells, std::string_view attributes = ""
 inline std::string table(std::string_view heads, std::string_view body) {
   return element("div", attribute("class", "scroll"),
                  element("table", "", element("thead", "", heads) + element("tbody", "", body)));
+}
+
+/// A paragraph in grey.
+inline std::string muted(std::string_view content) {
+  return element("p", attribute("class", "muted"), content);
+}
+
+/// A figure in large letters, with its meaning.
+inline std::string tile(std::string_view figure, std::string_view meaning) {
+  return element("div", attribute("class", "tile"),
+                 element("b", "", figure) + element("span", "", meaning));
+}
+
+/// The beginning of a page, up to its contents, which "</main></body></html>" ends.
+inline std::string page_begin(std::string_view language, std::string_view title,
+                              std::string_view style) {
+  return "<!DOCTYPE html>\n<html" + attribute("lang", language) +
+         "><head><meta charset=\"utf-8\"/><meta name=\"viewport\" "
+         "content=\"width=device-width, initial-scale=1\"/>" +
+         element("title", "", title) + element("style", "", style) + "</head><body><main>";
 }
 
 /// A heading over several columns.

@@ -63,11 +63,7 @@ std::string review_page(std::string_view name, const std::vector<std::string>& f
                         std::span<const std::byte> viewer) {
   std::string list;
   for (const std::string& fact : facts) list += element("li", "", escaped(fact));
-  return "<!DOCTYPE html>\n<html" + attribute("lang", say.code) +
-         "><head><meta charset=\"utf-8\"/><meta "
-         "name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>" +
-         element("title", "", escaped(name)) + element("style", "", kReportStyle) +
-         "</head><body><main>" +
+  return html::page_begin(say.code, escaped(name), kReportStyle) +
          element("noscript", "",
                  element("h1", "", escaped(name)) + element("ul", "", list) +
                      element("p", "", say("The viewer needs JavaScript."))) +

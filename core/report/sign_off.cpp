@@ -53,14 +53,6 @@ std::string or_nothing(const std::string& text) {
   return text.empty() ? kNothing : escaped(text);
 }
 
-std::string muted(std::string_view text) {
-  return element("p", attribute("class", "muted"), text);
-}
-
-std::string left(std::string_view text) {
-  return head(text, attribute("class", "name"));
-}
-
 /// A reason why something is stale, or nothing.
 std::string reason_text(const ReportLanguage& say, const std::optional<std::string>& reason) {
   return or_nothing(reason ? say(*reason) : "");
@@ -123,8 +115,8 @@ std::string worst_table(const SignOff& report) {
       "section", "",
       element("h2", "", say("Worst frames")) +
           muted(say("The frame with the largest error of each clip, the largest first.")) +
-          table(line(left(say("Clip")) + head(say("frame")) + head(say("error, cm")) +
-                     left(say("point")) + left(say("eye")) + left(say("stale"))),
+          table(line(text_head(say("Clip")) + head(say("frame")) + head(say("error, cm")) +
+                     text_head(say("point")) + text_head(say("eye")) + text_head(say("stale"))),
                 lines));
 }
 
@@ -143,8 +135,9 @@ std::string notes_table(const SignOff& report) {
   return element(
       "section", "",
       element("h2", "", say("Notes")) +
-          table(line(left(say("Clip")) + head(say("frame")) + left(say("joint")) +
-                     left(say("note")) + left(say("by")) + left(say("when")) + left(say("stale"))),
+          table(line(text_head(say("Clip")) + head(say("frame")) + text_head(say("joint")) +
+                     text_head(say("note")) + text_head(say("by")) + text_head(say("when")) +
+                     text_head(say("stale"))),
                 lines));
 }
 
@@ -172,13 +165,14 @@ std::string clips_table(const SignOff& report) {
       cells += cell(kNothing) + cell(kNothing) + cell(kNothing) + cell(kNothing) + cell(kNothing);
     lines += line(cells);
   }
-  return element("section", "",
-                 element("h2", attribute("class", "every"), say("Every clip")) +
-                     table(line(left(say("Clip")) + left(say("verdict")) + left(say("by")) +
-                                left(say("when")) + left(say("stale")) + left(say("note")) +
-                                head(say("ratio")) + head(say("bytes")) + head(say("error, cm")) +
-                                head(say("largest, cm")) + left(say("eye"))),
-                           lines));
+  return element(
+      "section", "",
+      element("h2", attribute("class", "every"), say("Every clip")) +
+          table(line(text_head(say("Clip")) + text_head(say("verdict")) + text_head(say("by")) +
+                     text_head(say("when")) + text_head(say("stale")) + text_head(say("note")) +
+                     head(say("ratio")) + head(say("bytes")) + head(say("error, cm")) +
+                     head(say("largest, cm")) + text_head(say("eye"))),
+                lines));
 }
 
 }  // namespace
@@ -202,12 +196,8 @@ std::string sign_off_html(const SignOff& report, ReportMedium medium) {
   const std::string judged_by = limits_text(report);
   const std::string title =
       report.title.empty() ? say("Sign-off") : say("Sign-off: %1", {report.title});
-  return "<!DOCTYPE html>\n<html" + attribute("lang", say.code) +
-         "><head><meta charset=\"utf-8\"/><meta "
-         "name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>" +
-         element("title", "", escaped(title)) +
-         element("style", "", medium == ReportMedium::Screen ? kReportStyle : kPaperStyle) +
-         "</head><body><main>" +
+  return page_begin(say.code, escaped(title),
+                    medium == ReportMedium::Screen ? kReportStyle : kPaperStyle) +
          element("header", "",
                  element("h1", "", escaped(title)) +
                      muted(escaped(report.stamp.program + ", " + report.stamp.time)) +

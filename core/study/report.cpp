@@ -23,11 +23,9 @@
 
 namespace mocapress {
 
-namespace {
+using namespace html;
 
-std::string paragraph(std::string_view text) {
-  return element("p", attribute("class", "muted"), text);
-}
+namespace {
 
 std::string section(std::string_view title, std::string_view content) {
   if (content.empty()) return "";
@@ -116,11 +114,6 @@ std::string clip_chart(const ReportLanguage& say, const Results& results, const 
           draw(chart, say));
 }
 
-std::string tile(const std::string& value, const std::string& text) {
-  return element("div", attribute("class", "tile"),
-                 element("b", "", value) + element("span", "", text));
-}
-
 std::string mean_of(const ReportLanguage& say, const MeanRatio& mean) {
   return mean.clips == 1 ? say("one clip")
                          : say("geometric mean of %1 clips", {std::to_string(mean.clips)});
@@ -135,8 +128,8 @@ std::string tiles(const ReportLanguage& say, const Results& results) {
   if (ratio)
     all += tile(
         ratio_text(ratio->ratio),
-        say("%1 at %2 = %3 cm, %4", {escaped(title_of(say, first)), html::kEpsX,
-                                     format_shortest(eps_cm), mean_of(say, *ratio)}) +
+        say("%1 at %2 = %3 cm, %4",
+            {escaped(title_of(say, first)), kEpsX, format_shortest(eps_cm), mean_of(say, *ratio)}) +
             (results.weighting() == Weighting::JointOrigins && eps_cm == kPublishedInvisibleEpsCm
                  ? say(" (the paper: about %1:1)", {format_shortest(kPublishedMeanRatio)})
                  : ""));
@@ -176,7 +169,6 @@ const Series* smallest_at(const Results& results, double eps_cm) {
 
 /// Says which method and which preset to take, by what was measured.
 std::string recommendation(const ReportLanguage& say, const Results& results) {
-  using namespace html;
   const double eps_cm = headline_eps_cm(results);
   const Series* best = smallest_at(results, eps_cm);
   if (!best) return "";
@@ -195,16 +187,15 @@ std::string recommendation(const ReportLanguage& say, const Results& results) {
                   cell(ratio ? ratio_text(ratio->ratio) : std::string(kNothing)) +
                   cell(ratio ? std::to_string(ratio->clips) : std::string(kNothing)));
   }
-  if (lines.empty()) return section(say("Recommended method"), paragraph(text));
+  if (lines.empty()) return section(say("Recommended method"), muted(text));
   text += ' ' + say("The presets use %1. The table shows the ratio at the error of each preset. "
                     "Presets also bound the errors of heads, hands and roots, which costs some "
                     "more bytes.",
                     {escaped(title_of(say, shipped))});
-  return section(
-      say("Recommended method"),
-      paragraph(text) + table(line(head(say("Preset")) + head(kEpsX + std::string(", cm")) +
-                                   head(say("mean ratio")) + head(say("clips"))),
-                              lines));
+  return section(say("Recommended method"),
+                 muted(text) + table(line(head(say("Preset")) + head(kEpsX + std::string(", cm")) +
+                                          head(say("mean ratio")) + head(say("clips"))),
+                                     lines));
 }
 
 std::string subtitle(const ReportLanguage& say, const Results& results) {
@@ -229,7 +220,7 @@ std::string measuring_notes(const ReportLanguage& say, const Results& results) {
   add(say("Ratio"),
       say("Bytes of the channels as 32-bit floats, divided by the bytes of the coded motion. The "
           "skeleton counts on neither side, as in the paper. 1 KB = 1024 bytes."));
-  add(html::kEpsX,
+  add(kEpsX,
       say("The paper's positional distortion (section 3.1), weighted by %1: the weighted root mean "
           "square distance between points of the body and the same points of the original. The "
           "paper's own figures use the weighting joint-origins.",
@@ -245,7 +236,7 @@ std::string measuring_notes(const ReportLanguage& say, const Results& results) {
       say("Geometric mean over the clips of the ratio at equal %1, at errors within the measured "
           "range of every clip. Ratios between measured points are interpolated, linearly in the "
           "logarithms of ratio and error, and marked %2.",
-          {html::kEpsX, "&#8776;"}));
+          {kEpsX, "&#8776;"}));
   add(say("Coding"),
       say("%1, seed %2", {coding_text(say, results), std::to_string(row.settings.seed)}));
   int jobs = 0;
@@ -270,13 +261,13 @@ std::string curves_section(const ReportLanguage& say, const Results& results) {
     if (results.mean_curve(series).empty())
       missing += (missing.empty() ? "" : ", ") + escaped(title_of(say, series));
   if (!missing.empty())
-    drawn += paragraph(
+    drawn += muted(
         say("These methods have no mean, since no error is within the range of all clips: %1.",
             {missing}));
   return section(say("Error against compression ratio"),
-                 paragraph(say("Files are smaller to the right, errors smaller to the bottom. "
-                               "Curves are geometric means of the ratio at equal error. The dotted "
-                               "line is 0.5 cm: the paper saw no artifacts below it.")) +
+                 muted(say("Files are smaller to the right, errors smaller to the bottom. "
+                           "Curves are geometric means of the ratio at equal error. The dotted "
+                           "line is 0.5 cm: the paper saw no artifacts below it.")) +
                      drawn + mean_size_table(say, results));
 }
 
@@ -288,7 +279,7 @@ std::string clips_section(const ReportLanguage& say, const Results& results) {
     published = published || clip.published;
   }
   return section(say("Every clip"),
-                 (published ? paragraph(say("Hollow marks are the paper's Table 1.")) : "") +
+                 (published ? muted(say("Hollow marks are the paper's Table 1.")) : "") +
                      legend(say, results) +
                      element("div", attribute("class", "multiples"), charts) +
                      clip_table(say, results));
@@ -376,7 +367,7 @@ std::string worst_scene(const ReportLanguage& say, const Picture& picture, std::
   const std::string title = title_of(say, method);
   return captioned(scene.finish(say("%1 over its original at its worst frame", {title})),
                    say("%1 at %2: %3 %4 cm over the clip, largest error %5 cm; at this frame: %6.",
-                       {element("b", "", escaped(title)), ratio_text(method.ratio), html::kEpsX,
+                       {element("b", "", escaped(title)), ratio_text(method.ratio), kEpsX,
                         format_significant(method.eps_cm), format_significant(method.max_error_cm),
                         escaped(picture.landmark_names[worst])}) +
                        " " + review_of(say, picture, method));
@@ -454,20 +445,19 @@ std::string picture_section(const ReportLanguage& say, const Picture& picture) {
   const std::string clip = utf8(utf8_path(picture.clip).stem());
   std::string content =
       element("h2", "", say("%1 at %2:1", {escaped(clip), format_shortest(picture.ratio)})) +
-      paragraph(say("Compressed motion in red over the original in grey, all at the same ratio. "
-                    "The first pictures show the frame with the largest error of %1: %2. Lines on "
-                    "the floor are half a metre apart.",
-                    {escaped(title_of(say, picture.methods.front())),
-                     seconds_text(say, picture, picture.worst.frame)})) +
+      muted(say("Compressed motion in red over the original in grey, all at the same ratio. "
+                "The first pictures show the frame with the largest error of %1: %2. Lines on "
+                "the floor are half a metre apart.",
+                {escaped(title_of(say, picture.methods.front())),
+                 seconds_text(say, picture, picture.worst.frame)})) +
       element("div", attribute("class", "pair"), pair) + strips +
-      element("h3", "", say("Visible errors over time")) + paragraph(say(kSightLegend)) +
+      element("h3", "", say("Visible errors over time")) + muted(say(kSightLegend)) +
       element("div", attribute("class", "pair"), seen);
   if (picture.foot)
-    content +=
-        element("h3", "", say("The foot that slides most")) +
-        paragraph(say("Path of the foot over the floor during one contact: original in grey, "
-                      "compressed dark.")) +
-        element("div", attribute("class", "pair"), feet);
+    content += element("h3", "", say("The foot that slides most")) +
+               muted(say("Path of the foot over the floor during one contact: original in grey, "
+                         "compressed dark.")) +
+               element("div", attribute("class", "pair"), feet);
   return element("section", "", content);
 }
 
@@ -478,8 +468,8 @@ std::string report_html(const Results& results, const std::vector<Picture>& pict
   const ReportStamp stamp = report_stamp();
   std::string body =
       element("header", "",
-              element("h1", "", say("Compression study")) + paragraph(subtitle(say, results)) +
-                  paragraph(escaped(stamp.program + ", " + stamp.time)));
+              element("h1", "", say("Compression study")) + muted(subtitle(say, results)) +
+                  muted(escaped(stamp.program + ", " + stamp.time)));
   if (!results.clips().empty()) {
     body += tiles(say, results) + recommendation(say, results) + curves_section(say, results);
     if (are_reviewed(pictures))
@@ -495,14 +485,8 @@ std::string report_html(const Results& results, const std::vector<Picture>& pict
   body += section(say("Missed targets"), failure_table(say, results));
   if (!results.clips().empty())
     body += section(say("How clips were measured"), measuring_notes(say, results));
-  return "<!DOCTYPE html>\n" +
-         element("html", attribute("lang", say.code),
-                 "<head><meta charset=\"utf-8\"/><meta name=\"viewport\" "
-                 "content=\"width=device-width, initial-scale=1\"/>" +
-                     element("title", "", say("Compression study")) +
-                     element("style", "", kReportStyle) + "</head>" +
-                     element("body", "", element("main", "", body))) +
-         "\n";
+  return page_begin(say.code, say("Compression study"), kReportStyle) + body +
+         "</main></body></html>\n";
 }
 
 }  // namespace mocapress

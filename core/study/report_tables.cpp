@@ -182,7 +182,7 @@ std::string footskate_at(const ReportLanguage& say, const Results& results, cons
     return std::ranges::any_of(
         results.clips(), [&](const StudiedClip& clip) { return measured(clip, one) != nullptr; });
   });
-  std::string heads = head(say("Clip"), attribute("class", "name")) + head(say("contacts"));
+  std::string heads = text_head(say("Clip")) + head(say("contacts"));
   for (const Series* one : series) heads += head(escaped(title_of(say, *one)));
   std::string body;
   std::map<const Series*, double> sums;
@@ -327,22 +327,19 @@ std::string footskate_table(const ReportLanguage& say, const Results& results) {
       tables += footskate_at(say, results, *target);
   return tables.empty()
              ? ""
-             : element("p", attribute("class", "muted"),
-                       say("Horizontal path of the feet during contacts, beyond the original's; in "
-                           "brackets the mean contact and the worst contact. Contacts are detected "
-                           "in the original; clips without contacts are not listed.")) +
+             : muted(say("Horizontal path of the feet during contacts, beyond the original's; in "
+                         "brackets the mean contact and the worst contact. Contacts are detected "
+                         "in the original; clips without contacts are not listed.")) +
                    tables;
 }
 
 std::string clip_table(const ReportLanguage& say, const Results& results) {
   const double eps_cm = headline_eps_cm(results);
-  std::string heads =
-      head(say("Clip"), attribute("class", "name")) + head(say("frames")) + head(say("seconds"));
+  std::string heads = text_head(say("Clip")) + head(say("frames")) + head(say("seconds"));
   for (const Series& series : results.series()) heads += head(escaped(title_of(say, series)));
   const bool reviewed = std::ranges::any_of(
       results.clips(), [](const StudiedClip& clip) { return clip.review != ClipReview(); });
-  const auto left = attribute("class", "name");
-  if (reviewed) heads += head(say("verdict"), left) + head(say("note"), left);
+  if (reviewed) heads += text_head(say("verdict")) + text_head(say("note"));
   std::string body;
   for (const StudiedClip& clip : results.clips()) {
     std::string cells = row_head(clip_head(clip)) + cell(std::to_string(clip.frames)) +
@@ -359,8 +356,7 @@ std::string clip_table(const ReportLanguage& say, const Results& results) {
   }
   return body.empty()
              ? ""
-             : element("p", attribute("class", "muted"),
-                       say("Compression ratio at %1.", {kEpsX + (" = " + eps_text(eps_cm))})) +
+             : muted(say("Compression ratio at %1.", {kEpsX + (" = " + eps_text(eps_cm))})) +
                    table(line(heads), body);
 }
 
@@ -399,7 +395,7 @@ std::string angle_cell(const BodyFigures& body) {
 std::string angle_table(const ReportLanguage& say, const Results& results) {
   const auto target = angle_target(results);
   if (!target) return "";
-  std::string heads = head(say("Clip"), attribute("class", "name"));
+  std::string heads = text_head(say("Clip"));
   for (const Series& series : results.series()) heads += head(escaped(title_of(say, series)));
   std::string body;
   for (const StudiedClip& clip : results.clips()) {
@@ -410,11 +406,10 @@ std::string angle_table(const ReportLanguage& say, const Results& results) {
     }
     body += line(cells);
   }
-  return element("p", attribute("class", "muted"),
-                 say("Angle between a joint's world-space rotation and the original's, root mean "
-                     "square over frames and joints; in brackets that of the head and of the worse "
-                     "hand, if they are recognised by their names. Measured at %1.",
-                     {angle_target_text(*target)})) +
+  return muted(say("Angle between a joint's world-space rotation and the original's, root mean "
+                   "square over frames and joints; in brackets that of the head and of the worse "
+                   "hand, if they are recognised by their names. Measured at %1.",
+                   {angle_target_text(*target)})) +
          table(line(heads), body);
 }
 
@@ -469,9 +464,9 @@ std::string held_feet_table(const ReportLanguage& say, const Results& results) {
   const std::string groups = head("") + head("") +
                              group(say("%1 (cm) without, with IK", {kEpsX}), 3) +
                              group(say("footskate (cm) without, with IK"), 3) + head("");
-  const std::string heads = head(say("Clip"), attribute("class", "name")) + head(say("ratio")) +
-                            head(say("without")) + head(say("with")) + head("") +
-                            head(say("without")) + head(say("with")) + head("") + head(say("knee"));
+  const std::string heads = text_head(say("Clip")) + head(say("ratio")) + head(say("without")) +
+                            head(say("with")) + head("") + head(say("without")) +
+                            head(say("with")) + head("") + head(say("knee"));
   std::string body;
   for (const StudiedClip& clip : results.clips()) {
     const Pair pair = pair_of(results, clip, *held, *target);
@@ -479,10 +474,9 @@ std::string held_feet_table(const ReportLanguage& say, const Results& results) {
       body += line_of(clip, pair, results.weighting());
   }
   if (body.empty()) return "";
-  return element("p", attribute("class", "muted"),
-                 say("Clips with and without IK have the same compression ratio, so bytes of the "
-                     "correction are missing elsewhere. Knee: its highest speed, divided by that "
-                     "of the original.")) +
+  return muted(say("Clips with and without IK have the same compression ratio, so bytes of the "
+                   "correction are missing elsewhere. Knee: its highest speed, divided by that "
+                   "of the original.")) +
          table(line(groups) + line(heads), body);
 }
 
@@ -524,14 +518,13 @@ std::string failure_table(const ReportLanguage& say, const Results& results) {
                  cell(joined(failure.targets), "wrap") + cell(escaped(say(failure.why)), "wrap") +
                  cell(joined(failure.steps), "wrap"));
   if (body.empty()) return "";
-  const auto left = attribute("class", "name");
   return element("details", "",
                  element("summary", "",
                          say("%1 combinations of clip and method missed a target",
                              {std::to_string(failures.size())})) +
-                     table(line(head(say("Clip"), left) + head(say("method"), left) +
-                                head(say("missed target"), left) + head(say("first reason"), left) +
-                                head(say("nearest result"), left)),
+                     table(line(text_head(say("Clip")) + text_head(say("method")) +
+                                text_head(say("missed target")) + text_head(say("first reason")) +
+                                text_head(say("nearest result"))),
                            body));
 }
 
