@@ -31,7 +31,7 @@ LocalTransform local_of(const Skeleton& skeleton, const Pose& pose, int joint, d
   return local;
 }
 
-/// The same for all joints of a pose, where some are scaled.
+/// The same for all joints of a pose where some are scaled.
 std::vector<LocalTransform> scaled_locals(const Skeleton& skeleton, const Pose& pose,
                                           const JointScales& scales, int frame,
                                           double cm_per_unit) {
@@ -50,6 +50,16 @@ std::vector<LocalTransform> scaled_locals(const Skeleton& skeleton, const Pose& 
       throw WriteError("a joint is scaled to nothing: what hangs from it has no place");
     placements[j] = below(parent, local);
   }
+  return locals;
+}
+
+/// The same for all joints of a pose, scaled or not.
+std::vector<LocalTransform> locals_of(const Skeleton& skeleton, const Pose& pose,
+                                      const JointScales& scales, int frame, double cm_per_unit) {
+  if (scales.any()) return scaled_locals(skeleton, pose, scales, frame, cm_per_unit);
+  std::vector<LocalTransform> locals;
+  for (int j = 0; j < skeleton.joint_count(); ++j)
+    locals.push_back(local_of(skeleton, pose, j, cm_per_unit));
   return locals;
 }
 
@@ -179,33 +189,17 @@ Pose resting_pose(const Motion& motion, const SourceFormat& source) {
 std::vector<NodeTrack> tracks_of(const Motion& motion, const Pose& rest, double cm_per_unit,
                                  const JointScales& scales) {
   const Skeleton& skeleton = motion.skeleton;
-  std::vector<NodeTrack> tracks(skeleton.joint_count());
-  for (int j = 0; j < skeleton.joint_count(); ++j) {
-    NodeTrack& track = tracks[j];
-    track.node = static_cast<std::size_t>(j);
-    track.rest = local_of(skeleton, rest, j, cm_per_unit);
-  }
-  if (scales.any()) {
-    const std::vector<LocalTransform> rests = scaled_locals(skeleton, rest, scales, 0, cm_per_unit);
-    for (std::size_t j = 0; j < tracks.size(); ++j) tracks[j].rest = rests[j];
-  }
+  std::vector<NodeTrack> tracks;
+  for (const LocalTransform& local : locals_of(skeleton, rest, scales, 0, cm_per_unit))
+    tracks.push_back({.node = tracks.size(), .rest = local});
   Pose pose;
   for (int t = 0; t < motion.clip.frames(); ++t) {
     compute_pose(skeleton, motion.clip.channels.row(t), pose);
-    if (scales.any()) {
-      const std::vector<LocalTransform> locals =
-          scaled_locals(skeleton, pose, scales, t, cm_per_unit);
-      for (std::size_t j = 0; j < tracks.size(); ++j) {
-        tracks[j].translation.push_back(locals[j].translation);
-        tracks[j].rotation.push_back(locals[j].rotation);
-        if (scales.has(j)) tracks[j].scales.push_back(locals[j].scale);
-      }
-      continue;
-    }
-    for (int j = 0; j < skeleton.joint_count(); ++j) {
-      const LocalTransform local = local_of(skeleton, pose, j, cm_per_unit);
-      tracks[j].translation.push_back(local.translation);
-      tracks[j].rotation.push_back(local.rotation);
+    const std::vector<LocalTransform> locals = locals_of(skeleton, pose, scales, t, cm_per_unit);
+    for (std::size_t j = 0; j < tracks.size(); ++j) {
+      tracks[j].translation.push_back(locals[j].translation);
+      tracks[j].rotation.push_back(locals[j].rotation);
+      if (scales.has(j)) tracks[j].scales.push_back(locals[j].scale);
     }
   }
   return tracks;

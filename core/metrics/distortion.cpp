@@ -46,37 +46,22 @@ std::vector<float> all_of(const Eigen::MatrixXf& values) {
   return {values.data(), values.data() + values.size()};
 }
 
+/// The spread of a weighting that is not on bones; zeros for the skin of a body without a mesh.
+Spread spread_of(const Distortion& distortion, Weighting weighting) {
+  if (weighting == Weighting::Skin) return distortion.skin.value_or(Spread());
+  return weighting == Weighting::Shell ? distortion.shell : distortion.surface;
+}
+
 }  // namespace
 
 double Distortion::eps(Weighting weighting) const {
-  switch (weighting) {
-    case Weighting::BoneEnds:
-      return eps_bone_ends;
-    case Weighting::JointOrigins:
-      return eps_joint_origins;
-    case Weighting::Surface:
-      return surface.rms;
-    case Weighting::Shell:
-      return shell.rms;
-    case Weighting::Skin:
-      return skin ? skin->rms : 0;
-  }
-  return 0;
+  if (weighting == Weighting::BoneEnds) return eps_bone_ends;
+  if (weighting == Weighting::JointOrigins) return eps_joint_origins;
+  return spread_of(*this, weighting).rms;
 }
 
 WorstPoint Distortion::worst(Weighting weighting) const {
-  switch (weighting) {
-    case Weighting::BoneEnds:
-    case Weighting::JointOrigins:
-      return max;
-    case Weighting::Surface:
-      return surface.max;
-    case Weighting::Shell:
-      return shell.max;
-    case Weighting::Skin:
-      return skin ? skin->max : WorstPoint();
-  }
-  return {};
+  return is_on_bones(weighting) ? max : spread_of(*this, weighting).max;
 }
 
 double Distortion::degrees(const std::vector<int>& joints) const {

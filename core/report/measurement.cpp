@@ -3,35 +3,24 @@
 
 namespace mocapress {
 
+namespace {
+
+/// The spread of a weighting that is not on bones; zeros for the skin of a body without a mesh.
+Spread spread_of(const BodyFigures& body, Weighting weighting) {
+  if (weighting == Weighting::Skin) return body.skin.value_or(Spread());
+  return weighting == Weighting::Shell ? body.shell : body.surface;
+}
+
+}  // namespace
+
 double Measurement::eps_cm(Weighting weighting) const {
-  switch (weighting) {
-    case Weighting::BoneEnds:
-      return eps_bone_ends_cm;
-    case Weighting::JointOrigins:
-      return eps_joint_origins_cm;
-    case Weighting::Surface:
-      return body.surface.rms;
-    case Weighting::Shell:
-      return body.shell.rms;
-    case Weighting::Skin:
-      return body.skin ? body.skin->rms : 0;
-  }
-  return 0;
+  if (weighting == Weighting::BoneEnds) return eps_bone_ends_cm;
+  if (weighting == Weighting::JointOrigins) return eps_joint_origins_cm;
+  return spread_of(body, weighting).rms;
 }
 
 double Measurement::max_cm(Weighting weighting) const {
-  switch (weighting) {
-    case Weighting::BoneEnds:
-    case Weighting::JointOrigins:
-      return max_error_cm;
-    case Weighting::Surface:
-      return body.surface.max.cm;
-    case Weighting::Shell:
-      return body.shell.max.cm;
-    case Weighting::Skin:
-      return body.skin ? body.skin->max.cm : 0;
-  }
-  return 0;
+  return is_on_bones(weighting) ? max_error_cm : spread_of(body, weighting).max.cm;
 }
 
 double Measurement::quantity(Target::Kind kind, Weighting weighting) const {
