@@ -4,12 +4,12 @@
 #include "core/formats/gltf_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <iterator>
 #include <limits>
 
+#include "core/base/base64.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/memory_limit.h"
@@ -57,34 +57,6 @@ std::string percent_decoded(std::string_view uri) {
     if (escaped) i += 2;
   }
   return text;
-}
-
-/// The decoded bytes; unset if the text is no base64.
-std::optional<std::string> base64_decoded(std::string_view text) {
-  static const std::array<signed char, 256> kValues = [] {
-    std::array<signed char, 256> values;
-    values.fill(-1);
-    signed char value = 0;
-    for (const char c :
-         std::string_view("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"))
-      values[static_cast<unsigned char>(c)] = value++;
-    return values;
-  }();
-  while (!text.empty() && text.back() == '=') text.remove_suffix(1);
-  std::string bytes;
-  bytes.reserve(text.size() / 4 * 3 + 2);
-  unsigned bits = 0;
-  int held = 0;
-  for (const char c : text) {
-    const int value = kValues[static_cast<unsigned char>(c)];
-    if (value < 0) return std::nullopt;
-    bits = bits << 6 | static_cast<unsigned>(value);
-    held += 6;
-    if (held < 8) continue;
-    held -= 8;
-    bytes += static_cast<char>(bits >> held & 0xFFU);
-  }
-  return bytes;
 }
 
 /// True if a URI begins with "http:", "file:", "C:" or the like.
@@ -320,9 +292,11 @@ std::string GltfFile::resource(const std::string& uri) const {
     constexpr std::string_view kMark = ";base64,";
     const std::size_t mark = uri.find(kMark);
     if (mark == std::string::npos || mark > uri.find(',')) fail("has a data URI without base64");
-    auto bytes = base64_decoded(std::string_view(uri).substr(mark + kMark.size()));
-    if (!bytes) fail("has a data URI that is not base64");
-    return *std::move(bytes);
+    std::string_view digits = std::string_view(uri).substr(mark + kMark.size());
+    while (digits.ends_with('=')) digits.remove_suffix(1);
+    if (digits.find_first_not_of(kBase64Digits) != digits.npos)
+      fail("has a data URI that is not base64");
+    return bytes_of_base64(digits);
   }
   const std::string shown = "\"" + uri.substr(0, 120) + '"';
   const fs::path relative = utf8_path(percent_decoded(uri));

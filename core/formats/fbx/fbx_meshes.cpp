@@ -11,6 +11,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/base/base64.h"
 #include "core/base/file.h"
 #include "core/base/path_kind.h"
 #include "core/base/utf8_path.h"
@@ -32,24 +33,6 @@ Affine3d affine_of(const std::vector<double>& numbers) {
 bool is_matrix(const std::vector<double>& numbers) {
   return numbers.size() == 16 &&
          std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); });
-}
-
-std::string from_base64(std::string_view text) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const char c : text) {
-    const std::size_t digit = kDigits.find(c);
-    if (digit == kDigits.npos) continue;
-    bits = bits << 6 | static_cast<std::uint32_t>(digit);
-    count += 6;
-    if (count < 8) continue;
-    count -= 8;
-    bytes.push_back(static_cast<char>(bits >> count & 0xFF));
-  }
-  return bytes;
 }
 
 /// A corner of a polygon.
@@ -373,7 +356,7 @@ std::shared_ptr<const SkinPicture> FbxMeshReader::read_picture(const std::string
       std::string bytes;
       for (const FbxValue& value : records_.values(*content))
         if (value.kind == FbxValue::Kind::Text)
-          bytes += records_.is_binary() ? std::string(value.text) : from_base64(value.text);
+          bytes += records_.is_binary() ? std::string(value.text) : bytes_of_base64(value.text);
       if (!bytes.empty()) return picture_of(file, stated, std::move(bytes), warnings_);
     }
   const std::filesystem::path folder = utf8_path(file).parent_path();

@@ -16,5 +16,11 @@ TEST(Base64, IsThatOfTheStandard) {
   EXPECT_EQ(base64_of(std::string_view("\xff\0\xfe", 3)), "/wD+");
 }
 
+TEST(Base64, ComesBackWhateverStandsBetweenItsDigits) {
+  for (const std::string bytes : {"", "f", "fo", "foo", "foob", "\xff\xfe\x01\x80"})
+    EXPECT_EQ(bytes_of_base64(base64_of(bytes)), bytes);
+  EXPECT_EQ(bytes_of_base64("Zm9v\n Ym\"Fy"), "foobar");
+}
+
 }  // namespace
 }  // namespace mocapress::test
