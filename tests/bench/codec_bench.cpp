@@ -93,9 +93,11 @@ BENCHMARK(Rle16Encode);
 void Rle16Decode(benchmark::State& state) {
   const Eigen::MatrixXd coefficients = kept_coefficients();
   const auto bytes = words(coefficients);
-  for (auto _ : state)
-    benchmark::DoNotOptimize(rle16_decode(bytes, static_cast<int>(coefficients.rows()),
-                                          static_cast<int>(coefficients.cols())));
+  for (auto _ : state) {
+    ByteReader reader(bytes);
+    benchmark::DoNotOptimize(rle16_read(reader, static_cast<int>(coefficients.rows()),
+                                        static_cast<int>(coefficients.cols())));
+  }
   count_frames(state);
 }
 BENCHMARK(Rle16Decode);

@@ -30,6 +30,10 @@ std::filesystem::path golden(const std::string& name) {
   return std::filesystem::path(MOCAPRESS_SOURCE_DIR) / "tests/golden" / name;
 }
 
+CompressedClip golden_file(const std::string& name) {
+  return read_container(read_bytes(golden(name)));
+}
+
 std::string file_name(Coding coding) {
   return "v1_" + std::string(name(coding)) + ".mcpr";
 }
@@ -73,7 +77,7 @@ void expect_golden_skeleton(const Skeleton& skeleton) {
 class Golden : public testing::TestWithParam<Coding> {};
 
 TEST_P(Golden, Version1ReadsAsItAlwaysDid) {
-  const CompressedClip clip = load_mcpr(golden(file_name(GetParam())));
+  const CompressedClip clip = golden_file(file_name(GetParam()));
   expect_golden_skeleton(clip.skeleton);
   EXPECT_EQ(clip.sample_rate_hz, 60);
   EXPECT_EQ(clip.basis, Basis::Cubic);
@@ -92,7 +96,7 @@ TEST_P(Golden, Version1ReadsAsItAlwaysDid) {
 
 TEST_P(Golden, TheWriterStillMakesTheSameMotion) {
   const Clip now = decode(golden_clip(GetParam()));
-  const Clip then = decode(load_mcpr(golden(file_name(GetParam()))));
+  const Clip then = decode(golden_file(file_name(GetParam())));
   EXPECT_LT((now.channels - then.channels).cwiseAbs().maxCoeff(), kValueTolerance);
 }
 
@@ -100,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(Version1, Golden, testing::Values(Coding::Rle16, Coding
                          [](const auto& coding) { return std::string(name(coding.param)); });
 
 TEST(GoldenCorrection, Version1ReadsAsItAlwaysDid) {
-  const CompressedClip clip = load_mcpr(golden("v1_correction.mcpr"));
+  const CompressedClip clip = golden_file("v1_correction.mcpr");
   ASSERT_TRUE(clip.correction);
   EXPECT_EQ(clip.correction->solver, IkSolver::NearestPose);
   const Eigen::MatrixXd expected = values_of_csv(read_text(golden("v1_correction_expected.csv")),
@@ -109,7 +113,7 @@ TEST(GoldenCorrection, Version1ReadsAsItAlwaysDid) {
 }
 
 TEST(GoldenAdaptive, Version1ReadsAsItAlwaysDid) {
-  const CompressedClip clip = load_mcpr(golden("v1_joints.mcpr"));
+  const CompressedClip clip = golden_file("v1_joints.mcpr");
   EXPECT_EQ(clip.coding, Coding::Adaptive);
   const Eigen::MatrixXd expected =
       values_of_csv(read_text(golden("v1_joints_expected.csv")), 50, clip.skeleton.channel_count());
@@ -358,29 +362,29 @@ TEST(GoldenBytes, TheWriterStillMakesTheSameRle16Files) {
 
 TEST(GoldenBytes, DISABLED_AreWrittenAnew) {
   for (const Coding coding : {Coding::Rle16, Coding::Deflate})
-    save_mcpr(golden(file_name(coding)), golden_clip(coding));
+    write_bytes(golden(file_name(coding)), write_container(golden_clip(coding)));
   const auto write_expected = [](const char* file, const CompressedClip& clip) {
     write_text(golden(file), csv_text({clip.skeleton, decode(clip)}));
   };
   write_expected("v1_expected.csv", golden_clip(Coding::Rle16));
-  save_mcpr(golden("v1_joints.mcpr"), golden_adaptive_clip());
+  write_bytes(golden("v1_joints.mcpr"), write_container(golden_adaptive_clip()));
   write_expected("v1_joints_expected.csv", golden_adaptive_clip());
   write_bytes(golden("v1_joints_expected.f32"), played(write_container(golden_adaptive_clip())));
   write_bytes(golden("v1_source.mcpr"),
               with_source(write_container(golden_adaptive_clip()), kGoldenSource));
   write_bytes(golden("v1_tracks.mcpr"), golden_tracks_file());
   write_bytes(golden("v1_tracks_expected.f32"), played_tracks(golden_tracks_file()));
-  save_mcpr(golden("v1_ends.mcpr"), golden_ends_clip());
+  write_bytes(golden("v1_ends.mcpr"), write_container(golden_ends_clip()));
   write_bytes(golden("v1_ends_expected.f32"), played(write_container(golden_ends_clip())));
-  save_mcpr(golden("v1_velocity.mcpr"), golden_velocity_clip());
+  write_bytes(golden("v1_velocity.mcpr"), write_container(golden_velocity_clip()));
   write_bytes(golden("v1_velocity_expected.f32"), played(write_container(golden_velocity_clip())));
-  save_mcpr(golden("v1_axes.mcpr"), golden_turned_clip());
+  write_bytes(golden("v1_axes.mcpr"), write_container(golden_turned_clip()));
   const std::vector<float> places = positions(write_container(golden_turned_clip()));
   write_bytes(golden("v1_axes_expected.f32"), std::as_bytes(std::span(places)));
-  save_mcpr(golden("v1_segments.mcpr"), golden_segmented_clip());
+  write_bytes(golden("v1_segments.mcpr"), write_container(golden_segmented_clip()));
   write_bytes(golden("v1_tiers.mcpr"), golden_tiers());
   write_bytes(golden("v1_segments_expected.f32"), played(write_container(golden_segmented_clip())));
-  save_mcpr(golden("v1_correction.mcpr"), golden_corrected_clip());
+  write_bytes(golden("v1_correction.mcpr"), write_container(golden_corrected_clip()));
   write_expected("v1_correction_expected.csv", golden_corrected_clip());
   make_bank(golden("v1_bank.mcpk"), find_bank_sources(files_of_bank()), {});
   write_learned_bank(golden("v1_learned.mcpk"));

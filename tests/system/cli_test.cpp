@@ -322,7 +322,7 @@ TEST_F(Cli, OneThreadMakesTheSameBytes) {
 
 TEST_F(Cli, DecompressedFilesReadAgainAsTheDecodedMotion) {
   compress({});
-  const CompressedClip packed = load_mcpr(packed_);
+  const CompressedClip packed = read_container(read_bytes(packed_));
   const Clip decoded = decode(packed);
   const Eigen::MatrixXd tracks = landmark_tracks(packed.skeleton, decoded);
   const std::string skeleton = file("bones.asf");

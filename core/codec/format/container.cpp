@@ -5,8 +5,6 @@
 #include <optional>
 
 #include "core/base/byte_cursor.h"
-#include "core/base/file.h"
-#include "core/base/utf8_path.h"
 #include "core/codec/format/axes_section.h"
 #include "core/codec/format/format_error.h"
 #include "core/codec/format/room.h"
@@ -227,18 +225,6 @@ CompressedClip read_container(std::span<const std::byte> bytes, int tiers) {
     throw FormatError(sections_of(bytes, tiers).motion.offset,
                       "not a wavelet clip: it was made by a comparison method (section COMP)");
   return std::move(container.clip);
-}
-
-CompressedClip load_mcpr(const std::filesystem::path& path) {
-  try {
-    return read_container(read_bytes(path));
-  } catch (const FormatError& error) {
-    throw InputError(utf8(path), 0, 0, error.what());
-  }
-}
-
-void save_mcpr(const std::filesystem::path& path, const CompressedClip& clip) {
-  write_bytes(path, write_container(clip));
 }
 
 }  // namespace mocapress

@@ -2,7 +2,6 @@
 // The .mcpr file. Layout and what is rejected: FORMAT.md.
 #pragma once
 
-#include <filesystem>
 #include <span>
 
 #include "core/codec/format/compressed_clip.h"
@@ -29,10 +28,5 @@ std::vector<std::byte> write_container(const Container& container);
 runtime::FileSections sections_of(std::span<const std::byte> bytes, int tiers = 0);
 
 Container read_any_container(std::span<const std::byte> bytes, int tiers = 0);
-
-/// Loads and saves clips of wavelets. Loading throws InputError, which names file and byte offset;
-/// saving throws WriteError.
-CompressedClip load_mcpr(const std::filesystem::path& path);
-void save_mcpr(const std::filesystem::path& path, const CompressedClip& clip);
 
 }  // namespace mocapress

@@ -69,16 +69,6 @@ std::vector<std::byte> rle16_encode(const Eigen::MatrixXd& coefficients,
   return writer.release();
 }
 
-Eigen::MatrixXd rle16_decode(std::span<const std::byte> bytes, int per_channel, int channels) {
-  ByteReader reader(bytes);
-  const Rle16Values read = rle16_read(reader, per_channel, channels);
-  reader.expect_end();
-  Eigen::MatrixXd coefficients = read.values.cast<double>();
-  for (Eigen::Index c = 0; c < coefficients.cols(); ++c)
-    coefficients.col(c) *= std::ldexp(1.0, read.exponents[c]);
-  return coefficients;
-}
-
 Rle16Values rle16_read(ByteReader& reader, int per_channel, int channels) {
   Rle16Values read;
   for (int c = 0; c < channels; ++c) {

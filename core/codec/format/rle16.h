@@ -5,7 +5,6 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "core/base/byte_cursor.h"
@@ -25,17 +24,13 @@ inline constexpr int kCoarsestExponent = 64;
 std::vector<std::byte> rle16_encode(const Eigen::MatrixXd& coefficients,
                                     const Eigen::VectorXd& dropped);
 
-/// The inverse, up to quantisation. Throws FormatError unless the bytes are exactly `channels`
-/// channels of `per_channel` coefficients.
-Eigen::MatrixXd rle16_decode(std::span<const std::byte> bytes, int per_channel, int channels);
-
 /// The decoded words.
 struct Rle16Values {
   std::vector<int> exponents;  // for each channel: its step is 2^exponent
   Eigen::MatrixXi values;      // coefficients x channels, in steps
 };
 
-/// Reads the next words. Throws FormatError as rle16_decode() does.
+/// Reads the next words: `channels` channels of `per_channel` coefficients. Throws FormatError.
 Rle16Values rle16_read(ByteReader& reader, int per_channel, int channels);
 
 /// The most bytes that a coding of this shape can take.
