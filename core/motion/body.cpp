@@ -255,13 +255,10 @@ int body_root(const Skeleton& skeleton) {
   std::vector<int> children(skeleton.joint_count(), 0);
   for (const Joint& joint : skeleton.joints())
     if (joint.parent >= 0) ++children[joint.parent];
-  const auto is_moved = [](const Joint& joint) {
-    return std::ranges::any_of(joint.channels, [](ChannelKind kind) { return !is_rotation(kind); });
-  };
   // Joints come parents first, so that those above the body are the first ones.
   int root = 0;
   while (root + 1 < skeleton.joint_count() && children[root] == 1 &&
-         skeleton.joint(root + 1).parent == root && is_moved(skeleton.joint(root + 1)))
+         skeleton.joint(root + 1).parent == root && has_translation(skeleton.joint(root + 1)))
     ++root;
   return root;
 }
