@@ -8,7 +8,7 @@ namespace mocapress {
 /// A decomposition of rows: row = mean + projections.row * basis^T.
 struct PrincipalComponents {
   Eigen::VectorXd mean;
-  Eigen::MatrixXd basis;  // columns of the rows x components, orthonormal, largest variance first
+  Eigen::MatrixXd basis;        // orthonormal, a column for each component, largest variance first
   Eigen::MatrixXd projections;  // rows x components
   Eigen::VectorXd variances;    // each component's mean squared projection
 

@@ -126,7 +126,7 @@ void NodeTree::find_movement() {
 /// Finds joints: nodes that begin a skeleton, and those between or above them.
 void NodeTree::find_joints() {
   const std::size_t count = nodes_.size();
-  // Below a joint or, in a file that marks none, below a moving node.
+  // Whether a node that begins a skeleton is above or below each node.
   std::vector<bool> above(count);
   std::vector<bool> below(count);
   const auto begins = [&](std::size_t i) { return are_marked_ ? nodes_[i].joint : moves_[i]; };

@@ -37,8 +37,8 @@ std::span<const Settings> built_in_presets() {
   constexpr double kCloseUp = 1.0 / 3;
   constexpr double kCrowd = 3;
   // On a screen 60 cm away a person is 26, 7 and 2.6 cm tall from these distances. Gameplay's
-  // results on the study clips are not visible from there, or borderline (FIGURES.md: What the eye
-  // sees).
+  // results on the study clips are not visible from there, or borderline (FIGURES.md, "What the
+  // eye sees").
   constexpr SightLimits kNearby{.distance_m = 4};
   constexpr SightLimits kInPlay{.distance_m = 15};
   constexpr SightLimits kInCrowds{.distance_m = 40};

@@ -51,7 +51,7 @@ std::optional<float> frontOf(const Skeleton& skeleton, const Eigen::MatrixXd& tr
   const std::vector<int> ankles = topsOf(skeleton, regions, BodyRegion::Foot);
   if (hips.size() != 2 || ankles.size() != 2) return {};
   const std::vector<Toe> toes = toesOf(skeleton, ankles);
-  // On the floor: z and x.
+  // A landmark's place on the floor: z and x.
   const auto at = [&](Eigen::Index frame, int landmark) {
     return Eigen::Vector2d(tracks(frame, 3 * landmark + 2), tracks(frame, 3 * landmark));
   };

@@ -111,7 +111,8 @@ void Session::openRow(const StudyRow& row, const QString& skeleton) {
   wanted.contacts = before.now().encode.contacts;
   wanted.ranges = before.now().encode.ranges;
   wanted.limits = before.now().encode.limits;
-  if (settingsKey(wanted) == settingsKey(before.now().encode)) return apply(before);  // no step
+  if (settingsKey(wanted) == settingsKey(before.now().encode))
+    return apply(before);  // nothing to undo
   document_.loadOptions(wanted);
   changeTuning(before, document_.tuning());
 }

@@ -17,7 +17,7 @@ class LinkReceiver : public QObject {
  public:
   explicit LinkReceiver(QObject* parent = nullptr, const QString& address = ownAddress());
 
-  /// Where this user's studio listens.
+  /// The address at which this user's studio listens.
   static QString ownAddress();
 
  signals:

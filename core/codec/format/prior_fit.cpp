@@ -54,7 +54,7 @@ std::size_t known_contexts(const NotedClip& clip, const CodingKnowledge& known) 
                                        : static_cast<std::size_t>(ContextLayout(0).shared);
 }
 
-// ---------------------------------------------------------------- each context by itself
+// Fits each context by itself.
 
 /// On POSIX, std::lgamma also writes the sign into a variable of all threads.
 double log_gamma(double x) {
@@ -115,7 +115,7 @@ ContextPrior most_likely(const std::vector<ContextTally>& tallies,
   return best;
 }
 
-// ---------------------------------------------------------------- all contexts together
+// Fits all contexts together.
 
 struct Gradient {
   explicit Gradient(const CodingKnowledge& known)

@@ -13,7 +13,7 @@
 namespace mocapress {
 namespace {
 
-constexpr int kTries = 8;        // to meet a target error on a base that is no pose
+constexpr int kTries = 8;        // at a target error, where the base is not a single pose
 constexpr double kShrink = 0.9;  // each try's target at most, beside the last one's
 constexpr double kSafe = 0.995;  // of the error that the last try leads to expect
 

@@ -35,7 +35,7 @@ Eigen::Vector3d BallisticTrack::at(double seconds) const {
   const Eigen::Vector3d v1 = next->velocity * duration;
   const Eigen::Vector3d a0 = from.acceleration * duration * duration / 2;
   const Eigen::Vector3d a1 = next->acceleration * duration * duration / 2;
-  // What the parabola from the first knot misses of the second: position, velocity, acceleration.
+  // The second knot minus the end of the parabola from the first: position, velocity, acceleration.
   const Eigen::Vector3d p = next->position - from.position - v0 - a0;
   const Eigen::Vector3d v = v1 - v0 - 2 * a0;
   const Eigen::Vector3d a = a1 - a0;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kMargin = 1.5;  // s planned before and after the clip
 
-/// What the feet do to the rest of the body.
+/// The movements of the rest of the body that follow from the feet.
 class GaitBody {
  public:
   GaitBody(const Gait& gait, const Feet& feet, Random& random)
@@ -49,7 +49,7 @@ class GaitBody {
 
   double heading(double seconds) const { return path_.heading(path_.distance(seconds)); }
 
-  /// How far the left ankle is before the right one, in steps.
+  /// The distance of the left ankle ahead of the right one, in steps.
   double feet_ahead(const Feet& feet, double seconds) const {
     const double angle = heading(seconds);
     const Eigen::Vector3d ahead(std::sin(angle), 0, std::cos(angle));
@@ -62,7 +62,7 @@ class GaitBody {
     return (feet.left.stance_at(seconds) ? 1 : 0) - (feet.right.stance_at(seconds) ? 1 : 0);
   }
 
-  /// How far to the left of the path (cm) the loaded feet are, in the mean.
+  /// The mean distance of the loaded feet to the left of the path, in cm.
   double side_of_load(const Feet& feet, double seconds) const {
     const double angle = heading(seconds);
     const Eigen::Vector3d left(std::cos(angle), 0, -std::sin(angle));

@@ -8,7 +8,7 @@
 namespace mocapress::samples {
 namespace {
 
-/// How the axes that a bone turns about lie in its frame.
+/// The frame along which the axes lie that a bone turns about.
 enum class Axes { AsFrame, AsHand };
 
 /// A bone as Acclaim has it: its children start at its end.

@@ -13,8 +13,8 @@ namespace {
 constexpr double kLeastFlexion = 1;  // degrees
 constexpr double kMostFlexion = 150;
 
-/// The turn about the unit vector `axis` after which w is perpendicular to u. Of the two there are
-/// (one bends the knee backwards) the one that leaves `hinge` nearer to u.
+/// The turn about the unit vector `axis` after which w is perpendicular to u. There are two (one
+/// bends the knee backwards): returns the one that leaves `hinge` nearer to u.
 double turn_to_perpendicular(const Eigen::Vector3d& axis, const Eigen::Vector3d& w,
                              const Eigen::Vector3d& u, const Eigen::Vector3d& hinge) {
   const double constant = u.dot(axis) * axis.dot(w);

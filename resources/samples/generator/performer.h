@@ -13,10 +13,10 @@ namespace mocapress::samples {
 inline constexpr double kSampleRate = 120;  // Hz
 inline constexpr double kGravity = 981;     // cm/s^2
 
-/// What `centre` moves.
+/// The point that `centre` moves.
 enum class Centre { Root, Mass };
 
-/// What the figure is to do, before it becomes angles.
+/// The wanted movement of the figure, before it becomes angles.
 struct Choreography {
   double seconds;
   FootPlan left;

@@ -11,8 +11,8 @@ namespace mocapress::samples {
 /// Between -1 and 1, triangular around 0.
 double jitter(Random& random);
 
-/// What no two strides have in common: a sum of sinusoids from 0.25 to 15 Hz, slow ones larger, of
-/// about unit root mean square.
+/// The part that differs from stride to stride: a sum of sinusoids from 0.25 to 15 Hz, slow ones
+/// larger, of about unit root mean square.
 class Drift {
  public:
   explicit Drift(Random& random);
@@ -27,10 +27,11 @@ class Drift {
   std::vector<Wave> waves_;
 };
 
-/// What cameras add: independent from frame to frame, nearly Gaussian, of unit standard deviation.
+/// The noise that cameras add: independent from frame to frame, nearly Gaussian, of unit standard
+/// deviation.
 double sensor_noise(Random& random);
 
-/// How much one angle of a joint drifts and trembles (degrees, root mean square).
+/// The drift and tremble of one angle of a joint (degrees, root mean square).
 struct Unrest {
   double drift;
   double noise;

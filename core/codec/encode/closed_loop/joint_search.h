@@ -28,9 +28,9 @@ class JointSearch {
   /// The matrix rows for `count` coefficients, a multiple of eight; rows beyond `count` are zero.
   static Eigen::Index rows_for(Eigen::Index count) { return (count + 7) / 8 * 8; }
 
-  /// Moves x of all coefficients change the error by 2 slopes x + x^T cross x. `cross` is
-  /// rows_for(coefficients) x coefficients, and its diagonal holds the curves. Both arguments must
-  /// outlive this.
+  /// A vector x of moves changes the error by 2 slope^T x + x^T cross x. `cross` has
+  /// rows_for(coefficients) rows and a column for each coefficient; its diagonal repeats
+  /// Coefficient::curve. Both arguments must outlive this.
   JointSearch(std::span<const Coefficient> coefficients, const Eigen::MatrixXf& cross);
 
   /// The moves found, -1 to 1 for each coefficient; zeros where none pays.

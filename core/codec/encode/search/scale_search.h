@@ -23,7 +23,7 @@ using CoarsenTrial = std::function<Trial(const Trial& trial, const Eigen::Vector
 /// The start and the limits of a search.
 struct ScaleGuess {
   double likely;                   // the scale that is likely to meet the target
-  std::function<double()> finest;  // called after the first trial; finer scales do not fit
+  std::function<double()> finest;  // the finest that a file can hold; called after a trial
   bool dear = false;               // trials are slow: take few, stop anywhere within the tolerance
   bool corrected = false;          // with IK, which mends less than the sweeps expect
 };
