@@ -4897,8 +4897,8 @@
         <translation>Bytes de los canales como flotantes de 32 bits, divididos por los bytes del movimiento codificado. El esqueleto no cuenta en ningún lado, como en el artículo. 1 KB = 1024 bytes.</translation>
     </message>
     <message>
-        <source>The paper&apos;s positional distortion (section 3.1), weighted by %1: the weighted root mean square distance between points of the body and the same points of the original. The paper&apos;s own figures use the weighting joint-origins.</source>
-        <translation>La distorsión de posición del artículo (sección 3.1), ponderada por %1: la distancia cuadrática media ponderada entre los puntos del cuerpo y los mismos puntos del original. Las cifras del artículo usan la ponderación joint-origins.</translation>
+        <source>The paper&apos;s positional distortion (section 3.1), weighted by %1: the weighted root mean square distance between points of the body and the same points of the original. The paper&apos;s own figures use the weighting %2.</source>
+        <translation>La distorsión de posición del artículo (sección 3.1), ponderada por «%1»: la distancia cuadrática media ponderada entre los puntos del cuerpo y los mismos puntos del original. Las cifras del artículo usan la ponderación «%2».</translation>
     </message>
     <message>
         <source>Judged from %1 m, by %2.</source>

@@ -4897,8 +4897,8 @@
         <translation>Octets des canaux en flottants de 32 bits, divisés par les octets du mouvement codé. Le squelette ne compte d&apos;aucun côté, comme dans l&apos;article. 1 Ko = 1024 octets.</translation>
     </message>
     <message>
-        <source>The paper&apos;s positional distortion (section 3.1), weighted by %1: the weighted root mean square distance between points of the body and the same points of the original. The paper&apos;s own figures use the weighting joint-origins.</source>
-        <translation>La distorsion de position de l&apos;article (section 3.1), pondérée par %1 : la distance quadratique moyenne pondérée entre les points du corps et les mêmes points de l&apos;original. Les chiffres de l&apos;article utilisent la pondération joint-origins.</translation>
+        <source>The paper&apos;s positional distortion (section 3.1), weighted by %1: the weighted root mean square distance between points of the body and the same points of the original. The paper&apos;s own figures use the weighting %2.</source>
+        <translation>La distorsion de position de l&apos;article (section 3.1), pondérée selon « %1 » : la distance quadratique moyenne pondérée entre les points du corps et les mêmes points de l&apos;original. Les chiffres de l&apos;article utilisent la pondération « %2 ».</translation>
     </message>
     <message>
         <source>Judged from %1 m, by %2.</source>

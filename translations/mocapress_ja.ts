@@ -4866,8 +4866,8 @@
         <translation>32 ビット浮動小数点でのチャンネルのバイト数を、符号化した動きのバイト数で割ったものです。論文と同じく、スケルトンはどちらにも数えません。1 KB = 1024 バイト。</translation>
     </message>
     <message>
-        <source>The paper&apos;s positional distortion (section 3.1), weighted by %1: the weighted root mean square distance between points of the body and the same points of the original. The paper&apos;s own figures use the weighting joint-origins.</source>
-        <translation>論文の位置の歪み（3.1 節）を %1 で重み付けしたもので、体の点と元の同じ点の距離の重み付き二乗平均平方根です。論文の数値は joint-origins の重み付けによります。</translation>
+        <source>The paper&apos;s positional distortion (section 3.1), weighted by %1: the weighted root mean square distance between points of the body and the same points of the original. The paper&apos;s own figures use the weighting %2.</source>
+        <translation>論文の位置の歪み（3.1 節）を「%1」で重み付けしたもので、体の点と元の同じ点の距離の重み付き二乗平均平方根です。論文の数値は 「%2」の重み付けによります。</translation>
     </message>
     <message>
         <source>Judged from %1 m, by %2.</source>

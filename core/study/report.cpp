@@ -201,13 +201,13 @@ std::string recommendation(const ReportLanguage& say, const Results& results) {
 std::string subtitle(const ReportLanguage& say, const Results& results) {
   return say("Clips: %1, methods: %2, compressions: %3. Error weighting: %4.",
              {std::to_string(results.clips().size()), std::to_string(results.series().size()),
-              std::to_string(results.rows().size()), std::string(name(results.weighting()))});
+              std::to_string(results.rows().size()), say(std::string(name(results.weighting())))});
 }
 
 std::string coding_text(const ReportLanguage& say, const Results& results) {
   for (const StudyRow& row : results.rows())
     if (const auto coding = coding_of(row.settings))
-      return say("wavelets by %1", {std::string(name(*coding))});
+      return say("wavelets by %1", {say(std::string(name(*coding)))});
   return say("no wavelets");
 }
 
@@ -223,8 +223,9 @@ std::string measuring_notes(const ReportLanguage& say, const Results& results) {
   add(kEpsX,
       say("The paper's positional distortion (section 3.1), weighted by %1: the weighted root mean "
           "square distance between points of the body and the same points of the original. The "
-          "paper's own figures use the weighting joint-origins.",
-          {std::string(name(results.weighting()))}));
+          "paper's own figures use the weighting %2.",
+          {say(std::string(name(results.weighting()))),
+           say(std::string(name(Weighting::JointOrigins)))}));
   if (const auto judged = std::ranges::find_if(
           results.rows(), [](const StudyRow& one) { return one.measured && one.measured->seen; });
       judged != results.rows().end()) {

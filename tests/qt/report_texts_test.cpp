@@ -203,7 +203,9 @@ TEST(ReportTexts, ReportsOfStudiesFollowTheProgram) {
   const std::string page = report_html(Results(rows), {}, reportLanguage(), {});
   keep(page, "study-es.html");
   expectIn(page, {"<html lang=\"es\">", "Estudio de compresión", "Ondículas recocidas",
-                  "<h2>Todos los clips</h2>", "100 fotogramas"});
+                  "<h2>Todos los clips</h2>", "100 fotogramas", "ponderada por «superficie»",
+                  "la ponderación «orígenes de articulaciones»"});
+  EXPECT_EQ(page.find("joint-origins"), page.npos);
 }
 
 }  // namespace

@@ -7,7 +7,9 @@
 #include <map>
 #include <optional>
 
+#include "core/codec/format/coding.h"
 #include "core/metrics/visibility.h"
+#include "core/motion/landmarks.h"
 #include "widgets/models/display_names.h"
 #include "widgets/models/sentence.h"
 
@@ -218,7 +220,7 @@ struct ReportTexts {
           "skeleton counts on neither side, as in the paper. 1 KB = 1024 bytes."),
       QT_TR_NOOP("The paper's positional distortion (section 3.1), weighted by %1: the weighted "
                  "root mean square distance between points of the body and the same points of the "
-                 "original. The paper's own figures use the weighting joint-origins."),
+                 "original. The paper's own figures use the weighting %2."),
       QT_TR_NOOP("Judged from %1 m, by %2."),
       QT_TR_NOOP("Mean"),
       QT_TR_NOOP("Geometric mean over the clips of the ratio at equal %1, at errors within the "
@@ -358,11 +360,21 @@ std::optional<QString> translatedLimits(const QString& english) {
   return ReportTexts::tr("own limits: %1").arg(limits.join(QStringLiteral(", ")));
 }
 
+/// A weighting or coding by its name in tables and settings.
+std::optional<QString> translatedChoice(const std::string& english) {
+  for (const Weighting weighting : kWeightings)
+    if (name(weighting) == english) return displayName(weighting).toLower();
+  for (const Coding coding : {Coding::Rle16, Coding::Deflate, Coding::Adaptive})
+    if (name(coding) == english) return displayName(coding).toLower();
+  return std::nullopt;
+}
+
 std::string translated(const std::string& english) {
   if (english.empty()) return english;
   const QString source = QString::fromStdString(english);
   for (const QString& text : {ReportTexts::tr(english.c_str()), translatedMethod(english.c_str())})
     if (text != source) return text.toStdString();
+  if (const auto choice = translatedChoice(english)) return choice->toStdString();
   if (const auto reason = translatedReason(source)) return reason->toStdString();
   return translatedLimits(source).value_or(translatedSentence(source)).toStdString();
 }
