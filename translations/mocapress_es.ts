@@ -4163,6 +4163,10 @@
         <translation>Como en lo &amp;demás</translation>
     </message>
     <message>
+        <source>The target is a size: the other frames get worse</source>
+        <translation>El objetivo es un tamaño: los demás fotogramas empeoran</translation>
+    </message>
+    <message>
         <source>%1 times stricter</source>
         <translation>%1 veces más estricto</translation>
     </message>

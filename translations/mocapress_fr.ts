@@ -4163,6 +4163,10 @@
         <translation>Comme &amp;ailleurs</translation>
     </message>
     <message>
+        <source>The target is a size: the other frames get worse</source>
+        <translation>La cible est une taille : les autres images se dégradent</translation>
+    </message>
+    <message>
         <source>%1 times stricter</source>
         <translation>%1 fois plus strict</translation>
     </message>

@@ -4132,6 +4132,10 @@
         <translation>ほかと同じ(&amp;E)</translation>
     </message>
     <message>
+        <source>The target is a size: the other frames get worse</source>
+        <translation>目標がサイズなので、ほかのフレームは粗くなります</translation>
+    </message>
+    <message>
         <source>%1 times stricter</source>
         <translation>%1 倍厳しく</translation>
     </message>

@@ -63,6 +63,20 @@ TEST_F(RangeActionsOnAWalk, GiveTheRangeAFactorAndShowWhichItHas) {
   EXPECT_TRUE(options().ranges.empty());
 }
 
+TEST_F(RangeActionsOnAWalk, SayThatTheRestGetsWorseIfTheTargetIsASize) {
+  playback_.setRange(std::pair(10, 30));
+  EncodeSettings settings = options();
+  settings.target = {Target::Kind::Error, 0.5};
+  session_.setOptions(settings);
+  const auto errors = entriesOf(actions_.care()).size();
+  settings.target = {Target::Kind::Ratio, 20};
+  session_.setOptions(settings);
+  const QList<QAction*> entries = entriesOf(actions_.care());
+  EXPECT_GT(entries.size(), errors);
+  EXPECT_TRUE(entries.back()->text().contains(QStringLiteral("get worse")));
+  EXPECT_FALSE(entries.back()->isEnabled());
+}
+
 TEST_F(RangeActionsOnAWalk, LetAFootStandOrLiftIt) {
   playback_.setRange(std::pair(10, 30));
   const std::size_t found = session_.document().contacts().size();

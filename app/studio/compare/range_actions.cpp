@@ -65,6 +65,9 @@ void RangeActions::fillCare() {
     action->setCheckable(true);
     action->setChecked(factor == now);
   }
+  if (is_error(session_->document().options().target)) return;
+  care_->addSeparator();
+  care_->addAction(tr("The target is a size: the other frames get worse"))->setEnabled(false);
 }
 
 void RangeActions::fillContacts() {
