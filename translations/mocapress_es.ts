@@ -185,7 +185,7 @@
     </message>
     <message>
         <source>Add &amp;Folder to Library…</source>
-        <translation>Añadir carpeta a la biblioteca…</translation>
+        <translation>A&amp;ñadir carpeta a la biblioteca…</translation>
     </message>
     <message>
         <source>&amp;Pin This Result</source>
@@ -197,7 +197,7 @@
     </message>
     <message>
         <source>Error S&amp;cale</source>
-        <translation>Escala de error</translation>
+        <translation>Escala de &amp;error</translation>
     </message>
     <message>
         <source>Recent Projec&amp;ts</source>
@@ -250,6 +250,14 @@
     <message>
         <source>Angle Scale</source>
         <translation>Escala de ángulos</translation>
+    </message>
+    <message>
+        <source>Colours and S&amp;cales</source>
+        <translation>Colores &amp;y escalas</translation>
+    </message>
+    <message>
+        <source>Pane&amp;ls</source>
+        <translation>Pa&amp;neles</translation>
     </message>
     <message>
         <source>&amp;Save Compressed Clip</source>
@@ -385,7 +393,7 @@
     </message>
     <message>
         <source>Compare in the Ran&amp;ge</source>
-        <translation>Comparar en el intervalo</translation>
+        <translation>Comparar en el inter&amp;valo</translation>
     </message>
     <message>
         <source>Loop the chosen range with both figures side by side, and show its errors alone</source>
@@ -401,7 +409,7 @@
     </message>
     <message>
         <source>Co&amp;mpare Library with a Batch…</source>
-        <translation>Comparar la biblioteca con un lote…</translation>
+        <translation>Comparar la bibliot&amp;eca con un lote…</translation>
     </message>
     <message>
         <source>Show what got larger, worse or newly visible since an earlier batch or project</source>
@@ -1716,7 +1724,7 @@
     <name>mocapress::ErrorDisplay</name>
     <message>
         <source>Errors in &amp;Degrees</source>
-        <translation>Errores en grados</translation>
+        <translation>Errores en &amp;grados</translation>
     </message>
     <message>
         <source>Degrees</source>
@@ -8665,7 +8673,7 @@ Haga clic para cargarlo en Studio.</translation>
     </message>
     <message>
         <source>Poses of the Tra&amp;il</source>
-        <translation>Poses de la estela</translation>
+        <translation>&amp;Poses de la estela</translation>
     </message>
     <message>
         <source>Fo&amp;ur Views</source>
@@ -8688,8 +8696,8 @@ Haga clic para cargarlo en Studio.</translation>
         <translation>%L1 veces</translation>
     </message>
     <message>
-        <source>From the F&amp;ront</source>
-        <translation>De f&amp;rente</translation>
+        <source>From the Fro&amp;nt</source>
+        <translation>De fr&amp;ente</translation>
     </message>
     <message>
         <source>Look along the z axis; again: as before</source>

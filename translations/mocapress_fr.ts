@@ -252,6 +252,14 @@
         <translation>Échelle d&apos;angle</translation>
     </message>
     <message>
+        <source>Colours and S&amp;cales</source>
+        <translation>Couleu&amp;rs et échelles</translation>
+    </message>
+    <message>
+        <source>Pane&amp;ls</source>
+        <translation>Pannea&amp;ux</translation>
+    </message>
+    <message>
         <source>&amp;Save Compressed Clip</source>
         <translation>&amp;Enregistrer le clip compressé</translation>
     </message>
@@ -401,7 +409,7 @@
     </message>
     <message>
         <source>Co&amp;mpare Library with a Batch…</source>
-        <translation>Comparer la bibliothèque à un lot…</translation>
+        <translation>Comparer la bibliothèq&amp;ue à un lot…</translation>
     </message>
     <message>
         <source>Show what got larger, worse or newly visible since an earlier batch or project</source>
@@ -1716,7 +1724,7 @@
     <name>mocapress::ErrorDisplay</name>
     <message>
         <source>Errors in &amp;Degrees</source>
-        <translation>Erreurs en degrés</translation>
+        <translation>Erreurs en &amp;degrés</translation>
     </message>
     <message>
         <source>Degrees</source>
@@ -8688,7 +8696,7 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>%L1 fois</translation>
     </message>
     <message>
-        <source>From the F&amp;ront</source>
+        <source>From the Fro&amp;nt</source>
         <translation>De &amp;face</translation>
     </message>
     <message>

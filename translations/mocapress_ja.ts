@@ -252,6 +252,14 @@
         <translation>角度の尺度</translation>
     </message>
     <message>
+        <source>Colours and S&amp;cales</source>
+        <translation>色と目盛り(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Pane&amp;ls</source>
+        <translation>パネル(&amp;L)</translation>
+    </message>
+    <message>
         <source>&amp;Save Compressed Clip</source>
         <translation>圧縮クリップを保存(&amp;S)</translation>
     </message>
@@ -8639,8 +8647,8 @@ Click to load it into the studio.</source>
         <translation>%L1 倍</translation>
     </message>
     <message>
-        <source>From the F&amp;ront</source>
-        <translation>正面から(&amp;R)</translation>
+        <source>From the Fro&amp;nt</source>
+        <translation>正面から(&amp;N)</translation>
     </message>
     <message>
         <source>Look along the z axis; again: as before</source>

@@ -247,6 +247,8 @@ TEST(Translations, LayoutsHoldInEveryLanguage) {
           << qPrintable(language);
       EXPECT_EQ(sharedKeysIn(window).join(QLatin1Char('\n')).toStdString(), "")
           << qPrintable(language);
+      for (const auto* menu : window.findChildren<QMenu*>())
+        EXPECT_LE(menu->sizeHint().height(), 720) << qPrintable(language + menu->title());
       EXPECT_LE(window.minimumSizeHint().width(), 1440) << qPrintable(language);
       EXPECT_LE(window.minimumSizeHint().height(), 900) << qPrintable(language);
       window.resize(1280, 720);

@@ -58,7 +58,6 @@ void addToolBar(QMainWindow* window, const Actions& actions) {
   bar->addActions({actions.undo, actions.redo});
   bar->addSeparator();
   addInGroups(bar, actions.view);
-  bar->addSeparator();
   bar->addActions({actions.next_worst, actions.without_ik, actions.pin});
 }
 
@@ -350,16 +349,18 @@ RecentMenus addMenus(QMainWindow* window, const Actions& actions,
 
   QMenu* view = window->menuBar()->addMenu(Texts::tr("&View"));
   addInGroups(view, actions.view);
-  view->addActions({actions.in_degrees, actions.as_seen});
-  view->addMenu(Texts::tr("Error S&cale"))->addActions(actions.error_scales->actions());
-  view->addMenu(Texts::tr("Angle Scale"))->addActions(actions.angle_scales->actions());
-  view->addSeparator();
+  view->addAction(actions.view.by_error);
+  QMenu* scales = view->addMenu(Texts::tr("Colours and S&cales"));
+  scales->addActions({actions.in_degrees, actions.as_seen});
+  scales->addMenu(Texts::tr("Error S&cale"))->addActions(actions.error_scales->actions());
+  scales->addMenu(Texts::tr("Angle Scale"))->addActions(actions.angle_scales->actions());
   view->addActions({actions.hold_feet, actions.without_ik});
   view->addSeparator();
-  for (const QDockWidget* dock : docks) view->addAction(dock->toggleViewAction());
+  QMenu* panels = view->addMenu(Texts::tr("Pane&ls"));
+  for (const QDockWidget* dock : docks) panels->addAction(dock->toggleViewAction());
+  panels->addSeparator();
+  panels->addActions({actions.panels_below, actions.reset_layout});
   recent.timeline = view->addMenu(Texts::tr("Timeline"));
-  view->addSeparator();
-  view->addActions({actions.panels_below, actions.reset_layout});
   view->addMenu(Texts::tr("The&me"))->addActions(actions.themes->actions());
   view->addMenu(Texts::tr("Lan&guage"))->addActions(actions.languages->actions());
 

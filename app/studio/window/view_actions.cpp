@@ -80,12 +80,6 @@ void connectBookmarks(const ViewActions& actions, Viewport* viewport) {
   }
 }
 
-template <typename Bar>
-void addAll(Bar* bar, const ViewActions& actions) {
-  for (QAction* action : actions.inGroups())
-    action ? bar->addAction(action) : static_cast<void>(bar->addSeparator());
-}
-
 ViewOptions chosen(const ViewActions& actions, const ViewOptions& before) {
   ViewOptions options = before;
   for (std::size_t mode = 0; mode < actions.mode.size(); ++mode)
@@ -105,11 +99,6 @@ ViewOptions chosen(const ViewActions& actions, const ViewOptions& before) {
 }
 
 }  // namespace
-
-QList<QAction*> ViewActions::inGroups() const {
-  return {mode[0],    mode[1], mode[2], quarters, swap,   blink,    nullptr, by_error,    skin,
-          exaggerate, path,    trail,   nullptr,  follow, in_place, floor,   reset_camera};
-}
 
 ViewActions makeViewActions(QMainWindow* window) {
   ViewActions actions;
@@ -165,7 +154,7 @@ ViewActions makeViewActions(QMainWindow* window) {
                              ViewTexts::tr("The camera moves with the figure"));
   actions.in_place = make_here("in-place", ViewTexts::tr("I&n Place"), Qt::Key_G,
                                ViewTexts::tr("Play without the root's travel over the ground"));
-  actions.front = makePlain(window, ViewTexts::tr("From the F&ront"), Qt::Key_5,
+  actions.front = makePlain(window, ViewTexts::tr("From the Fro&nt"), Qt::Key_5,
                             ViewTexts::tr("Look along the z axis; again: as before"));
   actions.side = makePlain(window, ViewTexts::tr("From the S&ide"), Qt::Key_6,
                            ViewTexts::tr("Look along the x axis; again: as before"));
@@ -238,19 +227,34 @@ void showOptions(const ViewActions& actions, Viewport* viewport, const ViewOptio
 }
 
 void addInGroups(QMenu* menu, const ViewActions& actions) {
-  addAll(menu, actions);
+  menu->addActions({actions.mode.begin(), actions.mode.end()});
+  menu->addActions({actions.quarters, actions.swap, actions.blink});
+  menu->addSeparator();
+  menu->addActions({actions.skin, actions.in_place, actions.path, actions.trail});
   menu->addMenu(ViewTexts::tr("Poses of the Tra&il"))->addActions(actions.trail_poses->actions());
+  menu->addAction(actions.exaggerate);
   menu->addMenu(ViewTexts::tr("Exaggeration"))->addActions(actions.exaggeration->actions());
   QMenu* cameras = menu->addMenu(ViewTexts::tr("Cameras"));
-  cameras->addActions({actions.frame_joint, actions.front, actions.side});
+  cameras->addActions({actions.reset_camera, actions.frame_joint, actions.follow});
+  cameras->addSeparator();
+  cameras->addActions({actions.front, actions.side, actions.floor});
   cameras->addSeparator();
   cameras->addActions({actions.go_to.begin(), actions.go_to.end()});
   cameras->addSeparator();
   cameras->addActions({actions.keep.begin(), actions.keep.end()});
+  menu->addSeparator();
 }
 
 void addInGroups(QToolBar* bar, const ViewActions& actions) {
-  addAll(bar, actions);
+  const QList<QAction*> groups[] = {
+      {actions.mode[0], actions.mode[1], actions.mode[2], actions.quarters, actions.swap,
+       actions.blink},
+      {actions.by_error, actions.skin, actions.exaggerate, actions.path, actions.trail},
+      {actions.follow, actions.in_place, actions.floor, actions.reset_camera}};
+  for (const QList<QAction*>& group : groups) {
+    bar->addActions(group);
+    bar->addSeparator();
+  }
 }
 
 }  // namespace mocapress

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QList>
 #include <array>
 
 class QAction;
@@ -38,9 +37,6 @@ struct ViewActions {
   QAction* frame_joint = nullptr;
   std::array<QAction*, 4> go_to{};  // camera places that are kept from run to run
   std::array<QAction*, 4> keep{};
-
-  /// Actions for menus and tool bars, with null for separators between groups.
-  QList<QAction*> inGroups() const;
 };
 
 /// Makes actions with texts, icons and shortcuts.
