@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QDir>
+#include <QHeaderView>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -11,6 +12,7 @@
 #include "app/studio/library/background_encoding.h"
 #include "app/studio/library/library.h"
 #include "core/batch/batch_folder.h"
+#include "core/formats/fbx/fbx_writer.h"
 #include "core/formats/motion_file.h"
 #include "tests/qt/patience.h"
 #include "tests/support/test_motion.h"
@@ -115,6 +117,18 @@ TEST_F(AComparedLibrary, SaysWhatChangedSinceAnEarlierProjectInColumnsOfTheList)
   EXPECT_TRUE(panel.view()->isColumnHidden(changes));
 }
 
+TEST_F(AComparedLibrary, HasTheOrderOfTheUserAgainAfterTheComparison) {
+  LibraryPanel panel(&model_);
+  const int bytes = static_cast<int>(LibraryColumn::Bytes);
+  panel.view()->sortByColumn(bytes, Qt::DescendingOrder);
+  const QByteArray arrangement = panel.arrangement();
+  panel.showComparison(true);
+  EXPECT_EQ(panel.view()->header()->sortIndicatorSection(), static_cast<int>(LibraryColumn::Since));
+  panel.showComparison(false);
+  EXPECT_EQ(panel.view()->header()->sortIndicatorSection(), bytes);
+  EXPECT_EQ(panel.view()->header()->sortIndicatorOrder(), Qt::DescendingOrder);
+}
+
 TEST_F(AComparedLibrary, FindsClipsThatMovedByTheirNames) {
   Project elsewhere = library_.project();
   for (ProjectClip& clip : elsewhere.clips)
@@ -142,6 +156,23 @@ TEST_F(AComparedLibrary, ComparesAClipThatComesBackWithThePresentBatch) {
   ASSERT_EQ(model_.rowCount(), 3);
   EXPECT_FALSE(model_.entry(0).since) << "the second does not have it";
   EXPECT_TRUE(model_.entry(1).since);
+}
+
+TEST_F(AComparedLibrary, ComparesTakesThatAreFoundAfterwards) {
+  const QString moves = directory_.filePath(QStringLiteral("moves.fbx"));
+  const Motion idle = test::smooth_motion(60, 1), run = test::smooth_motion(90, 2);
+  write_takes(moves.toStdU16String(), {{"Idle", idle, {}}, {"Run", run, {}}});
+  Project before = library_.project();
+  for (const char* take : {"Idle", "Run"}) {
+    before.clips.push_back({.path = moves, .outcome = before.clips[0].outcome});
+    before.clips.back().reading.take = take;
+  }
+  const QString earlier = directory_.filePath(QStringLiteral("before.mocapress"));
+  writeProject(earlier, before);
+  compareWith(earlier);
+  library_.add({moves});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return model_.rowCount() == 5; }, kPatience));
+  for (const std::size_t row : {3u, 4u}) EXPECT_TRUE(library_.project().clips[row].earlier) << row;
 }
 
 TEST_F(AComparedLibrary, SaysWhyAFolderIsNoBatch) {

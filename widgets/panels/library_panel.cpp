@@ -321,10 +321,22 @@ void LibraryPanel::makeHead() {
           [this, head](const QPoint& place) { makeColumnMenu()->popup(head->mapToGlobal(place)); });
   connect(head, &QHeaderView::sectionResized, this, [this](int column) {
     fitColumns();
-    if (column > 0) emit arrangementChanged();
+    if (column > 0) noteArrangement();
   });
-  connect(head, &QHeaderView::sectionMoved, this, &LibraryPanel::arrangementChanged);
-  connect(head, &QHeaderView::sortIndicatorChanged, this, &LibraryPanel::arrangementChanged);
+  connect(head, &QHeaderView::sectionMoved, this, &LibraryPanel::noteArrangement);
+  connect(head, &QHeaderView::sortIndicatorChanged, this, &LibraryPanel::noteArrangement);
+}
+
+bool LibraryPanel::isSortedByComparison() const {
+  return isOfComparison(static_cast<LibraryColumn>(view_->header()->sortIndicatorSection()));
+}
+
+/// Keeps the user's own order through a comparison, which sorts by what changed.
+void LibraryPanel::noteArrangement() {
+  if (isSortedByComparison()) return;
+  const QHeaderView* head = view_->header();
+  own_sort_ = {head->sortIndicatorSection(), head->sortIndicatorOrder()};
+  emit arrangementChanged();
 }
 
 bool LibraryPanel::eventFilter(QObject* watched, QEvent* event) {
@@ -399,11 +411,10 @@ void LibraryPanel::showComparison(bool shown) {
       view_->setColumnHidden(column, !shown);
       if (shown) view_->resizeColumnToContents(column);
     }
-  const int changes = static_cast<int>(LibraryColumn::Since);
   if (shown)
-    view_->sortByColumn(changes, Qt::DescendingOrder);
-  else if (isOfComparison(static_cast<LibraryColumn>(view_->header()->sortIndicatorSection())))
-    view_->sortByColumn(-1, Qt::AscendingOrder);
+    view_->sortByColumn(static_cast<int>(LibraryColumn::Since), Qt::DescendingOrder);
+  else if (isSortedByComparison())
+    view_->sortByColumn(own_sort_.first, own_sort_.second);
   updateGeometry();
   fitColumns();
 }

@@ -3,6 +3,7 @@
 
 #include <QSet>
 #include <QWidget>
+#include <utility>
 #include <vector>
 
 #include "core/mocapress/settings.h"
@@ -64,7 +65,8 @@ class LibraryPanel : public QWidget {
   /// Makes the menu that chooses the columns, and what clips are sorted by.
   QMenu* makeColumnMenu();
 
-  /// Shows or hides the columns of a comparison with an earlier batch, and sorts by what changed.
+  /// Shows or hides the columns of a comparison with an earlier batch. Meanwhile clips are sorted
+  /// by what changed.
   void showComparison(bool shown);
 
   QComboBox* verdict() const { return verdict_; }
@@ -114,6 +116,8 @@ class LibraryPanel : public QWidget {
  private:
   void makeHead();
   void fitColumns();
+  bool isSortedByComparison() const;
+  void noteArrangement();
   int columnsWidth() const;  // of all but the clips' own
   void addOrders(QMenu* menu);
   void noteSelection();
@@ -143,7 +147,9 @@ class LibraryPanel : public QWidget {
   QLineEdit* note_;
   std::vector<Settings> presets_;
   bool can_paste_ = false;
-  QSet<QString> collapsed_;  // paths of folders
+  std::pair<int, Qt::SortOrder> own_sort_{-1,
+                                          Qt::AscendingOrder};  // column; -1: the library's order
+  QSet<QString> collapsed_;                                     // paths of folders
   // Kept while the tree is built anew:
   QString chosen_;          // key of the clip that is current
   QSet<QString> selected_;  // keys of clips

@@ -176,11 +176,9 @@ void Library::putBack(const ClipsByRow& clips) {
     all.insert(all.begin() + place, entryOf(clip, {}));
     outlines_.add(clip.key());
   }
-  if (!earlier_.isEmpty()) {  // another batch may be compared since they were taken out
-    findEarlier();
+  if (findEarlier())  // another batch may be compared since they were taken out
     for (std::size_t row = 0; row < all.size(); ++row)
       all[row].since = differenceSince(project_.clips[row]);
-  }
   model_->setEntries(std::move(all));
   checkFiles();
   touch();
@@ -269,6 +267,7 @@ void Library::noteOpened(const QString& path, const QString& skeleton) {
     clip->stamp = original->stamp;
     clip->rig = original->outline.rig;
     if (is_fresh) clip->settings = settingsNow();
+    if (is_fresh) findEarlier();
     bindVerdict(*clip);
     if (is_other) showAsRead(*clip, *original);
     if (is_first) readNotesOfNew(original->path);
@@ -286,27 +285,32 @@ void Library::noteTakes(const QString& path, const Takes& takes) {
   const int row = model_->rowOf(path);
   clip->reading.take = takeAmong(takes);
   if (project_.current == path) project_.current = clip->key();
-  if (row >= 0) model_->replace({{row, entryOf(*clip, model_->entry(row))}});
   if (row >= 0) addTakes(row, takes);
 }
 
 /// Adds rows for the other takes of the file in that row, below it.
 void Library::addTakes(int row, const Takes& takes) {
+  if (takes.keys.size() < 2) return;
   const QHash<QString, int> known = project_.rows();
   const ProjectClip first = project_.clips[static_cast<std::size_t>(row)];
   std::vector<ProjectClip> others;
-  std::vector<LibraryEntry> shown;
   for (const std::string& take : takes.keys) {
     ProjectClip clip{.path = first.path, .skeleton = first.skeleton, .reading = first.reading};
     clip.reading.take = take;
     clip.stamp = first.stamp;
-    if (takes.keys.size() < 2 || known.contains(clip.key())) continue;
-    shown.push_back(entryOf(clip, {}));
-    others.push_back(std::move(clip));
+    if (!known.contains(clip.key())) others.push_back(std::move(clip));
   }
-  project_.clips.insert(project_.clips.begin() + row + 1, others.begin(), others.end());
+  const auto below = project_.clips.begin() + row + 1;
+  const auto added = project_.clips.insert(below, others.begin(), others.end());
+  findEarlier();
+  std::vector<LibraryEntry> shown;
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    const ProjectClip& clip = added[static_cast<std::ptrdiff_t>(i)];
+    shown.push_back(entryOf(clip, {}));
+    outlines_.add(clip.key());
+  }
   model_->insert(row + 1, shown);
-  for (const ProjectClip& clip : others) outlines_.add(clip.key());
+  showRows({row});
 }
 
 void Library::showAsRead(const ProjectClip& clip, const OriginalClip& original) {

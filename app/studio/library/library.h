@@ -186,7 +186,7 @@ class Library : public KeptProject {
 
   using EarlierClips = QHash<QString, ClipFigures>;  // by key
   void compare(const QString& name);
-  void findEarlier();
+  bool findEarlier();
 
   template <typename IsOut>
   ClipsByRow takeOut(const IsOut& is_out);

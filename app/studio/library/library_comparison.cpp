@@ -80,8 +80,9 @@ void Library::compareWith(const QString& path) {
       [this](const QString& message) { emit failed(message); });
 }
 
-/// Gives each clip what it was in the batch that is compared.
-void Library::findEarlier() {
+/// Gives each clip what it was in the batch that is compared. Returns false if none is.
+bool Library::findEarlier() {
+  if (earlier_.isEmpty()) return false;
   const QHash<QString, QString> earlier_by_name = byName(earlier_.keys());
   const QHash<QString, QString> own_by_name = byName(project_.rows().keys());
   for (ProjectClip& clip : project_.clips) {
@@ -91,6 +92,7 @@ void Library::findEarlier() {
     clip.earlier.reset();
     if (earlier_.contains(key)) clip.earlier = earlier_.value(key);
   }
+  return true;
 }
 
 void Library::compare(const QString& name) {
