@@ -3253,8 +3253,8 @@
         <translation>Tasa de compresión (más pequeño →)</translation>
     </message>
     <message>
-        <source>Error of a clip, eps_x (cm)</source>
-        <translation>Error de un clip, eps_x (cm)</translation>
+        <source>eps_x (cm)</source>
+        <translation>eps_x (cm)</translation>
     </message>
     <message>
         <source>Clips appear here after they are compressed</source>

@@ -3253,8 +3253,8 @@
         <translation>Taux de compression (plus petit →)</translation>
     </message>
     <message>
-        <source>Error of a clip, eps_x (cm)</source>
-        <translation>Erreur d’un clip, eps_x (cm)</translation>
+        <source>eps_x (cm)</source>
+        <translation>eps_x (cm)</translation>
     </message>
     <message>
         <source>Clips appear here after they are compressed</source>

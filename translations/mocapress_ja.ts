@@ -3228,8 +3228,8 @@
         <translation>圧縮比（小さい →）</translation>
     </message>
     <message>
-        <source>Error of a clip, eps_x (cm)</source>
-        <translation>クリップの誤差 eps_x（cm）</translation>
+        <source>eps_x (cm)</source>
+        <translation>eps_x (cm)</translation>
     </message>
     <message>
         <source>Clips appear here after they are compressed</source>

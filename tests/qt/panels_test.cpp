@@ -525,6 +525,36 @@ TEST(ErrorGraph, ItsLegendIsWholeBesideTheSwitchHoweverNarrow) {
   }
 }
 
+TEST(ErrorGraph, ItsLegendIsOneWholeLineInALowPanel) {
+  ErrorGraph graph;
+  std::vector<ErrorCurve> curves;
+  for (int i = 0; i < 4; ++i)
+    curves.push_back({QStringLiteral("a joint of a long name %1").arg(i), Qt::red, i});
+  graph.setErrors(
+      std::make_shared<Distortion>(Distortion{.distances = Eigen::MatrixXf::Ones(10, 4)}), 120,
+      curves);
+  graph.show();
+  auto* plot = graph.findChild<QCustomPlot*>();
+  for (const int width : {1600, 600, 300}) {
+    graph.resize(width, 110);
+    QApplication::processEvents();
+    plot->replot();
+    EXPECT_EQ(plot->legend->rowCount(), 1) << width;
+    ASSERT_GT(plot->legend->itemCount(), 0) << width;
+    for (int i = 0; i < plot->legend->itemCount(); ++i) {
+      const QCPAbstractLegendItem* item = plot->legend->item(i);
+      // The layout rounds by a pixel.
+      EXPECT_GE(item->outerRect().height() + 1, item->minimumOuterSizeHint().height()) << width;
+    }
+    EXPECT_GT(plot->axisRect()->height(), 40) << width;
+  }
+  EXPECT_LT(plot->legend->itemCount(), 5);
+  graph.resize(300, 300);
+  QApplication::processEvents();
+  plot->replot();
+  EXPECT_GT(plot->legend->rowCount(), 1);
+}
+
 TEST(ErrorGraph, TellsBothErrorsWhereItIsPointedAt) {
   ErrorGraph graph;
   graph.resize(600, 300);

@@ -18,6 +18,7 @@ namespace {
 
 constexpr int kSwitchMargin = 4;
 constexpr QSize kLeastSize = {120, 80};
+constexpr int kRoomy = 170;  // pixels of height that have room for a legend of several lines
 
 }  // namespace
 
@@ -30,7 +31,6 @@ ErrorGraph::ErrorGraph(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot
   plot_->setToolTip(
       tr("World-space distance or angle between joints and the original. Click to go to a frame, "
          "turn the wheel to zoom, double-click to show all."));
-  plot_->xAxis->setLabel(tr("Time (s)"));
   plot_->axisRect()->setRangeZoom(Qt::Horizontal);
   plot_->setInteraction(QCP::iRangeZoom);
   // The curves have thousands of points: antialiasing would take longer than the 3D picture.
@@ -102,8 +102,35 @@ void ErrorGraph::setSwitch(QAction* action) {
   fitLegend();
 }
 
-/// Chooses the fewest lines of the legend in which every name fits beside the switch.
+/// Chooses the fewest lines of the legend in which every name fits beside the switch. A low panel
+/// has one line, which leaves out the worst of all joints, then curves from the end, and the titles
+/// of the axes; the tool tip names all.
 void ErrorGraph::fitLegend() {
+  QCPLegend& legend = *plot_->legend;
+  const bool is_low = height() < kRoomy;
+  plot_->xAxis->setLabel(is_low ? QString() : tr("Time (s)"));
+  plot_->yAxis->ticker()->setTickCount(is_low ? 2 : 5);
+  std::vector<QCPGraph*> named;
+  for (int i = 0; i < plot_->graphCount(); ++i) {
+    plot_->graph(i)->removeFromLegend();
+    named.push_back(plot_->graph(i));
+  }
+  for (QCPGraph* graph : named) graph->addToLegend();
+  int columns = legendColumns();
+  while (is_low && columns < static_cast<int>(named.size()) && named.size() > 1) {
+    const auto least = named.size() == static_cast<std::size_t>(plot_->graphCount())
+                           ? named.begin()
+                           : named.end() - 1;
+    (*least)->removeFromLegend();
+    named.erase(least);
+    columns = legendColumns();
+  }
+  legend.setWrap(columns);
+  legend.setFillOrder(QCPLayoutGrid::foColumnsFirst);  // arranges the items again
+}
+
+/// The most columns of the legend in which every name fits beside the switch.
+int ErrorGraph::legendColumns() const {
   const QCPLegend& legend = *plot_->legend;
   const QMargins margins = legend.margins();
   const int room = width() - margins.left() - margins.right() -
@@ -125,8 +152,7 @@ void ErrorGraph::fitLegend() {
   };
   int columns = std::max(static_cast<int>(widths.size()), 1);
   while (columns > 1 && width_in(columns) > room) --columns;
-  plot_->legend->setWrap(columns);
-  plot_->legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);  // arranges the items again
+  return columns;
 }
 
 /// Puts the switch in line with the legend.

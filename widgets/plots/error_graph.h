@@ -67,6 +67,7 @@ class ErrorGraph : public QWidget {
   QString readout(int frame) const;
   void placeSwitch();
   void fitLegend();
+  int legendColumns() const;
 
   /// Frames x landmarks; empty: unknown.
   const Eigen::MatrixXf& shown() const;
