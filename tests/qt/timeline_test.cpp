@@ -7,6 +7,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QImage>
 #include <QLabel>
@@ -366,6 +367,19 @@ TEST_F(TimelineStrips, AClickOnTheScaleOffersOthersAndSeeksNothing) {
   ASSERT_NE(menu, nullptr);
   EXPECT_TRUE(menu->actions().contains(&other));
   EXPECT_EQ(seek.count(), 0);
+}
+
+TEST_F(TimelineStrips, ARightClickOnAStripOffersWhatTheRulerDoesForARange) {
+  QAction care(QStringLiteral("More Care"));
+  timeline_.ruler()->addAction(&care);
+  const QPoint on_errors(timeline_.errors()->width() / 2, 10);
+  QContextMenuEvent click(QContextMenuEvent::Mouse, on_errors,
+                          timeline_.errors()->mapToGlobal(on_errors));
+  QApplication::sendEvent(timeline_.errors(), &click);
+  const auto* menu = timeline_.findChild<QMenu*>({}, Qt::FindDirectChildrenOnly);
+  ASSERT_NE(menu, nullptr);
+  EXPECT_TRUE(menu->actions().contains(&care));
+  EXPECT_TRUE(menu->actions().contains(timeline_.foldActions().front()));
 }
 
 TEST(HeatImage, HasARowALandmarkAndKeepsTheWorstOfFramesThatShareAColumn) {

@@ -245,7 +245,9 @@ void ErrorStrip::mouseMoveEvent(QMouseEvent* event) {
     pointAt(event->position().x(), event->modifiers() & Qt::ShiftModifier);
 }
 
+/// Beside the scale, the timeline has a menu.
 void ErrorStrip::contextMenuEvent(QContextMenuEvent* event) {
+  if (event->pos().x() >= axis().left) return event->ignore();
   showMenu(event->globalPos());
 }
 

@@ -90,10 +90,13 @@ void Timeline::offerFold(QWidget* strip, const QString& id, const QString& name)
   folds_ << action;
 }
 
-/// For strips without a menu of their own, and beside their names.
+/// For strips without a menu of their own, and beside their names: that of the ruler, where ranges
+/// are chosen, and the strips that are shown.
 void Timeline::contextMenuEvent(QContextMenuEvent* event) {
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->addActions(ruler_->actions());
+  menu->addSeparator();
   menu->addActions(folds_);
   menu->popup(event->globalPos());
 }
