@@ -2974,6 +2974,50 @@
     </message>
 </context>
 <context>
+    <name>mocapress::LibraryGroups</name>
+    <message>
+        <source>By folder</source>
+        <translation>Por carpeta</translation>
+    </message>
+    <message>
+        <source>By verdict</source>
+        <translation>Por veredicto</translation>
+    </message>
+    <message>
+        <source>By visibility</source>
+        <translation>Por visibilidad</translation>
+    </message>
+    <message>
+        <source>As a list</source>
+        <translation>Como lista</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>desconocido</translation>
+    </message>
+    <message>
+        <source>By %1</source>
+        <comment>title of a column</comment>
+        <translation>Por %1</translation>
+    </message>
+    <message>
+        <source>Without warnings</source>
+        <translation>Sin avisos</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>menos de %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>de %1 a %2</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::LibraryModel</name>
     <message>
         <source>Cannot be read</source>
@@ -3158,8 +3202,8 @@
         <translation>Filtrar</translation>
     </message>
     <message>
-        <source>Words in a clip&apos;s name, folder or state, such as “walks missed”.</source>
-        <translation>Palabras del nombre, la carpeta o el estado de un clip, como «marchas fallado».</translation>
+        <source>Words in a clip&apos;s name, folder or state, such as “walks missed”, and bounds on columns, such as “error&gt;0.5 ratio&lt;20”: lengths in cm.</source>
+        <translation>Palabras del nombre, la carpeta o el estado de un clip, como «marchas fallado», y límites de columnas, como «error&gt;0.5 tasa&lt;20»: longitudes en cm.</translation>
     </message>
     <message>
         <source>&amp;Clips…</source>
@@ -3277,26 +3321,6 @@
     <message>
         <source>%1, %L2 missed</source>
         <translation>%1, %L2 con objetivo fallado</translation>
-    </message>
-    <message>
-        <source>By folder</source>
-        <translation>Por carpeta</translation>
-    </message>
-    <message>
-        <source>By verdict</source>
-        <translation>Por veredicto</translation>
-    </message>
-    <message>
-        <source>By visibility</source>
-        <translation>Por visibilidad</translation>
-    </message>
-    <message>
-        <source>As a list</source>
-        <translation>Como lista</translation>
-    </message>
-    <message>
-        <source>not known</source>
-        <translation>desconocido</translation>
     </message>
 </context>
 <context>

@@ -2974,6 +2974,50 @@
     </message>
 </context>
 <context>
+    <name>mocapress::LibraryGroups</name>
+    <message>
+        <source>By folder</source>
+        <translation>Par dossier</translation>
+    </message>
+    <message>
+        <source>By verdict</source>
+        <translation>Par verdict</translation>
+    </message>
+    <message>
+        <source>By visibility</source>
+        <translation>Par visibilité</translation>
+    </message>
+    <message>
+        <source>As a list</source>
+        <translation>En liste</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>inconnu</translation>
+    </message>
+    <message>
+        <source>By %1</source>
+        <comment>title of a column</comment>
+        <translation>Par %1</translation>
+    </message>
+    <message>
+        <source>Without warnings</source>
+        <translation>Sans alertes</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>moins de %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>de %1 à %2</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::LibraryModel</name>
     <message>
         <source>Cannot be read</source>
@@ -3158,8 +3202,8 @@
         <translation>Filtrer</translation>
     </message>
     <message>
-        <source>Words in a clip&apos;s name, folder or state, such as “walks missed”.</source>
-        <translation>Mots du nom, du dossier ou de l&apos;état d&apos;un clip : « marches manquée ».</translation>
+        <source>Words in a clip&apos;s name, folder or state, such as “walks missed”, and bounds on columns, such as “error&gt;0.5 ratio&lt;20”: lengths in cm.</source>
+        <translation>Mots du nom, du dossier ou de l&apos;état d&apos;un clip, comme « marches manquée », et bornes de colonnes, comme « erreur&gt;0.5 taux&lt;20 » : longueurs en cm.</translation>
     </message>
     <message>
         <source>&amp;Clips…</source>
@@ -3277,26 +3321,6 @@
     <message>
         <source>%1, %L2 missed</source>
         <translation>%1, %L2 cible manquée</translation>
-    </message>
-    <message>
-        <source>By folder</source>
-        <translation>Par dossier</translation>
-    </message>
-    <message>
-        <source>By verdict</source>
-        <translation>Par verdict</translation>
-    </message>
-    <message>
-        <source>By visibility</source>
-        <translation>Par visibilité</translation>
-    </message>
-    <message>
-        <source>As a list</source>
-        <translation>En liste</translation>
-    </message>
-    <message>
-        <source>not known</source>
-        <translation>inconnu</translation>
     </message>
 </context>
 <context>

@@ -2952,6 +2952,50 @@
     </message>
 </context>
 <context>
+    <name>mocapress::LibraryGroups</name>
+    <message>
+        <source>By folder</source>
+        <translation>フォルダー別</translation>
+    </message>
+    <message>
+        <source>By verdict</source>
+        <translation>判定別</translation>
+    </message>
+    <message>
+        <source>By visibility</source>
+        <translation>見え方別</translation>
+    </message>
+    <message>
+        <source>As a list</source>
+        <translation>一覧</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>不明</translation>
+    </message>
+    <message>
+        <source>By %1</source>
+        <comment>title of a column</comment>
+        <translation>%1別</translation>
+    </message>
+    <message>
+        <source>Without warnings</source>
+        <translation>警告なし</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>%1 未満</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1～%2</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+</context>
+<context>
     <name>mocapress::LibraryModel</name>
     <message>
         <source>Cannot be read</source>
@@ -3133,8 +3177,8 @@
         <translation>絞り込み</translation>
     </message>
     <message>
-        <source>Words in a clip&apos;s name, folder or state, such as “walks missed”.</source>
-        <translation>クリップの名前、フォルダー、状態に含まれる語。例：「walks 未達」</translation>
+        <source>Words in a clip&apos;s name, folder or state, such as “walks missed”, and bounds on columns, such as “error&gt;0.5 ratio&lt;20”: lengths in cm.</source>
+        <translation>クリップの名前、フォルダー、状態に含まれる語（例：「walks 未達」）と、列の範囲（例：「誤差&gt;0.5 圧縮比&lt;20」）。長さは cm。</translation>
     </message>
     <message>
         <source>&amp;Clips…</source>
@@ -3251,26 +3295,6 @@
     <message>
         <source>%1, %L2 missed</source>
         <translation>%1、未達 %L2</translation>
-    </message>
-    <message>
-        <source>By folder</source>
-        <translation>フォルダー別</translation>
-    </message>
-    <message>
-        <source>By verdict</source>
-        <translation>判定別</translation>
-    </message>
-    <message>
-        <source>By visibility</source>
-        <translation>見え方別</translation>
-    </message>
-    <message>
-        <source>As a list</source>
-        <translation>一覧</translation>
-    </message>
-    <message>
-        <source>not known</source>
-        <translation>不明</translation>
     </message>
 </context>
 <context>

@@ -158,6 +158,42 @@ TEST_F(ALibraryTree, FollowsWhatARowIsSortedAndGroupedBy) {
   EXPECT_EQ(textOf(tree_).toStdString(), "b.bvh c.bvh a.bvh");
 }
 
+TEST_F(ALibraryTree, GroupsByEachColumnInTheOrderOfItsNumbers) {
+  LibraryEntry a = entry("/m/a.bvh", true), b = entry("/m/b.bvh", true), c = entry("/m/c.bvh");
+  a.outcome->ratio = 120;
+  b.outcome->ratio = 30;
+  a.outcome->eps_cm = 0.003;
+  b.outcome->eps_cm = 0.6;
+  a.notes << QStringLiteral("guessed");
+  b.preset = QStringLiteral("Archive");
+  clips_.setEntries({a, b, c});
+  const auto grouped = [this](Grouping grouping) {
+    tree_.setGrouping(grouping);
+    return textOf(tree_).toStdString();
+  };
+  EXPECT_EQ(grouped(Grouping::Ratio), "20 to 50[b.bvh] 100 to 200[a.bvh] not known[c.bvh]");
+  EXPECT_EQ(grouped(Grouping::Error), "below 0.1 mm[a.bvh] 5 mm to 1 cm[b.bvh] not known[c.bvh]");
+  EXPECT_EQ(grouped(Grouping::Warned), "With warnings[a.bvh] Without warnings[b.bvh c.bvh]");
+  EXPECT_EQ(grouped(Grouping::Preset), "Archive[b.bvh] none[a.bvh c.bvh]");
+}
+
+TEST_F(ALibraryTree, FiltersByBoundsOnColumns) {
+  LibraryEntry a = entry("/m/a.bvh", true), b = entry("/m/b.bvh", true), c = entry("/m/c.bvh");
+  a.outcome->ratio = 120;
+  b.outcome->ratio = 30;
+  a.outcome->eps_cm = b.outcome->eps_cm = 0.6;
+  clips_.setEntries({a, b, c});
+  const auto filtered = [this](const char* words) {
+    tree_.setFilter(QString::fromUtf8(words));
+    return textOf(tree_).toStdString();
+  };
+  EXPECT_EQ(filtered("ratio<50"), "b.bvh");
+  EXPECT_EQ(filtered("Error > 0,5"), "a.bvh b.bvh");
+  EXPECT_EQ(filtered("a.b error>0.5 ratio>50"), "a.bvh");
+  EXPECT_EQ(filtered("error>0.7"), "");
+  EXPECT_EQ(filtered("error>"), "a.bvh b.bvh c.bvh") << "while it is typed";
+}
+
 TEST_F(ALibraryTree, ShowsClipsOfOneKind) {
   LibraryEntry seen = entry("/m/seen.bvh", true);
   seen.outcome->sight = Sight::Borderline;

@@ -68,7 +68,8 @@ QString changesText(const LibraryEntry& entry) {
   return names.join(Columns::tr(", "));
 }
 
-/// The number that rows are sorted by; unset: not known.
+}  // namespace
+
 std::optional<double> numberOf(const LibraryEntry& entry, LibraryColumn column) {
   const std::optional<Outcome>& outcome = entry.outcome;
   switch (column) {
@@ -108,8 +109,6 @@ std::optional<double> numberOf(const LibraryEntry& entry, LibraryColumn column) 
       return {};
   }
 }
-
-}  // namespace
 
 QString titleOf(LibraryColumn column) {
   switch (column) {

@@ -45,6 +45,10 @@ bool isOfComparison(LibraryColumn column);
 /// "newly visible", "larger".
 QString displayName(ClipChange change);
 
+/// The number in the column that rows are sorted by: lengths in cm, times in seconds, changes as
+/// shares, kinds by their order. Unset: not known, or the column has texts.
+std::optional<double> numberOf(const LibraryEntry& entry, LibraryColumn column);
+
 /// Whether `a` stands before `b` where rows are sorted by the column, smallest first. An entry
 /// without a value stands before those that have one.
 bool isBefore(const LibraryEntry& a, const LibraryEntry& b, LibraryColumn column);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/library_filter.h"
 
+#include <QRegularExpression>
 #include <algorithm>
-
-#include "widgets/models/library_columns.h"
 
 namespace mocapress {
 namespace {
@@ -34,6 +33,15 @@ bool isOf(const LibraryEntry& entry, LibraryShow show) {
       return isMissed(entry);
   }
   return true;
+}
+
+/// The first column of numbers whose title begins so.
+std::optional<LibraryColumn> columnTitled(const QString& title) {
+  for (int i = 0; i < kLibraryColumns; ++i) {
+    const auto column = static_cast<LibraryColumn>(i);
+    if (isNumber(column) && titleOf(column).startsWith(title, Qt::CaseInsensitive)) return column;
+  }
+  return {};
 }
 
 }  // namespace
@@ -71,8 +79,25 @@ LibraryFilter::LibraryFilter(LibraryModel* clips, QObject* parent)
   setSourceModel(clips);
 }
 
+bool ColumnBound::matches(const LibraryEntry& entry) const {
+  const std::optional<double> number = numberOf(entry, column);
+  return number && (is_above ? *number > value : *number < value);
+}
+
 void LibraryFilter::setWords(const QString& words) {
-  words_ = words.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+  static const QRegularExpression kBound(QStringLiteral("(\\S+?)\\s*([<>])\\s*([\\d.,]*)"));
+  QString others = words;
+  bounds_.clear();
+  for (const QRegularExpressionMatch& match : kBound.globalMatch(words)) {
+    const std::optional<LibraryColumn> column = columnTitled(match.captured(1));
+    if (!column) continue;
+    others.remove(match.captured());
+    bool is_number = false;  // false also while it is typed
+    const double value =
+        match.captured(3).replace(QLatin1Char(','), QLatin1Char('.')).toDouble(&is_number);
+    if (is_number) bounds_.push_back({*column, match.captured(2) == QLatin1String(">"), value});
+  }
+  words_ = others.split(QLatin1Char(' '), Qt::SkipEmptyParts);
   invalidateFilter();
 }
 
@@ -84,6 +109,8 @@ void LibraryFilter::setShow(LibraryShow show) {
 bool LibraryFilter::filterAcceptsRow(int clip, const QModelIndex&) const {
   const LibraryEntry& entry = clips_->entry(clip);
   if (!isOf(entry, show_)) return false;
+  for (const ColumnBound& bound : bounds_)
+    if (!bound.matches(entry)) return false;
   if (words_.isEmpty()) return true;
   // Most words are in the path; a state takes longer to put together.
   QString state;

@@ -3,7 +3,9 @@
 
 #include <QSortFilterProxyModel>
 #include <QStringList>
+#include <vector>
 
+#include "widgets/models/library_columns.h"
 #include "widgets/models/library_model.h"
 
 namespace mocapress {
@@ -25,6 +27,15 @@ enum class LibraryShow {
 
 QString displayName(LibraryShow show);
 
+/// A bound on the number in a column.
+struct ColumnBound {
+  LibraryColumn column = LibraryColumn::Error;
+  bool is_above = true;  // larger numbers match; false: smaller ones
+  double value = 0;
+
+  bool matches(const LibraryEntry& entry) const;
+};
+
 /// The clips of a library that match, sorted by a column; with column -1, in the library's order.
 class LibraryFilter : public QSortFilterProxyModel {
   Q_OBJECT
@@ -32,7 +43,8 @@ class LibraryFilter : public QSortFilterProxyModel {
  public:
   explicit LibraryFilter(LibraryModel* clips, QObject* parent = nullptr);
 
-  /// Words that name, folder or state must all have; empty: no matter.
+  /// Words that name, folder or state must all have; empty: no matter. A word such as "error>0.5"
+  /// bounds the number in the column of that title: lengths in cm, times in seconds.
   void setWords(const QString& words);
   void setShow(LibraryShow show);
 
@@ -48,6 +60,7 @@ class LibraryFilter : public QSortFilterProxyModel {
  private:
   LibraryModel* clips_;
   QStringList words_;
+  std::vector<ColumnBound> bounds_;
   LibraryShow show_ = LibraryShow::All;
 };
 

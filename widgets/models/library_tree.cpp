@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QHash>
 #include <algorithm>
+#include <utility>
 
 namespace mocapress {
 
@@ -11,6 +12,7 @@ namespace mocapress {
 struct LibraryTree::Folder {
   QString name;
   QString path;
+  double rank = 0;
   Folder* above = nullptr;
   int row = 0;  // row among the folders of `above`
   std::vector<std::unique_ptr<Folder>> folders;
@@ -28,8 +30,8 @@ struct LibraryTree::Folder {
     return *folders.back();
   }
 
-  /// Sorts folders by name. With `shorten`, joins each folder that holds one folder and nothing
-  /// else with that folder.
+  /// Sorts folders by rank and name. With `shorten`, joins each folder that holds one folder and
+  /// nothing else with that folder.
   void arrange(bool shorten) {
     while (shorten && clips.empty() && folders.size() == 1) {
       const std::unique_ptr<Folder> only = std::move(folders.front());
@@ -38,8 +40,9 @@ struct LibraryTree::Folder {
       clips = std::move(only->clips);
       folders = std::move(only->folders);
     }
-    std::sort(folders.begin(), folders.end(),
-              [](const auto& a, const auto& b) { return a->name < b->name; });
+    std::sort(folders.begin(), folders.end(), [](const auto& a, const auto& b) {
+      return std::pair(a->rank, a->name) < std::pair(b->rank, b->name);
+    });
     for (std::size_t i = 0; i < folders.size(); ++i) {
       folders[i]->above = this;
       folders[i]->row = static_cast<int>(i);
@@ -52,20 +55,6 @@ struct LibraryTree::Folder {
     all.insert(all.end(), clips.begin(), clips.end());
   }
 };
-
-QString displayName(Grouping grouping) {
-  switch (grouping) {
-    case Grouping::Folder:
-      return LibraryTree::tr("By folder");
-    case Grouping::Verdict:
-      return LibraryTree::tr("By verdict");
-    case Grouping::Seen:
-      return LibraryTree::tr("By visibility");
-    case Grouping::None:
-      return LibraryTree::tr("As a list");
-  }
-  return {};
-}
 
 /// Connected after the filter, so that the filter has followed a change when the tree hears of it.
 LibraryTree::LibraryTree(LibraryModel* clips, QObject* parent)
@@ -82,26 +71,6 @@ LibraryTree::LibraryTree(LibraryModel* clips, QObject* parent)
 
 LibraryTree::~LibraryTree() = default;
 
-/// The path of the clip's folder, or the name of its group. Empty where clips have no groups.
-QString LibraryTree::groupOf(int clip) const {
-  const LibraryEntry& entry = clips_->entry(clip);
-  switch (grouping_) {
-    case Grouping::Folder:
-      return entry.path.left(entry.path.lastIndexOf(QLatin1Char('/')));
-    case Grouping::Verdict:
-      if (entry.review.verdict == Verdict::None) return displayName(LibraryShow::NotReviewed);
-      if (entry.stale != Staleness::None) return displayName(LibraryShow::Stale);
-      return displayName(entry.review.verdict == Verdict::Approved ? LibraryShow::Approved
-                                                                   : LibraryShow::Rejected);
-    case Grouping::Seen:
-      if (!entry.outcome || !entry.outcome->sight) return tr("not known");
-      return displayName(*entry.outcome->sight);
-    case Grouping::None:
-      break;
-  }
-  return {};
-}
-
 void LibraryTree::build() {
   beginResetModel();
   root_ = std::make_unique<Folder>();
@@ -109,7 +78,7 @@ void LibraryTree::build() {
   QHash<QString, Folder*> folders;  // by group
   for (int row = 0; row < filter_.rowCount(); ++row) {
     const int clip = filter_.clipAt(row);
-    const QString group = groupOf(clip);
+    const auto [group, rank] = groupOf(clips_->entry(clip), grouping_);
     Folder*& folder = folders[group];
     if (!folder) {
       folder = root_.get();
@@ -117,11 +86,12 @@ void LibraryTree::build() {
           grouping_ == Grouping::Folder ? group.split(QLatin1Char('/')) : QStringList(group);
       for (const QString& name : names)
         if (!name.isEmpty()) folder = &folder->child(name);
+      folder->rank = rank;
     }
     folder->clips.push_back(clip);
     places_[static_cast<std::size_t>(clip)] = {row, nullptr, group};
   }
-  // A single group by verdict or visibility stays, since it says something about the clips.
+  // A single group other than a folder stays, since it says something about the clips.
   root_->arrange(grouping_ == Grouping::Folder);
   const auto note = [this](auto&& self, Folder& folder) -> void {
     QStringList names;
@@ -161,7 +131,8 @@ void LibraryTree::sort(int column, Qt::SortOrder order) {
 void LibraryTree::clipsChanged(int first, int last) {
   for (int clip = first; clip <= last; ++clip) {
     const Place& place = places_[static_cast<std::size_t>(clip)];
-    if (place.row != filter_.rowOf(clip) || (place.folder && place.group != groupOf(clip)))
+    if (place.row != filter_.rowOf(clip) ||
+        (place.folder && place.group != groupOf(clips_->entry(clip), grouping_).name))
       return build();
   }
   for (int clip = first; clip <= last; ++clip)

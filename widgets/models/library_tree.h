@@ -7,19 +7,15 @@
 
 #include "widgets/models/library_columns.h"
 #include "widgets/models/library_filter.h"
+#include "widgets/models/library_groups.h"
 #include "widgets/models/library_model.h"
 #include "widgets/models/shared_name.h"
 
 namespace mocapress {
 
-/// Groups of a library's clips: by folder, verdict or visibility, or none.
-enum class Grouping { Folder, Verdict, Seen, None };
-
-QString displayName(Grouping grouping);
-
-/// The clips of a library below their folders, as far as they match a filter, and in its order.
-/// Folders of the disk that all clips share are left out, and so are those between with nothing but
-/// one folder in them.
+/// The clips of a library below their folders or other groups, as far as they match a filter, and
+/// in its order. Folders of the disk that all clips share are left out, and so are those between
+/// with nothing but one folder in them.
 class LibraryTree : public QAbstractItemModel {
   Q_OBJECT
 
@@ -63,7 +59,6 @@ class LibraryTree : public QAbstractItemModel {
   struct Folder;
 
   void build();
-  QString groupOf(int clip) const;
   Folder* holderOf(const QModelIndex& index) const;  // the folder the index is a row of
   Folder* folderAt(const QModelIndex& index) const;  // null: a clip
   void clipsChanged(int first, int last);
@@ -77,7 +72,7 @@ class LibraryTree : public QAbstractItemModel {
   struct Place {
     int row = -1;  // -1: filtered out
     Folder* folder = nullptr;
-    QString group;      // groupOf() it
+    QString group;      // name of its group
     int in_folder = 0;  // among its clips
   };
   std::vector<Place> places_;  // of each clip

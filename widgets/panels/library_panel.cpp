@@ -195,7 +195,9 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
       note_(new QLineEdit(this)) {
   filter_->setAccessibleName(tr("Filter of the clips"));
   filter_->setPlaceholderText(tr("Filter"));
-  filter_->setToolTip(tr("Words in a clip's name, folder or state, such as “walks missed”."));
+  filter_->setToolTip(
+      tr("Words in a clip's name, folder or state, such as “walks missed”, and bounds on columns, "
+         "such as “error>0.5 ratio<20”: lengths in cm."));
   filter_->setClearButtonEnabled(true);
   view_->setModel(tree_);
   view_->setItemDelegateForColumn(0, new RowPainter(model, tree_, view_));
@@ -203,7 +205,7 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
   view_->setAllColumnsShowFocus(true);
   for (int show = 0; show <= static_cast<int>(LibraryShow::Missed); ++show)
     shown_->addItem(displayName(static_cast<LibraryShow>(show)));
-  for (int grouping = 0; grouping <= static_cast<int>(Grouping::None); ++grouping)
+  for (int grouping = 0; grouping < kGroupings; ++grouping)
     grouping_->addItem(displayName(static_cast<Grouping>(grouping)));
   shown_->setAccessibleName(tr("Clips that are shown"));
   shown_->setToolTip(tr("Filter of shown clips"));
