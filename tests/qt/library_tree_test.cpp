@@ -194,6 +194,17 @@ TEST_F(ALibraryTree, FiltersByBoundsOnColumns) {
   EXPECT_EQ(filtered("error>"), "a.bvh b.bvh c.bvh") << "while it is typed";
 }
 
+TEST_F(ALibraryTree, TellsOnceOfChangesToTheClipsOfAFolder) {
+  std::map<int, LibraryEntry> changed;
+  for (int row = 0; row < clips_.rowCount(); ++row) {
+    changed.emplace(row, clips_.entry(row));
+    changed[row].frames = 20;
+  }
+  const QSignalSpy told(&tree_, &LibraryTree::dataChanged);
+  clips_.replace(changed);
+  EXPECT_EQ(told.count(), 6) << "the clips of three folders, and the folders";
+}
+
 TEST_F(ALibraryTree, ShowsClipsOfOneKind) {
   LibraryEntry seen = entry("/m/seen.bvh", true);
   seen.outcome->sight = Sight::Borderline;

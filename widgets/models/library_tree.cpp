@@ -4,6 +4,8 @@
 #include <QDir>
 #include <QHash>
 #include <algorithm>
+#include <map>
+#include <set>
 #include <utility>
 
 namespace mocapress {
@@ -135,9 +137,25 @@ void LibraryTree::clipsChanged(int first, int last) {
         (place.folder && place.group != groupOf(clips_->entry(clip), grouping_).name))
       return build();
   }
+  // One signal for the clips of a folder: views look for the row of every signal.
+  std::map<Folder*, std::pair<int, int>> rows;  // the first and last that changed
   for (int clip = first; clip <= last; ++clip)
-    for (QModelIndex at = indexOf(clip); at.isValid(); at = at.parent())
-      emit dataChanged(at, at.siblingAtColumn(kLibraryColumns - 1));
+    if (const QModelIndex at = indexOf(clip); at.isValid()) {
+      const auto [of_folder, is_new] =
+          rows.try_emplace(holderOf(at), std::pair(at.row(), at.row()));
+      auto& [least, most] = of_folder->second;
+      least = std::min(least, at.row());
+      most = std::max(most, at.row());
+    }
+  const auto tell = [this](Folder* folder, int least, int most) {
+    emit dataChanged(createIndex(least, 0, folder), createIndex(most, kLibraryColumns - 1, folder));
+  };
+  std::set<Folder*> summed_up;
+  for (const auto& [folder, range] : rows) {
+    tell(folder, range.first, range.second);
+    for (Folder* each = folder; each->above; each = each->above) summed_up.insert(each);
+  }
+  for (Folder* folder : summed_up) tell(folder->above, folder->row, folder->row);
 }
 
 LibraryTree::Folder* LibraryTree::holderOf(const QModelIndex& index) const {

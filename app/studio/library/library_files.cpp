@@ -34,6 +34,7 @@ void Library::noteFiles(const std::vector<QString>& keys, const std::vector<Clip
   const QHash<QString, int> rows = project_.rows();
   std::vector<int> others;
   int changed = 0, missing = 0;
+  bool any_new = false;
   for (std::size_t i = 0; i < now.size(); ++i) {
     const int row = rows.value(keys[i], -1);
     if (row < 0) continue;
@@ -42,14 +43,20 @@ void Library::noteFiles(const std::vector<QString>& keys, const std::vector<Clip
     const bool was_missing = std::exchange(clip.missing, now[i].state == SourceNow::State::Missing);
     const bool is_new = now[i].state == SourceNow::State::Found &&
                         (was_missing || now[i].stamp.hash != clip.stamp.hash);
-    if (is_new && (was_missing || !clip.stamp.hash.empty())) outlines_.add(clip.key());
-    if (is_new && !was_missing && !clip.stamp.hash.empty()) ++changed;
+    const bool was_looked_at = !clip.stamp.hash.empty();
+    // The first look at a clip that was only added changes nothing in its row.
+    const bool is_only_added = !was_looked_at && !clip.outcome && clip.failure.isEmpty() &&
+                               clip.review.verdict == Verdict::None;
+    if (is_new && (was_missing || was_looked_at)) outlines_.add(clip.key());
+    if (is_new && !was_missing && was_looked_at) ++changed;
     if (clip.missing && !was_missing) ++missing;
     if (now[i].state == SourceNow::State::Found) clip.stamp = now[i].stamp;
     if (is_new) clip.failure.clear();
     bindVerdict(clip);
-    if (is_new || clip.missing != was_missing) others.push_back(row);
+    if ((is_new && !is_only_added) || clip.missing != was_missing) others.push_back(row);
+    any_new = any_new || is_new;
   }
+  if (any_new) touch();
   showRows(others);
   if (!others.empty()) emit currentChanged();
   if (changed > 0) emit noted(tr("The files of %Ln clip(s) have changed.", nullptr, changed));
