@@ -48,7 +48,7 @@ void prepareViewport();
 /// drag orbits, right or middle drag pans, wheel zooms, a click on a joint selects it, a right
 /// click asks for a menu. A quartered
 /// window shows the same from the front, the side and the top, too. Without OpenGL it shows a text,
-/// accepts every call and never emits drawn().
+/// accepts every call and never emits drawn(). viewport_mouse.cpp has the mouse.
 class Viewport : public QWidget {
   Q_OBJECT
 
