@@ -91,6 +91,7 @@ TrackFigures track_figures(const ScalarTracks& original, std::span<const std::by
 Json to_json(const Report& report) {
   const Clip& clip = report.original->clip;
   const auto slide = slide_per_contact(report.footskate, report.contacts);
+  const Spread spread = report.distortion.spread(report.weighting);
   Json json = {
       {"input", report.input},
       {"method", report.method},
@@ -106,12 +107,15 @@ Json to_json(const Report& report) {
       {"file_bytes", report.file_bytes},
       {"ratio", compression_ratio(clip, report.motion_bytes)},
       {"coefficient_ratio", or_null(report.coefficient_ratio)},
-      {"eps_x_cm", report.distortion.eps(report.weighting)},
+      {"eps_x_cm", spread.rms},
+      {"max_error_cm", spread.max.cm},
+      {"p95_error_cm", spread.p95},
+      {"p99_error_cm", spread.p99},
       {"eps_x_bone_ends_cm", report.distortion.eps_bone_ends},
+      {"bone_ends_max_cm", report.distortion.max.cm},
+      {"bone_ends_p95_cm", report.distortion.p95},
+      {"bone_ends_p99_cm", report.distortion.p99},
       {"eps_x_joint_origins_cm", report.distortion.eps_joint_origins},
-      {"max_error_cm", report.distortion.max.cm},
-      {"p95_error_cm", report.distortion.p95},
-      {"p99_error_cm", report.distortion.p99},
   };
   add_body_figures(body_figures(report.original->skeleton, report.distortion),
                    [&](const char* key, Json value) { json[key] = std::move(value); });
@@ -154,11 +158,12 @@ void print(const Report& report) {
             << fixed_text(compression_ratio(clip, report.motion_bytes), 1) << ":1 ("
             << report.motion_bytes << " bytes of motion for " << raw_bytes(clip) << ", "
             << report.file_bytes << " in the file)\n"
-            << "  eps_x " << cm(distortion.eps_bone_ends) << " (bone-ends), "
-            << cm(distortion.eps_joint_origins) << " (joint-origins)\n"
-            << "  p95 " << cm(distortion.p95) << ", p99 " << cm(distortion.p99) << ", max "
-            << cm(distortion.max.cm) << " (" << worst_name << ", frame "
-            << frame_text(distortion.max.frame) << ")\n";
+            << "  eps_x " << cm(distortion.eps(report.weighting)) << " (" << name(report.weighting)
+            << "), largest error there " << cm(distortion.worst(report.weighting).cm) << "\n"
+            << "  bone ends: RMS " << cm(distortion.eps_bone_ends) << ", p95 " << cm(distortion.p95)
+            << ", p99 " << cm(distortion.p99) << ", max " << cm(distortion.max.cm) << " ("
+            << worst_name << ", frame " << frame_text(distortion.max.frame)
+            << "); joint origins: RMS " << cm(distortion.eps_joint_origins) << "\n";
   const BodyFigures body = body_figures(report.original->skeleton, distortion);
   print("surface", body.surface);
   print("shell", body.shell);

@@ -41,7 +41,7 @@ ClipFigures figures_of(const BatchRow& row) {
   figures.bytes = row.measured->motion_bytes;
   figures.weighting = row.preset.weighting;
   figures.eps_cm = row.measured->eps_cm(figures.weighting);
-  figures.max_cm = row.measured->max_error_cm;
+  figures.max_cm = row.measured->max_cm(figures.weighting);
   if (!row.measured->seen) return figures;
   figures.sight = row.measured->seen->sight();
   figures.limits = row.measured->seen->limits;

@@ -25,7 +25,7 @@ SignOffClip signed_off(const BatchRow& row) {
   clip.figures = SignOffFigures{.ratio = measured.ratio,
                                 .bytes = measured.motion_bytes,
                                 .eps_cm = measured.eps_cm(row.preset.weighting),
-                                .max_cm = measured.max_error_cm,
+                                .max_cm = measured.max_cm(row.preset.weighting),
                                 .worst_frame = measured.worst_frame,
                                 .worst_point = row.worst ? row.worst->landmark : "",
                                 .sight = {},

@@ -62,8 +62,8 @@ double times_noticed(const BatchRow& row) {
 
 /// Orders rows by the visibility of their error, then by the largest distance; the worst first.
 bool is_worse(const BatchRow& a, const BatchRow& b) {
-  return std::pair(times_noticed(a), a.measured->max_error_cm) >
-         std::pair(times_noticed(b), b.measured->max_error_cm);
+  return std::pair(times_noticed(a), a.measured->max_cm(a.preset.weighting)) >
+         std::pair(times_noticed(b), b.measured->max_cm(b.preset.weighting));
 }
 
 /// Keeps the first `most` rows in that order.
@@ -111,8 +111,9 @@ struct Totals {
     if (row.measured->seen) count(row);
     raw_bytes += static_cast<double>(row.measured->raw_bytes);
     motion_bytes += static_cast<double>(row.measured->motion_bytes);
-    worst_eps_cm = std::max(worst_eps_cm, row.measured->eps_cm(row.preset.weighting));
-    worst_cm = std::max(worst_cm, row.measured->max_error_cm);
+    const Spread spread = row.measured->spread(row.preset.weighting);
+    worst_eps_cm = std::max(worst_eps_cm, spread.rms);
+    worst_cm = std::max(worst_cm, spread.max.cm);
     if (row.worst) add_worst(row, kPictures, worst);
   }
 
@@ -256,15 +257,16 @@ void write_failures(std::ostream& out, const ReportLanguage& say, const BatchRow
 
 std::string clip_line(const ReportLanguage& say, const BatchRow& row) {
   const Measurement& m = *row.measured;
+  const Spread spread = m.spread(row.preset.weighting);
   std::string method = say(std::string(method_title(row.preset.method)));
   if (row.preset.correction) method += ", " + say("feet held");
   if (m.ik_ratio_used) method += ", r_IK " + format_significant(*m.ik_ratio_used);
   return line(
       row_head(row.output) + seen_cell(say, m.seen) + review_cells(say, row) +
       cell(row.warnings.empty() ? kNothing : std::to_string(row.warnings.size())) +
-      cell(ratio_text(m.ratio)) + cell(format_significant(m.max_error_cm)) +
-      cell(frame_text(m.worst_frame)) + cell(format_significant(m.eps_cm(row.preset.weighting))) +
-      cell(format_significant(m.p95_error_cm)) + cell(format_significant(m.p99_error_cm)) +
+      cell(ratio_text(m.ratio)) + cell(format_significant(spread.max.cm)) +
+      cell(frame_text(m.worst_frame)) + cell(format_significant(spread.rms)) +
+      cell(format_significant(spread.p95)) + cell(format_significant(spread.p99)) +
       degrees_cell(m.body.angle_rms_degrees) + turn_cell(m.body.head) + turn_cell(m.body.hand) +
       figure_cell(m.slide ? std::optional(m.slide->drift_mean_cm) : std::nullopt) +
       figure_cell(m.slide ? std::optional(m.slide->drift_worst_cm) : std::nullopt) +

@@ -46,22 +46,13 @@ std::vector<float> all_of(const Eigen::MatrixXf& values) {
   return {values.data(), values.data() + values.size()};
 }
 
-/// The spread of a weighting that is not on bones; zeros for the skin of a body without a mesh.
-Spread spread_of(const Distortion& distortion, Weighting weighting) {
-  if (weighting == Weighting::Skin) return distortion.skin.value_or(Spread());
-  return weighting == Weighting::Shell ? distortion.shell : distortion.surface;
-}
-
 }  // namespace
 
-double Distortion::eps(Weighting weighting) const {
-  if (weighting == Weighting::BoneEnds) return eps_bone_ends;
-  if (weighting == Weighting::JointOrigins) return eps_joint_origins;
-  return spread_of(*this, weighting).rms;
-}
-
-WorstPoint Distortion::worst(Weighting weighting) const {
-  return is_on_bones(weighting) ? max : spread_of(*this, weighting).max;
+Spread Distortion::spread(Weighting weighting) const {
+  if (is_on_bones(weighting))
+    return {weighting == Weighting::BoneEnds ? eps_bone_ends : eps_joint_origins, p95, p99, max};
+  if (weighting == Weighting::Skin) return skin.value_or(Spread());
+  return weighting == Weighting::Shell ? shell : surface;
 }
 
 double Distortion::degrees(const std::vector<int>& joints) const {

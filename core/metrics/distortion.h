@@ -74,7 +74,7 @@ struct Spread {
 struct Distortion {
   double eps_bone_ends = 0;  // the paper's eps_x in each weighting
   double eps_joint_origins = 0;
-  double p95 = 0;  // over all landmarks and frames, unweighted
+  double p95 = 0;  // over all bone ends and frames, unweighted
   double p99 = 0;
   WorstPoint max;
   Eigen::MatrixXf distances;  // frames x landmarks; empty unless Detail::Distances
@@ -92,9 +92,11 @@ struct Distortion {
   double p99_degrees = 0;  // over all of `turns`
   EndErrors ends;
 
-  /// eps_x in this weighting; 0 for the skin if there is none.
-  double eps(Weighting weighting) const;
-  WorstPoint worst(Weighting weighting) const;
+  /// Errors of the points of a weighting; zeros for the skin if there is none. Percentiles and
+  /// maximum of both weightings on bones are those of the bone ends.
+  Spread spread(Weighting weighting) const;
+  double eps(Weighting weighting) const { return spread(weighting).rms; }  // eps_x
+  WorstPoint worst(Weighting weighting) const { return spread(weighting).max; }
 
   /// RMS of joint_degrees over some joints; 0 without joints.
   double degrees(const std::vector<int>& joints) const;

@@ -3,24 +3,14 @@
 
 namespace mocapress {
 
-namespace {
-
-/// The spread of a weighting that is not on bones; zeros for the skin of a body without a mesh.
-Spread spread_of(const BodyFigures& body, Weighting weighting) {
+Spread Measurement::spread(Weighting weighting) const {
+  if (is_on_bones(weighting))
+    return {weighting == Weighting::BoneEnds ? eps_bone_ends_cm : eps_joint_origins_cm,
+            p95_error_cm,
+            p99_error_cm,
+            {.cm = max_error_cm}};
   if (weighting == Weighting::Skin) return body.skin.value_or(Spread());
   return weighting == Weighting::Shell ? body.shell : body.surface;
-}
-
-}  // namespace
-
-double Measurement::eps_cm(Weighting weighting) const {
-  if (weighting == Weighting::BoneEnds) return eps_bone_ends_cm;
-  if (weighting == Weighting::JointOrigins) return eps_joint_origins_cm;
-  return spread_of(body, weighting).rms;
-}
-
-double Measurement::max_cm(Weighting weighting) const {
-  return is_on_bones(weighting) ? max_error_cm : spread_of(body, weighting).max.cm;
 }
 
 double Measurement::quantity(Target::Kind kind, Weighting weighting) const {

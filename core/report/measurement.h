@@ -23,7 +23,7 @@ struct Measurement {
   std::optional<double> coefficient_ratio;  // for wavelet methods
   double eps_bone_ends_cm = 0;
   double eps_joint_origins_cm = 0;
-  double max_error_cm = 0;
+  double max_error_cm = 0;  // these three and worst_frame: over bone ends
   double p95_error_cm = 0;
   double p99_error_cm = 0;
   BodyFigures body;
@@ -38,9 +38,10 @@ struct Measurement {
   std::optional<int> iterations;           // iterations of the last annealing
   double encode_seconds = 0;               // includes the search for the target
 
-  /// eps_x and the maximum in a weighting.
-  double eps_cm(Weighting weighting) const;
-  double max_cm(Weighting weighting) const;
+  /// Errors in a weighting, as Distortion::spread() has them, without the place of the largest.
+  Spread spread(Weighting weighting) const;
+  double eps_cm(Weighting weighting) const { return spread(weighting).rms; }
+  double max_cm(Weighting weighting) const { return spread(weighting).max.cm; }
 
   /// The value in the unit of a target; 0: unknown.
   double quantity(Target::Kind kind, Weighting weighting) const;

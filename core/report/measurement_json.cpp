@@ -112,9 +112,12 @@ Measurement measurement_of(const Json& json) {
   m.coefficient_ratio = optional_at<double>(json, "coefficient_ratio");
   json.at("eps_x_bone_ends_cm").get_to(m.eps_bone_ends_cm);
   json.at("eps_x_joint_origins_cm").get_to(m.eps_joint_origins_cm);
-  json.at("max_error_cm").get_to(m.max_error_cm);
-  json.at("p95_error_cm").get_to(m.p95_error_cm);
-  json.at("p99_error_cm").get_to(m.p99_error_cm);
+  const auto on_bones = [&](const char* key, const char* of_older_rows) {
+    return json.at(json.contains(key) ? key : of_older_rows).get<double>();
+  };
+  m.max_error_cm = on_bones("bone_ends_max_cm", "max_error_cm");
+  m.p95_error_cm = on_bones("bone_ends_p95_cm", "p95_error_cm");
+  m.p99_error_cm = on_bones("bone_ends_p99_cm", "p99_error_cm");
   m.body = body_figures_of(json);
   m.seen = seen_of(json);
   json.at("worst_frame").get_to(m.worst_frame);

@@ -66,12 +66,16 @@ void add_seen(const std::optional<Seen>& seen, const Add& add) {
 template <typename Add>
 void add_errors(const Measurement& m, Weighting weighting, const Add& add) {
   add("coefficient_ratio", or_null(m.coefficient_ratio));
-  add("eps_x_cm", Json(m.eps_cm(weighting)));
+  const Spread spread = m.spread(weighting);
+  add("eps_x_cm", Json(spread.rms));
+  add("max_error_cm", Json(spread.max.cm));
+  add("p95_error_cm", Json(spread.p95));
+  add("p99_error_cm", Json(spread.p99));
   add("eps_x_bone_ends_cm", Json(m.eps_bone_ends_cm));
+  add("bone_ends_max_cm", Json(m.max_error_cm));
+  add("bone_ends_p95_cm", Json(m.p95_error_cm));
+  add("bone_ends_p99_cm", Json(m.p99_error_cm));
   add("eps_x_joint_origins_cm", Json(m.eps_joint_origins_cm));
-  add("max_error_cm", Json(m.max_error_cm));
-  add("p95_error_cm", Json(m.p95_error_cm));
-  add("p99_error_cm", Json(m.p99_error_cm));
   add_body_figures(m.body, add);
   add_seen(m.seen, add);
   add("worst_frame", Json(m.worst_frame));

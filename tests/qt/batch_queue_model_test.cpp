@@ -73,7 +73,7 @@ TEST_F(BatchQueue, ShowsProgressAndResultOfAClip) {
           .toDouble(),
       0.43);
   model_.setEnded(
-      0, Measurement{.ratio = 52.26, .max_error_cm = 4.321, .body = {.surface = {.rms = 0.4987}}},
+      0, Measurement{.ratio = 52.26, .body = {.surface = {.rms = 0.4987, .max = {.cm = 4.321}}}},
       "");
   EXPECT_EQ(text(0, BatchQueueModel::State), QStringLiteral("✓ Verified"));
   EXPECT_EQ(text(0, BatchQueueModel::Ratio), QStringLiteral("52.3:1"));

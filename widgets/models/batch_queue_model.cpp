@@ -282,7 +282,7 @@ QVariant BatchQueueModel::figure(const QueuedClip& clip, int row, int column) co
     case Eps:
       return shownFigure(clip.measured->eps_cm(presetOf(row).weighting));
     default:
-      return shownFigure(clip.measured->max_error_cm);
+      return shownFigure(clip.measured->max_cm(presetOf(row).weighting));
   }
 }
 

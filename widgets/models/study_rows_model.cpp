@@ -25,7 +25,7 @@ std::optional<double> value(const StudyRow& row, int column) {
     case StudyRowsModel::Eps:
       return measured.eps_cm(row.settings.weighting);
     case StudyRowsModel::Max:
-      return measured.max_error_cm;
+      return measured.max_cm(row.settings.weighting);
     case StudyRowsModel::Footskate:
       return measured.footskate_cm;
     case StudyRowsModel::Seconds:
@@ -110,7 +110,7 @@ QString StudyRowsModel::description(int index) const {
                     QLocale().formattedDataSize(static_cast<qint64>(measured.motion_bytes)));
   lines << tr("eps_x %1 cm, at most %2 cm")
                .arg(shownFigure(measured.eps_cm(row.settings.weighting)),
-                    shownFigure(measured.max_error_cm));
+                    shownFigure(measured.max_cm(row.settings.weighting)));
   if (measured.footskate_cm)
     lines << tr("%1 cm of footskate in %Ln contact(s)", nullptr, measured.contacts)
                  .arg(shown(*measured.footskate_cm, 1));

@@ -48,10 +48,11 @@ std::optional<ResultFigures> figuresOf(const Document& document) {
     figures.fastest_knee_of_original = decoded.correction->fastest_knee_of_original;
   }
   if (decoded.distortion) {
-    figures.eps_cm = decoded.distortion->eps(provenance.weighting);
-    figures.p95_cm = decoded.distortion->p95;
-    figures.p99_cm = decoded.distortion->p99;
-    figures.max_cm = decoded.distortion->max.cm;
+    const Spread spread = decoded.distortion->spread(provenance.weighting);
+    figures.eps_cm = spread.rms;
+    figures.p95_cm = spread.p95;
+    figures.p99_cm = spread.p99;
+    figures.max_cm = spread.max.cm;
     figures.skin = decoded.distortion->skin;
     figures.ends = decoded.distortion->ends;
     figures.is_loop = decoded.compressed.loop != Loop::None;

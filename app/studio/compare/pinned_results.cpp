@@ -245,9 +245,9 @@ void PinnedResults::show() {
   std::vector<PinnedFigure> figures;
   for (const auto& [pin, decoded] : pins_) {
     const Distortion& distortion = *decoded->distortion;
-    PinnedEntry entry{
-        pin.name,          pin.colour, decoded->ratio, distortion.eps(weighting), distortion.p95,
-        distortion.max.cm, {}};
+    const Spread spread = distortion.spread(weighting);
+    PinnedEntry entry{pin.name,      pin.colour, decoded->ratio, spread.rms, spread.p95,
+                      spread.max.cm, {}};
     if (decoded->footskate) entry.drift_cm = decoded->footskate->drift_worst_cm;
     figures.push_back({decoded->tracks,
                        pin.colour,

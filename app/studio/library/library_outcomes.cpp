@@ -37,7 +37,8 @@ double quantityOf(const DecodedClip& decoded, const EncodeSettings& options) {
 Outcome outcomeOf(const DecodedClip& decoded, const OriginalClip& original,
                   const EncodeSettings& options, bool has_contacts) {
   Outcome outcome{decoded.ratio, decoded.distortion->eps(options.weighting),
-                  decoded.distortion->max.cm, decoded.compressed.motion_bytes(),
+                  decoded.distortion->worst(options.weighting).cm,
+                  decoded.compressed.motion_bytes(),
                   reached(options.target, quantityOf(decoded, options))};
   if (decoded.footskate && has_contacts) outcome.slide_cm = decoded.footskate->total_cm;
   if (decoded.visibility) {
@@ -57,8 +58,9 @@ Outcome outcomeOf(const DecodedClip& decoded, const OriginalClip& original,
 /// The outcome of a batch's step. Requires that the clip was measured.
 Outcome outcomeOf(const BatchStep& step, const Settings& settings) {
   const Measurement& measured = *step.measured;
-  Outcome outcome{measured.ratio, measured.eps_cm(settings.weighting), measured.max_error_cm,
-                  measured.motion_bytes, keeps_promise(settings, measured)};
+  Outcome outcome{measured.ratio, measured.eps_cm(settings.weighting),
+                  measured.max_cm(settings.weighting), measured.motion_bytes,
+                  keeps_promise(settings, measured)};
   outcome.slide_cm = measured.footskate_cm;
   if (measured.seen) {
     outcome.sight = measured.seen->sight();

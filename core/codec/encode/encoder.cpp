@@ -236,9 +236,10 @@ Encoding Encoder::encode_once(const EncodeSettings& settings,
     if (!settings.figures_only && !in_other_forms)
       encoding.decoded = in_source_channels(encoding.compressed, std::move(encoding.decoded));
   }
-  encoding.compressed.provenance = {settings.method, settings.weighting, settings.seed,
-                                    static_cast<float>(encoding.distortion.eps(settings.weighting)),
-                                    static_cast<float>(encoding.distortion.max.cm)};
+  encoding.compressed.provenance = {
+      settings.method, settings.weighting, settings.seed,
+      static_cast<float>(encoding.distortion.eps(settings.weighting)),
+      static_cast<float>(encoding.distortion.worst(settings.weighting).cm)};
   encoding.coefficient_ratio =
       static_cast<double>(motion().clip.channels.size()) / std::max(found.count, 1);
   if (settings.method == Method::Annealed) encoding.iterations = found.iterations;

@@ -45,7 +45,7 @@ struct Provenance {
   Weighting weighting = Weighting::BoneEnds;
   std::uint64_t seed = 0;
   float eps_cm = 0;        // in `weighting`, against the original, at encoding
-  float max_error_cm = 0;  // over all landmarks and frames
+  float max_error_cm = 0;  // largest of the points of `weighting`
 };
 
 /// The solver that corrects the decoded motion, and its effectors (the paper's section 5.1). The

@@ -45,8 +45,9 @@ Encoding AdditiveEncoder::compress(const CompressionMethod& method, EncodeSettin
   settings.contacts = contacts;
   const Target wanted = settings.target;
   const auto error_cm = [&](const Comparison& found) {
-    return settings.target.kind == Target::Kind::Error ? found.distortion.eps(settings.weighting)
-                                                       : found.distortion.max.cm;
+    return settings.target.kind == Target::Kind::Error
+               ? found.distortion.eps(settings.weighting)
+               : found.distortion.worst(settings.weighting).cm;
   };
   const bool is_error =
       settings.target.kind == Target::Kind::Error || settings.target.kind == Target::Kind::MaxError;
@@ -64,7 +65,8 @@ Encoding AdditiveEncoder::compress(const CompressionMethod& method, EncodeSettin
     }
     static_cast<Comparison&>(made) = found;
     clip.provenance.eps_cm = static_cast<float>(found.distortion.eps(settings.weighting));
-    clip.provenance.max_error_cm = static_cast<float>(found.distortion.max.cm);
+    clip.provenance.max_error_cm =
+        static_cast<float>(found.distortion.worst(settings.weighting).cm);
     made.file = write_container(clip);
     return made;
   }

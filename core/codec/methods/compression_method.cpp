@@ -233,7 +233,8 @@ Encoding MethodEncoder::compress(const CompressionMethod& compression_method,
   clip.motion = std::move(best.motion);
   clip.provenance.weighting = settings.weighting;
   clip.provenance.eps_cm = static_cast<float>(encoding.distortion.eps(settings.weighting));
-  clip.provenance.max_error_cm = static_cast<float>(encoding.distortion.max.cm);
+  clip.provenance.max_error_cm =
+      static_cast<float>(encoding.distortion.worst(settings.weighting).cm);
   encoding.file = write_compared(*method, clip);
   encoding.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
