@@ -74,7 +74,7 @@ TEST_F(CliBatch, VerifiesFifteenClipsWithTheSameBytesOnOneThreadAndTwo) {
 }
 
 TEST_F(CliBatch, KilledAnywhereAndResumedIsTheSameBytesAsUndisturbed) {
-  write_clips(12);
+  write_clips(8);
   ASSERT_EQ(mocapress(batch("whole", {"--max-error", "0.3"})).exit_code, 0);
   const auto undisturbed = contents("whole");
   int kills = 0;
