@@ -135,8 +135,12 @@ def test_progress_is_told_and_what_it_raises_stops_the_work(walk, clip):
 
 
 def test_ctrl_c_stops_an_encoding(walk):
-    with pytest.raises(KeyboardInterrupt):
-        mocapress.encode(walk, progress=lambda _: signal.raise_signal(signal.SIGINT))
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)  # shells start jobs in the background without one
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            mocapress.encode(walk, progress=lambda _: signal.raise_signal(signal.SIGINT))
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def test_other_threads_run_while_a_clip_is_encoded(walk):
