@@ -120,8 +120,9 @@ class Viewer {
     this.#worst = findWorstFrames(this.#errors.ofFrames, this.#original.sampleRate);
     this.time.max = this.#original.frames - 1;
     this.#drawStrip();
+    this.#frame = this.#worst[0] ?? 0;
     this.resetCamera();
-    this.seek(this.#worst[0] ?? 0);
+    this.seek(this.#frame);
   }
 
   seek(frame) {
@@ -157,7 +158,7 @@ class Viewer {
   resetCamera() {
     const box = new THREE.Box3();
     const point = new THREE.Vector3();
-    const positions = this.#original.positions[0];
+    const positions = this.#original.positions[Math.round(this.#frame)];
     for (let i = 0; i < positions.length; i += 3) box.expandByPoint(point.fromArray(positions, i));
     const size = Math.max(box.getSize(point).length(), 0.1);
     box.getCenter(this.#centre);
