@@ -36,6 +36,20 @@ const statusOf = async (page) => {
 const errorIn = (status) => Number(/is ([\d.]+) cm off/.exec(status)[1]);
 const frameIn = (status) => Number(/^Frame (\d+)/.exec(status)[1]);
 
+/** The share of the middle third of the view that has colours of errors. */
+const colouredShare = (page) =>
+  page.evaluate(async () => {
+    for (let frame = 0; frame < 2; ++frame) await new Promise(requestAnimationFrame);
+    const view = document.querySelector('#review canvas');
+    const context = new OffscreenCanvas(view.width, view.height).getContext('2d');
+    context.drawImage(view, 0, 0);
+    const { data } = context.getImageData(view.width / 3, 0, view.width / 3, view.height);
+    let coloured = 0;
+    for (let i = 0; i < data.length; i += 4)
+      coloured += Math.max(data[i], data[i + 1], data[i + 2]) - Math.min(data[i], data[i + 1], data[i + 2]) > 40;
+    return coloured / (data.length / 4);
+  });
+
 before(async () => {
   mkdirSync(WEB_PICTURES, { recursive: true });
   browser = await chromium.launch({
@@ -66,6 +80,11 @@ test('a page of one clip shows its worst frames, as far off as the program measu
   assert.equal(frameIn(await statusOf(page)), 1);
   await page.keyboard.press('ArrowRight');
   assert.equal(frameIn(await statusOf(page)), 2);
+  await page.keyboard.press('End');
+  await page.keyboard.press('r');
+  assert.ok((await colouredShare(page)) > 0.01, 'the body is in the middle');
+  await page.keyboard.press('Home');
+  await page.keyboard.press('ArrowRight');
   for (const [key, name] of [['2', 'side'], ['3', 'wipe']]) {
     await page.keyboard.press(key);
     await page.waitForTimeout(300);
