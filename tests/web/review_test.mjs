@@ -6,7 +6,7 @@ import { mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync }
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
+import { after, afterEach, before, test } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 
 const source = fileURLToPath(new URL('../..', import.meta.url));
@@ -17,10 +17,12 @@ const sample = (clip) => join(source, 'resources/samples', clip);
 const mocapress = (...words) => execFileSync(WEB_PROGRAM, words, { stdio: ['ignore', 'pipe', 'pipe'] });
 
 let browser;
+const pages = [];
 
 /** A page from disk whose errors and requests to a server fail the test. */
 async function open(path, options = {}) {
   const page = await browser.newPage({ viewport: { width: 1200, height: 1000 }, ...options });
+  pages.push(page);
   page.setDefaultTimeout(120_000); // drawing without a graphics card takes all processors
   page.wrong = [];
   page.on('pageerror', (error) => page.wrong.push(String(error)));
@@ -57,6 +59,9 @@ before(async () => {
     args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
   });
 });
+
+// A page that plays takes the time of the next one.
+afterEach(() => Promise.all(pages.splice(0).map((page) => page.close())));
 
 after(async () => {
   await browser?.close();
