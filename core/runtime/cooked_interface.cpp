@@ -17,6 +17,7 @@
 #include "core/runtime/pose/pose_packing.h"
 #include "core/runtime/pose/pose_sampler.h"
 #include "core/runtime/pose/pose_selection.h"
+#include "core/runtime/pose/prefetch.h"
 
 namespace mocapress::runtime {
 namespace {
@@ -130,6 +131,7 @@ mcpr_result check_instant(const mcpr_cooked& clip, const mcpr_sample_request& re
 
 mcpr_result sample_checked(const mcpr_cooked* clip, const mcpr_sample_request* request, double time,
                            void* out, mcpr_cursor* cursor) {
+  if (cursor == nullptr) prefetch_clip(clip);
   mcpr_result result = check_sample_request(clip, request);
   if (!failed(result)) result = check_instant(*clip, *request, time, out);
   if (failed(result)) return result;

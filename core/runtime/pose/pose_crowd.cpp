@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/runtime/pose/pose_sampler.h"
+#include "core/runtime/pose/prefetch.h"
 
 namespace mocapress::runtime {
 namespace {
@@ -148,6 +149,8 @@ void PoseCrowd::pose(const mcpr_crowd_request& request, const mcpr_character* ch
     for (std::uint32_t i = 0; i < ahead;) {
       const Together lifted = together(characters, i, ahead);
       if (lifted.count == 0) {
+        if (i + 1 < ahead && characters[i + 1].clip != characters[i].clip)
+          prefetch_clip(characters[i + 1].clip);
         pose_one(i++, nullptr);
         continue;
       }
