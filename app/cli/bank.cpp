@@ -422,6 +422,14 @@ void add_bank(CLI::App& app) {
     std::string bank;
     std::string output;
     int tiers = 1;
+
+    void run() const {
+      ClipCount count;
+      const bool is_whole =
+          strip_bank(utf8_path(bank), utf8_path(output), tiers,
+                     [&](const BankProgress& progress) { return count.done(progress); });
+      tell_of(output, is_whole, count);
+    }
   };
   CLI::App* strip = command->add_subcommand("strip", "Copy a bank without its finest tiers");
   const auto stripping = std::make_shared<Stripping>();
@@ -431,10 +439,7 @@ void add_bank(CLI::App& app) {
       ->type_name("OUT.mcpk");
   strip->add_option("--tiers", stripping->tiers, "Tiers to keep: see compress --tiers")
       ->capture_default_str();
-  strip->callback([stripping] {
-    strip_bank(utf8_path(stripping->bank), utf8_path(stripping->output), stripping->tiers);
-    describe_written(stripping->output);
-  });
+  strip->callback([stripping] { stripping->run(); });
 
   struct Listing {
     std::string bank;

@@ -266,7 +266,10 @@ bool add_to_bank(const fs::path& bank, std::vector<BankSource> sources, const Ba
   return write_bank(bank, &old, {}, std::move(sources), of_old, texts, observer);
 }
 
-void strip_bank(const fs::path& bank, const fs::path& stripped, int tiers) {
+bool strip_bank(const fs::path& bank, const fs::path& stripped, int tiers,
+                const Observer<BankProgress>& observer) {
+  const std::optional<FileLock> lock = lock_bank(stripped, observer);
+  if (!lock) return false;
   const BankFile whole(bank);
   if (whole.is_cooked()) throw InputError(utf8(bank), 0, 0, "is cooked, and has no tiers");
   require_place_for_bank(stripped, {BankSource{.file = bank}});
@@ -285,6 +288,7 @@ void strip_bank(const fs::path& bank, const fs::path& stripped, int tiers) {
   file.write(head_bytes);
   file.write({first + head_bytes.size(), first + head.bytes});
   file.commit();
+  return true;
 }
 
 bool remove_from_bank(const fs::path& bank, const std::vector<std::string>& names,

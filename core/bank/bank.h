@@ -61,9 +61,10 @@ bool remove_from_bank(const std::filesystem::path& bank, const std::vector<std::
                       const Observer<BankProgress>& observer = {});
 
 /// Writes a copy of a packed bank that has only the first tiers, 1 or more. Its bytes are those at
-/// the beginning of the whole bank, but for the head. Throws InputError, also if the bank has fewer
-/// tiers, and WriteError as make_bank() does.
-void strip_bank(const std::filesystem::path& bank, const std::filesystem::path& stripped,
-                int tiers);
+/// the beginning of the whole bank, but for the head. False: the observer stopped it, and the place
+/// is unchanged. Throws InputError, also if the bank has fewer tiers, and WriteError as make_bank()
+/// does.
+bool strip_bank(const std::filesystem::path& bank, const std::filesystem::path& stripped, int tiers,
+                const Observer<BankProgress>& observer = {});
 
 }  // namespace mocapress

@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "core/bank/bank.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/file_lock.h"
 #include "core/codec/format/container.h"
 #include "core/codec/format/tiers.h"
 #include "core/runtime/own_memory.h"
@@ -171,6 +173,20 @@ TEST_F(BankTiersTest, AStrippedBankTakesNoClips) {
   EXPECT_THROW(remove_from_bank(cut, {"long"}), InputError);
   EXPECT_THROW(strip_bank(cut, folder_ / "again.mcpk", 2), InputError);
   EXPECT_THROW(strip_bank(bank(), folder_ / "none.mcpk", 0), InputError);
+}
+
+TEST_F(BankTiersTest, StrippingWaitsForWhoeverChangesTheBankAtItsPlace) {
+  const fs::path place = stripped(1);
+  const std::vector<std::byte> before = read_bytes(place);
+  std::optional<FileLock> held = FileLock::wait_for(place, [] { return false; });
+  ASSERT_TRUE(held);
+  int asked = 0;
+  EXPECT_FALSE(strip_bank(bank(), place, 2, [&](const BankProgress&) { return ++asked < 3; }));
+  EXPECT_EQ(asked, 3);
+  EXPECT_EQ(read_bytes(place), before);
+  held.reset();
+  EXPECT_TRUE(strip_bank(bank(), place, 2));
+  EXPECT_EQ(read_bytes(place), read_bytes(stripped(2)));
 }
 
 TEST_F(BankTiersTest, StayWithTheirClipsWhenOthersAreRemoved) {
