@@ -44,18 +44,20 @@ bool names_a_ball(const std::string& name) {
 }
 
 /// Feet by name: the outermost joint of each limb that is named a foot and not a toe, then its
-/// first child that is named a toe or ball.
+/// child that is named a toe or ball: the first with the shortest name. So LeftToe goes before
+/// LeftToeTwist, and both feet have the same joint, whatever the order of children.
 std::vector<int> feet_by_name(const Skeleton& skeleton) {
   std::vector<int> feet;
   for (int j = 0; j < skeleton.joint_count(); ++j) {
     if (!names_a_foot(skeleton.joint(j).name) || names_a_ball(skeleton.joint(j).name)) continue;
-    const std::vector<int> children = children_of(skeleton, j);
+    std::vector<int> children = children_of(skeleton, j);
     const bool another_below = std::ranges::any_of(children, [&](int child) {
       return names_a_foot(skeleton.joint(child).name) && !names_a_ball(skeleton.joint(child).name);
     });
     if (another_below) continue;
-    const auto ball = std::ranges::find_if(
-        children, [&](int child) { return names_a_ball(skeleton.joint(child).name); });
+    std::erase_if(children, [&](int child) { return !names_a_ball(skeleton.joint(child).name); });
+    const auto ball = std::ranges::min_element(
+        children, {}, [&](int child) { return skeleton.joint(child).name.size(); });
     feet.push_back(ball != children.end() ? *ball : j);
   }
   return feet;

@@ -88,6 +88,24 @@ TEST(FindFeet, KnowsTheUsualSpellings) {
   }
 }
 
+TEST(FindFeet, TakesTheSameJointOfBothFeetInWhateverOrderTheirChildrenAre) {
+  const Skeleton skeleton = skeleton_of({{"Hip", -1, {0, 95, 0}},
+                                         {"L_Thigh", 0, {9, -5, 0}},
+                                         {"L_Calf", 1, {0, -42, 0}},
+                                         {"L_Foot", 2, {0, -41, 0}},
+                                         {"L_ToeBaseShareBone", 3, {0, -7, 13}},
+                                         {"L_ToeBase", 3, {0, -7, 13}},
+                                         {"R_Thigh", 0, {-9, -5, 0}},
+                                         {"R_Calf", 6, {0, -42, 0}},
+                                         {"R_Foot", 7, {0, -41, 0}},
+                                         {"R_ToeBase", 8, {0, -7, 13}},
+                                         {"R_ToeBaseShareBone", 8, {0, -7, 13}}});
+  const std::vector<Effector> feet = find_feet(skeleton);
+  ASSERT_EQ(feet.size(), 2u);
+  EXPECT_EQ(skeleton.joint(feet[0].joint).name, "L_ToeBase");
+  EXPECT_EQ(skeleton.joint(feet[1].joint).name, "R_ToeBase");
+}
+
 TEST(FindFeet, FallsBackToTheLowestLimbs) {
   const Skeleton skeleton = person({"a1L", "a2L", "a3L", "a4L"}, "L", "R");
   const std::vector<Effector> feet = find_feet(skeleton);
