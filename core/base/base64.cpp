@@ -5,6 +5,7 @@
 #include <array>
 
 namespace mocapress {
+
 std::string base64_of(std::string_view bytes) {
   std::string text;
   text.reserve((bytes.size() + 2) / 3 * 4);

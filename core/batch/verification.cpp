@@ -67,13 +67,14 @@ class Verifier {
     VisibilityMeter visibility(motion_.skeleton, motion_.clip.frames(), motion_.clip.sample_rate_hz,
                                request_.contacts, request_.limits);
     const Eigen::Index on_bones = 3 * std::ssize(landmarks(motion_.skeleton));
+    const Weighting weighting = opened_.compressed.provenance.weighting;
     PosePoints wanted;
     PosePoints found;
     const auto visit = [&](int first, const TrackRows& there, const TrackRows& decoded) {
       distortion.add(first, there, decoded);
       footskate.add(first, there, decoded);
       visibility.add(first, there, decoded);
-      const int row = distortion.worst().frame - first;
+      const int row = distortion.worst(weighting).frame - first;
       if (row < 0 || row >= there.rows()) return;  // the worst frame is in an earlier block
       wanted = points_at(there.leftCols(on_bones), row);
       found = points_at(decoded.leftCols(on_bones), row);
@@ -95,7 +96,7 @@ class Verifier {
     const double ground_cm =
         is_long_ ? ground_of(tracks_of_some(motion_)) : ground_of(encoder_.original_tracks());
     verification.worst = worst_pose(motion_.skeleton, std::move(wanted), std::move(found),
-                                    ground_cm, distortion.worst());
+                                    ground_cm, distortion.worst(weighting));
     return verification;
   }
 

@@ -181,6 +181,12 @@ void DistortionMeter::add(Set& set, int first_frame, const Eigen::MatrixXd& squa
     set.counts.add(*distance);
 }
 
+const WorstPoint& DistortionMeter::worst(Weighting weighting) const {
+  const auto set =
+      std::ranges::find(sets_, weighting, [](const Set& each) { return each.errors.weighting(); });
+  return set == sets_.end() ? worst() : set->worst;
+}
+
 void DistortionMeter::add_turns(int first_frame, Eigen::Index frames, JointErrors& errors) {
   for (int j = 0; j < skeleton_.joint_count(); ++j) {
     const Eigen::VectorXd degrees = JointErrors::degrees(errors.of(j));

@@ -150,6 +150,8 @@ class DistortionMeter {
   double eps() const { return eps(0); }  // in the weighting of Detail::Means
   // The point with the largest distance among those of that weighting.
   const WorstPoint& worst() const { return sets_.front().worst; }
+  /// The same in any weighting, without Detail::Means, as Distortion::worst() has it.
+  const WorstPoint& worst(Weighting weighting) const;
 
  private:
   /// Points of one kind.

@@ -51,7 +51,7 @@ Measurement LoadedClip::measure(const Encoding& encoding, std::optional<std::siz
   m.p99_error_cm = distortion.p99;
   m.body = body_figures(motion().skeleton, distortion);
   m.seen = seen_in(encoding.visibility, motion().skeleton);
-  m.worst_frame = distortion.max.frame;
+  m.worst_frame = distortion.worst(encoding.compressed.provenance.weighting).frame;
   m.iterations = encoding.iterations;
   m.encode_seconds = encoding.seconds;
   m.contacts = static_cast<int>(edited.value_or(contacts().size()));

@@ -33,7 +33,7 @@ std::string ratio_text(double ratio);
 
 }  // namespace mocapress
 
-/// Parts of an HTML table.
+/// Parts of an HTML page.
 namespace mocapress::html {
 
 /// Text for a missing figure.

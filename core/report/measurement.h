@@ -23,12 +23,12 @@ struct Measurement {
   std::optional<double> coefficient_ratio;  // for wavelet methods
   double eps_bone_ends_cm = 0;
   double eps_joint_origins_cm = 0;
-  double max_error_cm = 0;  // these three and worst_frame: over bone ends
+  double max_error_cm = 0;  // these three: over bone ends
   double p95_error_cm = 0;
   double p99_error_cm = 0;
   BodyFigures body;
   std::optional<Seen> seen;  // unset in older rows without it
-  int worst_frame = 0;
+  int worst_frame = 0;  // of the weighting that the clip was encoded with
   int contacts = 0;                      // number of foot contacts in the original
   std::optional<double> footskate_cm;    // over all contacts; unset without contacts
   std::optional<SlidePerContact> slide;  // the same footskate for each contact

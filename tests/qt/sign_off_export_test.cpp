@@ -43,7 +43,7 @@ TEST(SignOffExport, WritesTheLibraryInEachFormat) {
   ASSERT_EQ(report.clips.size(), 2u);
   EXPECT_EQ(count(report), (SignOffCounts{.approved = 1, .waiting = 1}));
   ASSERT_TRUE(report.clips[0].figures);
-  const int worst = session.document().decoded()->distortion->max.frame;
+  const int worst = session.document().decoded()->distortion->worst(Weighting::Surface).frame;
   EXPECT_EQ(report.clips[0].figures->worst_frame, worst);
   EXPECT_FALSE(report.clips[0].figures->stale);
   EXPECT_FALSE(report.clips[1].figures);

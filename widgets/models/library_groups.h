@@ -7,7 +7,7 @@
 
 namespace mocapress {
 
-/// What clips of a library that stand together have in common. Those after `None` are columns.
+/// The property that clips of a group of a library share. Those after `None` are columns.
 enum class Grouping {
   Folder,
   Verdict,
