@@ -3016,6 +3016,18 @@
         <source>none</source>
         <translation>ninguno</translation>
     </message>
+    <message>
+        <source>By slide</source>
+        <translation>Por deslizamiento</translation>
+    </message>
+    <message>
+        <source>By worst error</source>
+        <translation>Por peor error</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryModel</name>
@@ -3203,7 +3215,7 @@
     </message>
     <message>
         <source>Words in a clip&apos;s name, folder or state, such as “walks missed”, and bounds on columns, such as “error&gt;0.5 ratio&lt;20”: lengths in cm.</source>
-        <translation>Palabras del nombre, la carpeta o el estado de un clip, como «marchas fallado», y límites de columnas, como «error&gt;0.5 tasa&lt;20»: longitudes en cm.</translation>
+        <translation>Palabras del nombre, la carpeta o el estado de un clip, como «marchas fallado», y límites de columnas, como «error&gt;0,5 tasa&lt;20»: longitudes en cm.</translation>
     </message>
     <message>
         <source>&amp;Clips…</source>

@@ -3016,6 +3016,18 @@
         <source>none</source>
         <translation>aucun</translation>
     </message>
+    <message>
+        <source>By slide</source>
+        <translation>Par glissement</translation>
+    </message>
+    <message>
+        <source>By worst error</source>
+        <translation>Par pire erreur</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryModel</name>
@@ -3203,7 +3215,7 @@
     </message>
     <message>
         <source>Words in a clip&apos;s name, folder or state, such as “walks missed”, and bounds on columns, such as “error&gt;0.5 ratio&lt;20”: lengths in cm.</source>
-        <translation>Mots du nom, du dossier ou de l&apos;état d&apos;un clip, comme « marches manquée », et bornes de colonnes, comme « erreur&gt;0.5 taux&lt;20 » : longueurs en cm.</translation>
+        <translation>Mots du nom, du dossier ou de l&apos;état d&apos;un clip, comme « marches manquée », et bornes de colonnes, comme « erreur&gt;0,5 taux&lt;20 » : longueurs en cm.</translation>
     </message>
     <message>
         <source>&amp;Clips…</source>

@@ -253,7 +253,7 @@
     </message>
     <message>
         <source>Colours and S&amp;cales</source>
-        <translation>色と目盛り(&amp;C)</translation>
+        <translation>色と尺度(&amp;C)</translation>
     </message>
     <message>
         <source>Pane&amp;ls</source>
@@ -2994,6 +2994,18 @@
         <source>none</source>
         <translation>なし</translation>
     </message>
+    <message>
+        <source>By slide</source>
+        <translation>滑り別</translation>
+    </message>
+    <message>
+        <source>By worst error</source>
+        <translation>最大誤差別</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryModel</name>
@@ -4903,7 +4915,7 @@
     </message>
     <message>
         <source>The paper&apos;s positional distortion (section 3.1), weighted by %1: the weighted root mean square distance between points of the body and the same points of the original. The paper&apos;s own figures use the weighting %2.</source>
-        <translation>論文の位置の歪み（3.1 節）を「%1」で重み付けしたもので、体の点と元の同じ点の距離の重み付き二乗平均平方根です。論文の数値は 「%2」の重み付けによります。</translation>
+        <translation>論文の位置の歪み（3.1 節）を「%1」で重み付けしたもので、体の点と元の同じ点の距離の重み付き二乗平均平方根です。論文の数値は「%2」の重み付けによります。</translation>
     </message>
     <message>
         <source>Judged from %1 m, by %2.</source>

@@ -371,5 +371,21 @@ TEST_F(AKeptProject, AProjectIsNotLeftWhileItsLeaveCheckRefuses) {
   EXPECT_TRUE(run.library.end()) << "the program ends all the same";
 }
 
+TEST_F(AKeptProject, AChangeOfFileLosesNothingOfTheOneBefore) {
+  const QString a = path("a.mocapress");
+  const QString b = path("b.mocapress");
+  Run run;
+  run.library.begin(data());
+  ASSERT_TRUE(run.library.saveAs(a));
+  run.library.add({clip("walk.bvh", 1)});
+  // Saves at once, while a write to the first file is pending.
+  ASSERT_TRUE(run.library.saveAs(b));
+  run.library.add({clip("jump.bvh", 2)});
+  ASSERT_TRUE(run.library.open(a));
+  EXPECT_EQ(run.library.project().clips.size(), 1u);
+  ASSERT_TRUE(run.library.open(b));
+  EXPECT_EQ(run.library.project().clips.size(), 2u);
+}
+
 }  // namespace
 }  // namespace mocapress

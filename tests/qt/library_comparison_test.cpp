@@ -121,8 +121,11 @@ TEST_F(AComparedLibrary, HasTheOrderOfTheUserAgainAfterTheComparison) {
   LibraryPanel panel(&model_);
   const int bytes = static_cast<int>(LibraryColumn::Bytes);
   panel.view()->sortByColumn(bytes, Qt::DescendingOrder);
-  const QByteArray arrangement = panel.arrangement();
   panel.showComparison(true);
+  EXPECT_EQ(panel.view()->header()->sortIndicatorSection(), static_cast<int>(LibraryColumn::Since));
+  LibraryPanel next_run(&model_);
+  next_run.arrange(panel.arrangement());
+  EXPECT_EQ(next_run.view()->header()->sortIndicatorSection(), bytes);
   EXPECT_EQ(panel.view()->header()->sortIndicatorSection(), static_cast<int>(LibraryColumn::Since));
   panel.showComparison(false);
   EXPECT_EQ(panel.view()->header()->sortIndicatorSection(), bytes);

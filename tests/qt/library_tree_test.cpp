@@ -165,6 +165,7 @@ TEST_F(ALibraryTree, GroupsByEachColumnInTheOrderOfItsNumbers) {
   a.outcome->eps_cm = 0.003;
   b.outcome->eps_cm = 0.6;
   a.notes << QStringLiteral("guessed");
+  a.sample_rate_hz = 5;
   b.preset = QStringLiteral("Archive");
   clips_.setEntries({a, b, c});
   const auto grouped = [this](Grouping grouping) {
@@ -175,6 +176,8 @@ TEST_F(ALibraryTree, GroupsByEachColumnInTheOrderOfItsNumbers) {
   EXPECT_EQ(grouped(Grouping::Error), "below 0.1 mm[a.bvh] 5 mm to 1 cm[b.bvh] not known[c.bvh]");
   EXPECT_EQ(grouped(Grouping::Warned), "With warnings[a.bvh] Without warnings[b.bvh c.bvh]");
   EXPECT_EQ(grouped(Grouping::Preset), "Archive[b.bvh] none[a.bvh c.bvh]");
+  EXPECT_EQ(grouped(Grouping::Worst), "2 cm to 5 cm[a.bvh b.bvh] not known[c.bvh]");
+  EXPECT_EQ(grouped(Grouping::Length), "2 s to 5 s[a.bvh] not known[b.bvh c.bvh]");
 }
 
 TEST_F(ALibraryTree, FiltersByBoundsOnColumns) {
@@ -191,6 +194,8 @@ TEST_F(ALibraryTree, FiltersByBoundsOnColumns) {
   EXPECT_EQ(filtered("Error > 0,5"), "a.bvh b.bvh");
   EXPECT_EQ(filtered("a.b error>0.5 ratio>50"), "a.bvh");
   EXPECT_EQ(filtered("error>0.7"), "");
+  EXPECT_EQ(filtered("ratio>3 ratio>31"), "a.bvh");
+  EXPECT_EQ(filtered("length<9"), "") << "not known";
   EXPECT_EQ(filtered("error>"), "a.bvh b.bvh c.bvh") << "while it is typed";
 }
 

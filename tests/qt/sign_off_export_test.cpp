@@ -43,8 +43,10 @@ TEST(SignOffExport, WritesTheLibraryInEachFormat) {
   ASSERT_EQ(report.clips.size(), 2u);
   EXPECT_EQ(count(report), (SignOffCounts{.approved = 1, .waiting = 1}));
   ASSERT_TRUE(report.clips[0].figures);
-  const int worst = session.document().decoded()->distortion->worst(Weighting::Surface).frame;
-  EXPECT_EQ(report.clips[0].figures->worst_frame, worst);
+  const WorstPoint worst =
+      session.document().decoded()->distortion->worst(session.document().options().weighting);
+  EXPECT_EQ(report.clips[0].figures->worst_frame, worst.frame);
+  EXPECT_EQ(report.clips[0].figures->max_cm, worst.cm);
   EXPECT_FALSE(report.clips[0].figures->stale);
   EXPECT_FALSE(report.clips[1].figures);
 

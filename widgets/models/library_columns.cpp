@@ -78,7 +78,8 @@ std::optional<double> numberOf(const LibraryEntry& entry, LibraryColumn column) 
     case LibraryColumn::Looping:
       return static_cast<double>(entry.loop);
     case LibraryColumn::Length:
-      return entry.sample_rate_hz > 0 ? entry.frames / entry.sample_rate_hz : 0;
+      if (entry.frames == 0 || entry.sample_rate_hz <= 0) return {};
+      return entry.frames / entry.sample_rate_hz;
     case LibraryColumn::Review:
       return static_cast<double>(entry.review.verdict) + (entry.stale == Staleness::None ? 0 : 0.5);
     case LibraryColumn::BytesSince:

@@ -91,7 +91,8 @@ void LibraryFilter::setWords(const QString& words) {
   for (const QRegularExpressionMatch& match : kBound.globalMatch(words)) {
     const std::optional<LibraryColumn> column = columnTitled(match.captured(1));
     if (!column) continue;
-    others.remove(match.captured());
+    others.replace(match.capturedStart(), match.capturedLength(),
+                   QString(match.capturedLength(), QLatin1Char(' ')));
     bool is_number = false;  // false also while it is typed
     const double value =
         match.captured(3).replace(QLatin1Char(','), QLatin1Char('.')).toDouble(&is_number);

@@ -35,17 +35,24 @@ LibraryColumn columnOf(Grouping grouping) {
       return LibraryColumn::Looping;
     case Grouping::Preset:
       return LibraryColumn::FromPreset;
+    case Grouping::Worst:
+      return LibraryColumn::Worst;
+    case Grouping::Length:
+      return LibraryColumn::Length;
     default:
       return LibraryColumn::Clip;
   }
 }
 
 bool isLength(LibraryColumn column) {
-  return column == LibraryColumn::Error || column == LibraryColumn::Slide;
+  return column == LibraryColumn::Error || column == LibraryColumn::Worst ||
+         column == LibraryColumn::Slide;
 }
 
 QString textOf(double value, LibraryColumn column) {
-  return isLength(column) ? roundLengthText(value) : shown(value, 0);
+  if (column == LibraryColumn::Length) return Groups::tr("%1 s").arg(shown(value, 0));
+  if (!isLength(column)) return shown(value, 0);
+  return value < 1000 ? roundLengthText(value) : lengthText(value);  // the former has three digits
 }
 
 /// The numbers from one of 1, 2, 5, 10, 20 and on to the next. `least` is the first bound.
@@ -85,6 +92,10 @@ QString displayName(Grouping grouping) {
       return Groups::tr("By visibility");
     case Grouping::None:
       return Groups::tr("As a list");
+    case Grouping::Slide:
+      return Groups::tr("By slide");
+    case Grouping::Worst:
+      return Groups::tr("By worst error");
     default:
       return Groups::tr("By %1", "title of a column").arg(titleOf(columnOf(grouping)).toLower());
   }

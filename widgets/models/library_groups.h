@@ -7,7 +7,7 @@
 
 namespace mocapress {
 
-/// The property that clips of a group of a library share. Those after `None` are columns.
+/// Kinds of groups of a library's clips. Those after `None` are columns.
 enum class Grouping {
   Folder,
   Verdict,
@@ -19,10 +19,12 @@ enum class Grouping {
   Slide,
   Warned,
   Looping,
-  Preset
+  Preset,
+  Worst,
+  Length
 };
 
-inline constexpr int kGroupings = static_cast<int>(Grouping::Preset) + 1;
+inline constexpr int kGroupings = static_cast<int>(Grouping::Length) + 1;
 
 QString displayName(Grouping grouping);
 

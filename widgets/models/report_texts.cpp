@@ -360,12 +360,18 @@ std::optional<QString> translatedLimits(const QString& english) {
   return ReportTexts::tr("own limits: %1").arg(limits.join(QStringLiteral(", ")));
 }
 
+/// The name of a choice within a sentence. Acronyms in it stay.
+QString withinSentence(QString name) {
+  name[0] = name[0].toLower();
+  return name;
+}
+
 /// A weighting or coding by its name in tables and settings.
 std::optional<QString> translatedChoice(const std::string& english) {
   for (const Weighting weighting : kWeightings)
-    if (name(weighting) == english) return displayName(weighting).toLower();
+    if (name(weighting) == english) return withinSentence(displayName(weighting));
   for (const Coding coding : {Coding::Rle16, Coding::Deflate, Coding::Adaptive})
-    if (name(coding) == english) return displayName(coding).toLower();
+    if (name(coding) == english) return withinSentence(displayName(coding));
   return std::nullopt;
 }
 

@@ -335,9 +335,9 @@ bool LibraryPanel::isSortedByComparison() const {
 
 /// Keeps the user's own order through a comparison, which sorts by what changed.
 void LibraryPanel::noteArrangement() {
-  if (isSortedByComparison()) return;
   const QHeaderView* head = view_->header();
-  own_sort_ = {head->sortIndicatorSection(), head->sortIndicatorOrder()};
+  if (!isSortedByComparison())
+    own_sort_ = {head->sortIndicatorSection(), head->sortIndicatorOrder()};
   emit arrangementChanged();
 }
 
@@ -422,7 +422,14 @@ void LibraryPanel::showComparison(bool shown) {
 }
 
 QByteArray LibraryPanel::arrangement() const {
-  return QByteArray::number(grouping_->currentIndex()) + ' ' + view_->header()->saveState();
+  QHeaderView* head = view_->header();
+  const int section = head->sortIndicatorSection();
+  const Qt::SortOrder order = head->sortIndicatorOrder();
+  const QSignalBlocker blocker(head);
+  if (isSortedByComparison()) head->setSortIndicator(own_sort_.first, own_sort_.second);
+  const QByteArray state = head->saveState();
+  head->setSortIndicator(section, order);
+  return QByteArray::number(grouping_->currentIndex()) + ' ' + state;
 }
 
 void LibraryPanel::arrange(const QByteArray& arrangement) {

@@ -56,7 +56,8 @@ class LibraryPanel : public QWidget {
   QComboBox* shownBox() const { return shown_; }
   QComboBox* groupingBox() const { return grouping_; }
 
-  /// The columns, their widths and order, what rows are sorted by, and their groups.
+  /// The columns, their widths and order, what rows are sorted by (without a comparison), and
+  /// their groups.
   QByteArray arrangement() const;
 
   /// Restores what arrangement() returned; other bytes change nothing.
@@ -147,9 +148,9 @@ class LibraryPanel : public QWidget {
   QLineEdit* note_;
   std::vector<Settings> presets_;
   bool can_paste_ = false;
-  std::pair<int, Qt::SortOrder> own_sort_{-1,
-                                          Qt::AscendingOrder};  // column; -1: the library's order
-  QSet<QString> collapsed_;                                     // paths of folders
+  // The user's own order: column, with -1 for the library's order.
+  std::pair<int, Qt::SortOrder> own_sort_{-1, Qt::AscendingOrder};
+  QSet<QString> collapsed_;  // paths of folders
   // Kept while the tree is built anew:
   QString chosen_;          // key of the clip that is current
   QSet<QString> selected_;  // keys of clips

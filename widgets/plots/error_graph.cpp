@@ -103,8 +103,8 @@ void ErrorGraph::setSwitch(QAction* action) {
 }
 
 /// Chooses the fewest lines of the legend in which every name fits beside the switch. A low panel
-/// has one line, which leaves out the worst of all joints, then curves from the end, and the titles
-/// of the axes; the tool tip names all.
+/// has one line, which leaves out the worst of all joints, then curves from the end, and no title
+/// of the time; the tool tip names all curves.
 void ErrorGraph::fitLegend() {
   QCPLegend& legend = *plot_->legend;
   const bool is_low = height() < kRoomy;

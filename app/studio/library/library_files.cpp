@@ -45,8 +45,8 @@ void Library::noteFiles(const std::vector<QString>& keys, const std::vector<Clip
                         (was_missing || now[i].stamp.hash != clip.stamp.hash);
     const bool was_looked_at = !clip.stamp.hash.empty();
     // The first look at a clip that was only added changes nothing in its row.
-    const bool is_only_added = !was_looked_at && !clip.outcome && clip.failure.isEmpty() &&
-                               clip.review.verdict == Verdict::None;
+    const bool is_only_added =
+        !was_looked_at && !clip.outcome && clip.failure.isEmpty() && clip.review == ClipReview();
     if (is_new && (was_missing || was_looked_at)) outlines_.add(clip.key());
     if (is_new && !was_missing && was_looked_at) ++changed;
     if (clip.missing && !was_missing) ++missing;

@@ -36,9 +36,8 @@ double quantityOf(const DecodedClip& decoded, const EncodeSettings& options) {
 /// Makes the outcome, including whether the target was met. Requires a distortion.
 Outcome outcomeOf(const DecodedClip& decoded, const OriginalClip& original,
                   const EncodeSettings& options, bool has_contacts) {
-  const WorstPoint worst = decoded.distortion->worst(options.weighting);
-  Outcome outcome{decoded.ratio, decoded.distortion->eps(options.weighting), worst.cm,
-                  decoded.compressed.motion_bytes(),
+  const Spread spread = decoded.distortion->spread(options.weighting);
+  Outcome outcome{decoded.ratio, spread.rms, spread.max.cm, decoded.compressed.motion_bytes(),
                   reached(options.target, quantityOf(decoded, options))};
   if (decoded.footskate && has_contacts) outcome.slide_cm = decoded.footskate->total_cm;
   if (decoded.visibility) {
@@ -48,8 +47,8 @@ Outcome outcomeOf(const DecodedClip& decoded, const OriginalClip& original,
   for (const Warnings* warnings : {&original.warnings, &original.of_character})
     for (const Warning& warning : *warnings)
       outcome.warnings << QString::fromStdString(warning.text());
-  outcome.worst_frame = worst.frame;
-  const auto point = static_cast<std::size_t>(worst.landmark);
+  outcome.worst_frame = spread.max.frame;
+  const auto point = static_cast<std::size_t>(spread.max.landmark);
   outcome.worst_point = landmarks(original.motion().skeleton).at(point).name;
   outcome.source = original.stamp.source;
   return outcome;
