@@ -82,7 +82,7 @@ struct Diff {
                   changes.c_str(), printable(described(clip.before)).c_str(),
                   printable(described(clip.after)).c_str());
       if (clip.after && clip.after->done && !clip.after->reason.empty())
-        std::printf("  visible %s\n", printable(clip.after->reason).c_str());
+        std::printf("  most noticeable: %s\n", printable(clip.after->reason).c_str());
     }
   }
 };
@@ -101,7 +101,7 @@ void add_diff(CLI::App& app) {
       ->type_name("NEW");
   command->add_option("--above", call->percent, "Ignore changes of bytes and errors below this [1]")
       ->type_name("PERCENT")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0.0, 1e6, "NONNEGATIVE"));
   std::vector<std::string> words;
   for (const ClipChange change : kClipChanges) words.emplace_back(name(change));
   command
