@@ -6223,6 +6223,10 @@
         <translation>necesita su esqueleto, pero ni %1.asf ni %2.asf están junto a él</translation>
     </message>
     <message>
+        <source>needs its skeleton, but %1.asf is not beside it</source>
+        <translation>necesita su esqueleto, pero %1.asf no está junto a él</translation>
+    </message>
+    <message>
         <source>expected a number, found %1</source>
         <translation>se esperaba un número, se encontró %1</translation>
     </message>
@@ -7459,8 +7463,8 @@
         <translation>cambió mientras se leía</translation>
     </message>
     <message>
-        <source>holds a batch already: it can be resumed, or overwritten</source>
-        <translation>ya contiene un lote: se puede reanudar o sobrescribir</translation>
+        <source>holds a batch already: it can be resumed (--resume) or overwritten (--overwrite)</source>
+        <translation>ya contiene un lote: se puede reanudar (--resume) o sobrescribir (--overwrite)</translation>
     </message>
     <message>
         <source>is not of the same batch as the others</source>

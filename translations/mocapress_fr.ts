@@ -6223,6 +6223,10 @@
         <translation>a besoin de son squelette, mais ni %1.asf ni %2.asf n&apos;est à côté</translation>
     </message>
     <message>
+        <source>needs its skeleton, but %1.asf is not beside it</source>
+        <translation>a besoin de son squelette, mais %1.asf n&apos;est pas à côté</translation>
+    </message>
+    <message>
         <source>expected a number, found %1</source>
         <translation>attendu un nombre, trouvé %1</translation>
     </message>
@@ -7459,8 +7463,8 @@
         <translation>a changé pendant sa lecture</translation>
     </message>
     <message>
-        <source>holds a batch already: it can be resumed, or overwritten</source>
-        <translation>contient déjà un lot : il peut être repris, ou remplacé</translation>
+        <source>holds a batch already: it can be resumed (--resume) or overwritten (--overwrite)</source>
+        <translation>contient déjà un lot : il peut être repris (--resume) ou remplacé (--overwrite)</translation>
     </message>
     <message>
         <source>is not of the same batch as the others</source>

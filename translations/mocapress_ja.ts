@@ -6181,6 +6181,10 @@
         <translation>骨格が必要ですが、%1.asf も %2.asf も隣にありません</translation>
     </message>
     <message>
+        <source>needs its skeleton, but %1.asf is not beside it</source>
+        <translation>骨格が必要ですが、%1.asf が隣にありません</translation>
+    </message>
+    <message>
         <source>expected a number, found %1</source>
         <translation>数のはずが %1 です</translation>
     </message>
@@ -7417,8 +7421,8 @@
         <translation>読み込み中に変わりました</translation>
     </message>
     <message>
-        <source>holds a batch already: it can be resumed, or overwritten</source>
-        <translation>すでにバッチがあります。再開するか上書きできます</translation>
+        <source>holds a batch already: it can be resumed (--resume) or overwritten (--overwrite)</source>
+        <translation>すでにバッチがあります。再開（--resume）または上書き（--overwrite）できます</translation>
     </message>
     <message>
         <source>is not of the same batch as the others</source>

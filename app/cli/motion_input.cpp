@@ -6,6 +6,7 @@
 
 #include "app/cli/option_words.h"
 #include "app/cli/terminal.h"
+#include "core/base/path_kind.h"
 #include "core/base/utf8_path.h"
 #include "core/formats/text_cursor.h"
 
@@ -86,6 +87,10 @@ std::vector<std::filesystem::path> MotionInput::files(const std::string& path) c
 }
 
 MotionFile MotionInput::read_file(const std::string& path) const {
+  if (path_kind(utf8_path(path)) == PathKind::Folder)
+    throw InputError(path, 0, 0, "is a folder: batch takes folders of clips");
+  if (equals_ignoring_case(utf8(utf8_path(path).extension()), ".mcpk"))
+    throw InputError(path, 0, 0, "is a bank: 'bank list' describes it, 'bank extract' opens it");
   MotionFile file = read_motion(utf8_path(path), utf8_path_if(skeleton), options);
   print_warnings(file.warnings);
   return file;

@@ -165,10 +165,12 @@ void mark_collisions(Batch& batch) {
     BatchItem item = batch.items[i];
     const auto [at, is_first] = place(item.output, i);
     if (is_first) return;
+    const std::string other = batch.items[at->second].input;
+    const bool of_one_type = utf8_path(item.input).extension() == utf8_path(other).extension();
     if (item.problem.empty())
-      item.problem = item.input + " would be written to " + item.output + " as " +
-                     batch.items[at->second].input +
-                     " is: a name pattern with {folder} or {type} may keep them apart";
+      item.problem = item.input + " would be written to " + item.output + " as " + other +
+                     " is: a name pattern with " + (of_one_type ? "{folder}" : "{type}") +
+                     " may keep them apart";
     const std::string taken = item.output;
     int n = 2;
     do item.output = taken + " (" + std::to_string(n++) + ")";

@@ -137,7 +137,9 @@ Journal::Journal(const fs::path& path, const Batch& batch, const Shard& shard, S
   const JournalHeader header{batch.items.size(), fingerprint(batch), shard};
   const bool is_there = lines_.size() > 0;
   if (is_there && start == Start::New)
-    throw WriteError(utf8(path_) + ": holds a batch already: it can be resumed, or overwritten");
+    throw WriteError(
+        utf8(path_) +
+        ": holds a batch already: it can be resumed (--resume) or overwritten (--overwrite)");
   if (is_there && start == Start::Resume)
     keep_rows_of(batch, header);
   else if (is_there)

@@ -135,9 +135,10 @@ path find_skeleton(const path& amc) {
       path candidate = amc.parent_path() / utf8_path(name + extension);
       if (is_there(candidate)) return candidate;
     }
-  throw InputError(
-      utf8(amc), 0, 0,
-      "needs its skeleton, but neither " + stem + ".asf nor " + subject + ".asf is beside it");
+  throw InputError(utf8(amc), 0, 0,
+                   stem == subject ? "needs its skeleton, but " + stem + ".asf is not beside it"
+                                   : "needs its skeleton, but neither " + stem + ".asf nor " +
+                                         subject + ".asf is beside it");
 }
 
 std::optional<path> find_tracks(const path& motion) {

@@ -139,6 +139,7 @@ constexpr const char* kSentences[] = {
                       "is a skeleton without motion: open one of its .amc files"),
     QT_TRANSLATE_NOOP("mocapress::Sentence",
                       "needs its skeleton, but neither %1.asf nor %2.asf is beside it"),
+    QT_TRANSLATE_NOOP("mocapress::Sentence", "needs its skeleton, but %1.asf is not beside it"),
     QT_TRANSLATE_NOOP("mocapress::Sentence",
                       "holds no animation, but may be a character: --character, or Put a Character "
                       "on It in the studio, puts it on a clip"),

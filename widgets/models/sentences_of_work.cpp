@@ -134,7 +134,8 @@ struct TextsOfWork {
       QT_TR_NOOP("cannot be listed, but holds clips that are done"),
       QT_TR_NOOP("is not the journal of a batch"),
       QT_TR_NOOP("changed while it was read"),
-      QT_TR_NOOP("holds a batch already: it can be resumed, or overwritten"),
+      QT_TR_NOOP(
+          "holds a batch already: it can be resumed (--resume) or overwritten (--overwrite)"),
       QT_TR_NOOP("is not of the same batch as the others"),
       QT_TR_NOOP("holds no journal of a batch"),
       QT_TR_NOOP("%1 has an unknown preset"),

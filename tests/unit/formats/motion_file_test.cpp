@@ -141,6 +141,8 @@ TEST_F(MotionFiles, FindTheSkeletonOfTheSameNameBeforeThatOfTheSubject) {
   write_text(folder_ / "09_01.amc", test::kSmallAmc);
   EXPECT_EQ(error_of("09_01.amc"),
             "09_01.amc: needs its skeleton, but neither 09_01.asf nor 09.asf is beside it");
+  write_text(folder_ / "09.amc", test::kSmallAmc);
+  EXPECT_EQ(error_of("09.amc"), "09.amc: needs its skeleton, but 09.asf is not beside it");
   write_text(folder_ / "09.ASF", test::kSmallAsf);
   EXPECT_EQ(read_motion(folder_ / "09_01.amc").motion.skeleton.joint_count(), 4);
   write_text(folder_ / "09_01.asf", "nonsense");
