@@ -7,6 +7,7 @@
 #include "app/cli/batch_progress.h"
 #include "app/cli/commands.h"
 #include "app/cli/motion_input.h"
+#include "app/cli/option_words.h"
 #include "app/cli/preset_arguments.h"
 #include "app/cli/terminal.h"
 #include "core/bank/bank.h"
@@ -313,7 +314,7 @@ void add_batch(CLI::App& app) {
       ->add_option("--jobs", call->jobs,
                    "Number of clips compressed at the same time [one for each processor]")
       ->type_name("N")
-      ->check(CLI::PositiveNumber);
+      ->check(number_above_0());
   command->add_option("--shard", call->shard, "Compress only part i of n parts of the clips")
       ->type_name("i/n")
       ->excludes(bank)
@@ -329,7 +330,7 @@ void add_batch(CLI::App& app) {
       ->add_option("--clip-timeout", call->clip_seconds,
                    "Give up clips that take longer: they count as failed, others continue")
       ->type_name("SECONDS")
-      ->check(CLI::PositiveNumber);
+      ->check(number_above_0());
   command
       ->add_option("--fail-on", call->fail_on,
                    "Exit with code 4 if a finished clip is one of these, comma-separated; "
@@ -351,7 +352,7 @@ void add_batch(CLI::App& app) {
       ->add_option("--slurm-tasks", call->slurm_tasks,
                    "Number of shards (array tasks) of that script [8]")
       ->type_name("N")
-      ->check(CLI::PositiveNumber);
+      ->check(number_above_0());
   command->callback([call] { call->run(); });
 }
 

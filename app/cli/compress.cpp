@@ -328,7 +328,7 @@ void add_compress(CLI::App& app) {
           "Errors are those of base plus difference")
       ->type_name("BASE");
   command->add_option("--base-frame", call->base_frame, "Frame of BASE that is the pose, from 1")
-      ->check(CLI::PositiveNumber);
+      ->check(number_above_0());
   command->add_flag("--json", call->json, "Print one JSON object");
   command->callback([call] { call->run(); });
 }

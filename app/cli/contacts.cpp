@@ -6,6 +6,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/motion_input.h"
+#include "app/cli/option_words.h"
 #include "app/cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -69,7 +70,7 @@ void ContactInput::add_options(CLI::App& command) {
     return command.add_option(flag, values, help)
         ->delimiter(',')
         ->expected(2)
-        ->check(CLI::PositiveNumber)
+        ->check(number_above_0())
         ->type_name(unit);
   };
   CLI::Option* of_height = add("--contact-height", height, "BEGIN,END",

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
@@ -7,7 +8,11 @@
 #include <iostream>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "app/cli/arguments.h"
 #include "app/cli/commands.h"
@@ -39,18 +44,69 @@ ExitCode written_out(ExitCode code) {
   return fail(kCannotWrite, mocapress::WriteError("standard output: cannot be written" + why));
 }
 
-/// The command's first argument, its input: errors without a file of their own name this one.
-std::string first_input(const CLI::App& app) {
+const CLI::App& called(const CLI::App& app) {
   const CLI::App* command = &app;
   while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
-  for (const CLI::Option* option : command->get_options())
+  return *command;
+}
+
+/// The command's first argument, its input: errors without a file of their own name this one.
+std::string first_input(const CLI::App& app) {
+  const CLI::App& command = called(app);
+  for (const CLI::Option* option : command.get_options())
     if (option->get_positional() && option->count() > 0) return option->results().front();
-  return command->get_name();
+  return command.get_name();
+}
+
+/// Levenshtein's distance: how many letters to put in, take out or replace.
+std::size_t slips_between(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] != b[j - 1]);
+      diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, replaced}));
+    }
+  }
+  return row.back();
+}
+
+/// Names the words that nothing takes, in their order. CLI11 2.1 turns the order round, and says of
+/// a wrong command only that there is none.
+std::string failure_message(const CLI::App* app, const CLI::Error& error) {
+  const auto told = [&](const std::string& text) {
+    return CLI::FailureMessage::simple(app, CLI::ExtrasError(text, error.get_exit_code()));
+  };
+  const std::vector<std::string> words = app->remaining(true);
+  const CLI::App& command = called(*app);
+  if (command.get_require_subcommand_min() > 0 && !words.empty() &&
+      !words.front().starts_with('-')) {
+    std::string meant;
+    std::size_t nearest = 3;  // slips of the finger, too many for the same word
+    for (const CLI::App* known : command.get_subcommands({}))
+      if (const std::size_t slips = slips_between(words.front(), known->get_name());
+          slips < nearest) {
+        nearest = slips;
+        meant = known->get_name();
+      }
+    return told("'" + words.front() + "' is no command" +
+                (meant.empty() ? "" : "; did you mean " + meant + "?"));
+  }
+  const bool is_extra = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
+  if (words.empty() || (!is_extra && command.get_require_subcommand_min() == 0))
+    return CLI::FailureMessage::simple(app, error);
+  return told("Not expected: " + CLI::detail::join(words, " "));
 }
 
 ExitCode run(int argc, char** argv) {
+  if (argc > 1 && std::string_view(argv[1]) == "help") {  // as the last word it is --help
+    static char help[] = "--help";
+    argv[1] = help;
+    std::rotate(argv + 1, argv + 2, argv + argc);
+  }
   CLI::App app("Compresses human motion capture clips with wavelets.", "mocapress");
-  app.set_version_flag("--version", MOCAPRESS_VERSION);
+  app.set_version_flag("-v,--version", MOCAPRESS_VERSION);
   app.allow_windows_style_options(false);  // "/clips/walk.bvh" is a file on every system
   app.require_subcommand(1);
   app.footer(
@@ -77,6 +133,7 @@ ExitCode run(int argc, char** argv) {
   add_signoff(app);
   add_bank(app);
   refuse_streams(app);
+  app.failure_message(&failure_message);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

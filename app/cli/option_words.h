@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/number_text.h"
 #include "core/codec/methods/compression_method.h"
 
 namespace mocapress::cli {
@@ -22,6 +23,15 @@ CLI::CheckedTransformer one_of(std::initializer_list<Enum> values) {
   CLI::CheckedTransformer transformer(words, CLI::ignore_case);
   transformer.description(shown);
   return transformer;
+}
+
+/// Checks for a number above 0. CLI11's own check says a range of 309 digits.
+inline CLI::Validator number_above_0() {
+  return CLI::Validator(
+      [](std::string& text) {
+        return number_in(text).value_or(0) > 0 ? "" : text + " is not a number above 0";
+      },
+      "POSITIVE");
 }
 
 /// Checks for a method's name.

@@ -94,7 +94,8 @@ void ImportanceArguments::require_names_of(const Skeleton& skeleton) const {
   const NamedImportance wishes = named();
   for (const auto& [name, factor] : wishes.factors)
     if (joints_named(skeleton, name).empty())
-      throw CLI::ValidationError(kOption, "the skeleton has no part or joint named " + name);
+      throw CLI::ValidationError(kOption, "the skeleton has no part or joint named " + name +
+                                              "; parts are feet, hands, fingers, head, contacts");
 }
 
 namespace {
@@ -147,7 +148,7 @@ void add_target_options(CLI::App& command, const std::string& title,
             },
             help)
         ->type_name(unit)
-        ->check(CLI::PositiveNumber);
+        ->check(number_above_0());
   };
   add("--ratio", Target::Kind::Ratio, "R",
       "Compression ratio: bytes of the channels as 32-bit floats over bytes of the coded motion, "

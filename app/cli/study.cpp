@@ -168,7 +168,7 @@ void add_study(CLI::App& app) {
                                const char* help) {
     command->add_option(flag, values, help)
         ->delimiter(',')
-        ->check(CLI::PositiveNumber)
+        ->check(number_above_0())
         ->type_name(unit);
   };
   add_targets("--ratios", call->ratios, "r,r,...",
@@ -180,7 +180,7 @@ void add_study(CLI::App& app) {
                    "Coefficient ratios of the IK correction at which the annealed method also "
                    "holds the feet [16; none if targets are given]")
       ->delimiter(',')
-      ->check(CLI::PositiveNumber)
+      ->check(number_above_0())
       ->type_name("r,r,...");
   command->add_flag("--paper", call->paper,
                     "Repeat the paper's evaluation with its weighting, ratios and errors, and "
@@ -197,7 +197,7 @@ void add_study(CLI::App& app) {
       ->add_option("--jobs", call->jobs,
                    "Number of compressions at the same time [one for each processor]")
       ->type_name("N")
-      ->check(CLI::PositiveNumber);
+      ->check(number_above_0());
   command->add_flag("--again", call->again, "Repeat the measurements that DIR already holds");
   command->add_flag("--json-progress", call->json_progress,
                     "Print each finished row as a line of JSON");

@@ -40,6 +40,20 @@ TEST_F(CliErrors, WrongUseIsTwo) {
   error_of(2, {"decompress", packed_});
 }
 
+TEST_F(CliErrors, WrongUseIsSaidInTheWordsThatWereTyped) {
+  EXPECT_THAT(error_of(2, {"comress", clip_}),
+              HasSubstr("'comress' is no command; did you mean compress?"));
+  EXPECT_THAT(error_of(2, {"bank", "mkae", packed_}), HasSubstr("did you mean make?"));
+  EXPECT_THAT(error_of(2, {"shrink", clip_}), HasSubstr("'shrink' is no command\n"));
+  EXPECT_THAT(error_of(2, {"compress", clip_, "--raito", "30"}),
+              HasSubstr("Not expected: --raito 30"));
+  EXPECT_THAT(error_of(2, {"compress", clip_, "--ratio", "-3"}),
+              HasSubstr("--ratio: -3 is not a number above 0"));
+  EXPECT_THAT(error_of(2, {"compress", clip_, "--importance", "foot=3"}),
+              HasSubstr("parts are feet, hands, fingers, head, contacts"));
+  EXPECT_EQ(mocapress({"help", "bank"}).out, mocapress({"bank", "--help"}).out);
+}
+
 TEST_F(CliErrors, AMissingFileIsThreeAndNamed) {
   for (const char* name : {"none.bvh", "none.amc"})
     EXPECT_THAT(error_of(3, {"compress", file(name)}), HasSubstr(name));
