@@ -150,17 +150,27 @@ struct BatchCommand {
     return sources;
   }
 
-  /// Counts the clips that --fail-on refuses.
+  /// Counts the clips that --fail-on refuses, and describes the first ones.
   struct GateKeeper {
     std::vector<Gate> gates;
     std::size_t refused = 0;
+    std::string first;  // lines
 
-    void look_at(const BatchRow& row) { refused += is_refused(row, gates); }
+    void look_at(const BatchRow& row) {
+      const std::optional<std::string> reason = refusal(row, gates);
+      if (!reason) return;
+      constexpr std::size_t kMostDescribed = 5;
+      if (++refused <= kMostDescribed)
+        first += "\n  " + printable(row.input) + ": " + printable(*reason);
+      else if (refused == kMostDescribed + 1)
+        first += "\n  ...";
+    }
 
     /// Throws EndedWith if any clip was refused.
     void end() const {
       if (refused == 0) return;
-      std::fprintf(stderr, "--fail-on refuses %s\n", counted(refused, "clip").c_str());
+      std::fprintf(stderr, "--fail-on refuses %s%s\n", counted(refused, "clip").c_str(),
+                   first.c_str());
       throw EndedWith{kTargetMissed};
     }
   };

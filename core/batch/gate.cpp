@@ -1,24 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include "core/batch/gate.h"
 
-#include <algorithm>
-
 namespace mocapress {
 namespace {
 
-bool is_refused_by(const BatchRow& row, Gate gate) {
+std::optional<std::string> refusal_by(const BatchRow& row, Gate gate) {
   const std::optional<Seen> seen = row.measured ? row.measured->seen : std::nullopt;
+  const Sight sight = seen ? seen->sight() : Sight::NotVisible;
   switch (gate) {
     case Gate::Visible:
-      return seen && seen->sight() == Sight::Visible;
+      if (sight != Sight::Visible) return std::nullopt;
+      return std::string(name(sight)) + ": " + seen->reason;
     case Gate::Borderline:
-      return seen && seen->sight() != Sight::NotVisible;
+      if (sight == Sight::NotVisible) return std::nullopt;
+      return std::string(name(sight)) + ": " + seen->reason;
     case Gate::Rejected:
-      return row.review.verdict == Verdict::Rejected || stale_reason(row);
+      if (const auto stale = stale_reason(row)) return "stale verdict: " + *stale;
+      if (row.review.verdict == Verdict::Rejected) return "rejected";
+      return std::nullopt;
     case Gate::Warning:
-      return !row.warnings.empty();
+      if (!row.warnings.empty()) return "warning: " + row.warnings.front();
+      return std::nullopt;
   }
-  return false;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -34,9 +38,11 @@ std::optional<Gate> gate_named(std::string_view word) {
   return std::nullopt;
 }
 
-bool is_refused(const BatchRow& row, const std::vector<Gate>& gates) {
-  return row.done() &&
-         std::ranges::any_of(gates, [&](Gate gate) { return is_refused_by(row, gate); });
+std::optional<std::string> refusal(const BatchRow& row, const std::vector<Gate>& gates) {
+  if (!row.done()) return std::nullopt;
+  for (const Gate gate : gates)
+    if (std::optional<std::string> reason = refusal_by(row, gate)) return reason;
+  return std::nullopt;
 }
 
 }  // namespace mocapress

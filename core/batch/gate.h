@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -23,7 +24,11 @@ std::string_view name(Gate gate);
 /// The gate of this name; unset if there is none.
 std::optional<Gate> gate_named(std::string_view word);
 
-/// True if one of the gates refuses a clip that is done.
-bool is_refused(const BatchRow& row, const std::vector<Gate>& gates);
+/// The reason of the first gate that refuses a clip that is done; unset if none does.
+std::optional<std::string> refusal(const BatchRow& row, const std::vector<Gate>& gates);
+
+inline bool is_refused(const BatchRow& row, const std::vector<Gate>& gates) {
+  return refusal(row, gates).has_value();
+}
 
 }  // namespace mocapress

@@ -52,6 +52,18 @@ TEST(Gate, RejectedRefusesStaleApprovalsToo) {
   EXPECT_TRUE(is_refused(coarser, {Gate::Rejected}));
 }
 
+TEST(Gate, SaysWhyItRefuses) {
+  BatchRow row = reviewed_row(Verdict::Rejected);
+  row.measured->seen = Seen{100, 0, "velocity of lfoot"};
+  row.warnings = {"a.bvh: guessed", "a.bvh: repaired"};
+  EXPECT_EQ(refusal(row, {}), std::nullopt);
+  EXPECT_EQ(refusal(row, {Gate::Visible, Gate::Rejected}), "visible: velocity of lfoot");
+  EXPECT_EQ(refusal(row, {Gate::Rejected}), "rejected");
+  EXPECT_EQ(refusal(row, {Gate::Warning}), "warning: a.bvh: guessed");
+  row.stamp.source = "other bytes";
+  EXPECT_EQ(refusal(row, {Gate::Rejected})->find("stale verdict: "), 0u);
+}
+
 TEST(Gate, RefusesNothingUnaskedAndNoClipThatFailed) {
   BatchRow warned = seen_row(100);
   warned.warnings = {"guessed"};
