@@ -7,6 +7,7 @@
 #include "app/cli/contacts.h"
 #include "app/cli/motion_input.h"
 #include "app/cli/option_words.h"
+#include "app/cli/output_place.h"
 #include "app/cli/preset_arguments.h"
 #include "app/cli/report.h"
 #include "app/cli/standard_streams.h"
@@ -97,14 +98,15 @@ struct Compress {
 
   MotionFile read_source() const {
     const bool writes_file = !output.empty() && !writes_stream();
+    std::vector<std::filesystem::path> sources;
+    if (!reads_stream()) sources = source.files(input);
+    if (!review.empty()) require_place(utf8_path(review), sources);
+    if (writes_file) require_place(utf8_path(output), sources);
     if (writes_file && additive) refuse_source(utf8_path(output), source.files(*additive));
-    if (!reads_stream()) {
-      if (writes_file) refuse_source(utf8_path(output), source.files(input));
-      if (!review.empty()) refuse_source(utf8_path(review), source.files(input));
-      return source.read_file(input);
-    }
+    if (!reads_stream()) return source.read_file(input);
     MotionFile file = read_motion_bytes("standard input." + input_format, read_standard_input(),
                                         utf8_path_if(source.skeleton), source.options);
+    for (Warning& warning : file.warnings) warning.file = "standard input";
     print_warnings(file.warnings);
     return file;
   }

@@ -11,6 +11,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/motion_input.h"
+#include "app/cli/output_place.h"
 #include "app/cli/standard_streams.h"
 #include "app/cli/terminal.h"
 #include "core/base/error.h"
@@ -58,7 +59,7 @@ struct Decompress {
     check_output();
     std::vector<fs::path> replaced;
     for (const fs::path& place : places()) {
-      refuse_source(place, sources());
+      require_place(place, sources());
       if (!identity_of(place)) continue;
       if (no_clobber) throw WriteError(utf8(place) + " exists: not overwritten");
       replaced.push_back(place);

@@ -146,6 +146,19 @@ TEST_F(CliErrors, AnUnwritableOutputIsFive) {
     error_of(5, {"decompress", packed_, "-o", file(name)});
 }
 
+TEST_F(CliErrors, AMissingFolderOfTheOutputIsNamedBeforeTheClipIsRead) {
+  const std::string broken = write("broken.bvh", "nonsense");
+  EXPECT_THAT(error_of(5, {"compress", broken, "-o", file("nodir/x.mcpr")}),
+              HasSubstr("No such file or directory: " + file("nodir").string() + "\n"));
+  EXPECT_THAT(error_of(5, {"decompress", broken, "-o", file("nodir/x.bvh")}),
+              HasSubstr("No such file or directory: " + file("nodir").string() + "\n"));
+}
+
+TEST_F(CliErrors, AFolderOrABankIsNoClip) {
+  EXPECT_THAT(error_of(3, {"compress", file("")}), HasSubstr("batch takes folders"));
+  EXPECT_THAT(error_of(3, {"info", write("game.mcpk", "")}), HasSubstr("bank list"));
+}
+
 TEST_F(CliErrors, AFailedRunLeavesTheExistingOutputAlone) {
   write("walk.mcpr", "precious");
   error_of(4, {"compress", clip_, "-o", packed_, "--ratio", "1e6"});
