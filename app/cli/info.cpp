@@ -184,6 +184,21 @@ Json describe_compressed(const std::string& path, bool with_bytes) {
   return described;
 }
 
+/// A value for people: short numbers, and objects as their parts without the unknown ones.
+std::string shown(const Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number_float()) {
+    const auto number = value.get<double>();
+    return number == std::round(number) ? fixed_text(number, 0) : significant_text(number, 5);
+  }
+  if (value.is_null()) return "-";
+  if (!value.is_object()) return dumped(value);
+  std::string parts;
+  for (const auto& [key, part] : value.items())
+    if (!part.is_null()) parts += (parts.empty() ? "" : ", ") + key + " " + shown(part);
+  return parts;
+}
+
 void print_lines(const Json& description) {
   std::printf("%s\n", printable(description["input"].get<std::string>()).c_str());
   for (const auto& [key, value] : description.items()) {
@@ -194,16 +209,15 @@ void print_lines(const Json& description) {
     }
     if (key == "tiers") {
       for (const Json& tier : value)
-        std::printf("  %-16s %s bytes, eps_x %s cm\n", "tier", dumped(tier["file_bytes"]).c_str(),
-                    dumped(tier["eps_x_cm"]).c_str());
+        std::printf("  %-16s %s bytes, eps_x %s cm\n", "tier", shown(tier["file_bytes"]).c_str(),
+                    shown(tier["eps_x_cm"]).c_str());
       continue;
     }
     if (key == "tracks") {
       std::printf("  %-16s %zu\n", key.c_str(), value.size());
       continue;
     }
-    std::printf("  %-16s %s\n", key.c_str(),
-                printable(value.is_string() ? value.get<std::string>() : dumped(value)).c_str());
+    std::printf("  %-16s %s\n", key.c_str(), printable(shown(value)).c_str());
   }
 }
 
