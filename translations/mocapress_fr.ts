@@ -1959,8 +1959,8 @@
         <translation>eps_x, %1</translation>
     </message>
     <message>
-        <source>about %1</source>
-        <translation>environ %1</translation>
+        <source>≈ %1</source>
+        <translation>≈ %1</translation>
     </message>
     <message>
         <source>foot drift</source>
@@ -5364,8 +5364,8 @@
         <translation>%1 / %2</translation>
     </message>
     <message>
-        <source>about %1</source>
-        <translation>environ %1</translation>
+        <source>≈ %1</source>
+        <translation>≈ %1</translation>
     </message>
     <message>
         <source>Foot drift: mean / worst</source>

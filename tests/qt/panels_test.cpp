@@ -285,6 +285,18 @@ TEST(ResultPanel, ShowsDashesForWhatIsNotKnown) {
   EXPECT_EQ(texts.count(QStringLiteral("–")), 9);
 }
 
+TEST(ResultPanel, HasRoomForALongerRatioAtOnce) {
+  ResultPanel panel;
+  panel.resize(320, 200);
+  panel.show();
+  panel.setFigures(ResultFigures{.ratio = 9});
+  panel.setFigures(ResultFigures{.ratio = 1180, .size_is_estimated = true});
+  for (const QLabel* label : panel.findChildren<QLabel*>()) {
+    if (!label->isVisible() || label->wordWrap()) continue;
+    EXPECT_GE(label->width(), label->sizeHint().width()) << qPrintable(label->text());
+  }
+}
+
 TEST(ResultPanel, ShowsVisibilityAndTheMostVisibleJoint) {
   ResultPanel panel;
   ResultFigures figures;

@@ -522,6 +522,21 @@ TEST(FiguresBar, NamesTheWeightingAndShowsEveryFigure) {
     EXPECT_FALSE(label->text().contains(QStringLiteral("1.2 mm")));
 }
 
+TEST(FiguresBar, HasRoomForLongerNumbersAtOnce) {
+  FiguresBar bar;
+  bar.resize(1200, 24);
+  bar.show();
+  bar.setFigures(ResultFigures{.ratio = 9, .motion_bytes = 7100, .bits_per_joint_sample = 2.5});
+  bar.setFigures(ResultFigures{.ratio = 11.8,
+                               .motion_bytes = 12800,
+                               .size_is_estimated = true,
+                               .bits_per_joint_sample = 10.5});
+  for (const QLabel* label : bar.findChildren<QLabel*>()) {
+    if (!label->isVisible()) continue;
+    EXPECT_GE(label->width(), label->sizeHint().width()) << qPrintable(label->text());
+  }
+}
+
 TEST(ChannelGraph, WritesNoLabelOverAnother) {
   ChannelGraph graph;
   graph.resize(560, 220);

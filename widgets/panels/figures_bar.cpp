@@ -87,11 +87,12 @@ void FiguresBar::setFigures(const std::optional<ResultFigures>& figures) {
   show(footskate_,
        distance(known.slide ? std::optional(known.slide->drift_worst_cm) : std::nullopt));
   const auto maybe_about = [&](const QString& text) {
-    return known.size_is_estimated ? tr("about %1").arg(text) : text;
+    return known.size_is_estimated ? tr("≈ %1").arg(text) : text;
   };
   show(size_, maybe_about(sizeText(static_cast<double>(known.motion_bytes))));
   show(ratio_, maybe_about(ratioText(known.ratio)));
   show(bits_, maybe_about(shownShort(known.bits_per_joint_sample)));
+  layout()->activate();  // before the next picture, which would cut longer numbers off
 }
 
 }  // namespace mocapress

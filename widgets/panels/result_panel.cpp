@@ -206,7 +206,7 @@ void ResultPanel::setFigures(const std::optional<ResultFigures>& figures) {
     return;
   }
   const auto maybe_about = [&](const QString& text) {
-    return figures->size_is_estimated ? tr("about %1").arg(text) : text;
+    return figures->size_is_estimated ? tr("≈ %1").arg(text) : text;
   };
   ratio_->setText(maybe_about(ratioText(figures->ratio)));
   eps_->setText(distance(figures->eps_cm));
@@ -238,6 +238,8 @@ void ResultPanel::setFigures(const std::optional<ResultFigures>& figures) {
                           : distance(figures->footskate_cm));
   correction_->setText(correctionText(*figures));
   knee_->setText(kneeText(*figures));
+  // Before the next picture, which would cut longer numbers off.
+  for (QLayout* each : {static_cast<QLayout*>(grid_), layout()}) each->activate();
 }
 
 /// Leads with the verdict, in its colour, and says why.
