@@ -1470,6 +1470,10 @@
 <context>
     <name>mocapress::CommandPalette</name>
     <message>
+        <source>No command has these words.</source>
+        <translation>Ninguna orden tiene estas palabras.</translation>
+    </message>
+    <message>
         <source>Find a Command</source>
         <translation>Buscar una orden</translation>
     </message>

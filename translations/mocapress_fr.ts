@@ -1470,6 +1470,10 @@
 <context>
     <name>mocapress::CommandPalette</name>
     <message>
+        <source>No command has these words.</source>
+        <translation>Aucune commande ne contient ces mots.</translation>
+    </message>
+    <message>
         <source>Find a Command</source>
         <translation>Chercher une commande</translation>
     </message>

@@ -1461,6 +1461,10 @@
 <context>
     <name>mocapress::CommandPalette</name>
     <message>
+        <source>No command has these words.</source>
+        <translation>これらの語を含むコマンドはありません。</translation>
+    </message>
+    <message>
         <source>Find a Command</source>
         <translation>コマンドの検索</translation>
     </message>

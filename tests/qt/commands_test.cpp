@@ -86,8 +86,11 @@ TEST_F(Commands, AreFoundByWordsOfNameAndMenu) {
   EXPECT_EQ(palette.found(), QStringList({QStringLiteral("Go Near"), QStringLiteral("Go Far")}));
   palette.words()->setText(QStringLiteral("camera go"));
   EXPECT_EQ(palette.found(), QStringList(QStringLiteral("Go Far")));
+  const auto* none = palette.findChild<QLabel*>();
+  EXPECT_FALSE(none->isVisibleTo(&palette));
   palette.words()->setText(QStringLiteral("nothing"));
   EXPECT_TRUE(palette.found().isEmpty());
+  EXPECT_TRUE(none->isVisibleTo(&palette));
 }
 
 TEST_F(Commands, RunWithEnter) {

@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -25,6 +26,7 @@ CommandPalette::CommandPalette(std::vector<Command> commands, QWidget* parent)
     : QDialog(parent),
       commands_(std::move(commands)),
       words_(new QLineEdit(this)),
+      none_(new QLabel(tr("No command has these words."), this)),
       list_(new QTreeWidget(this)) {
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("Find a Command"));
@@ -44,6 +46,7 @@ CommandPalette::CommandPalette(std::vector<Command> commands, QWidget* parent)
     list_->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
   auto* column = new QVBoxLayout(this);
   column->addWidget(words_);
+  column->addWidget(none_);
   column->addWidget(list_, 1);
   connect(words_, &QLineEdit::textChanged, this, &CommandPalette::find);
   connect(words_, &QLineEdit::returnPressed, this, [this] { run(list_->currentItem()); });
@@ -70,6 +73,7 @@ void CommandPalette::find(const QString& text) {
       item->setForeground(1, palette().color(QPalette::PlaceholderText));
       item->setToolTip(0, command.action->toolTip());
     }
+  none_->setVisible(list_->topLevelItemCount() == 0);
   for (int i = 0; i < list_->topLevelItemCount() && !list_->currentItem(); ++i)
     if (!list_->topLevelItem(i)->isDisabled()) list_->setCurrentItem(list_->topLevelItem(i));
 }

@@ -6,6 +6,7 @@
 
 #include "app/studio/window/commands.h"
 
+class QLabel;
 class QLineEdit;
 class QTreeWidget;
 class QTreeWidgetItem;
@@ -34,6 +35,7 @@ class CommandPalette : public QDialog {
 
   std::vector<Command> commands_;
   QLineEdit* words_;
+  QLabel* none_;  // shown while nothing is found
   QTreeWidget* list_;
 };
 
