@@ -449,9 +449,9 @@ TEST_F(StudioWithoutAScreen, AShortcutRaisesThePanelThatItSwitches) {
   EXPECT_TRUE(dock_of(map)->isVisible());
 }
 
-TEST_F(StudioWithoutAScreen, TheTitleNamesTheFileThatSavingWrites) {
+TEST_F(StudioWithoutAScreen, TheTitleNamesTheOpenedFile) {
   settleAfter([&] { window_.files().open(clip("walk.bvh")); });
-  EXPECT_TRUE(window_.windowTitle().startsWith(QStringLiteral("walk.mcpr")));
+  EXPECT_TRUE(window_.windowTitle().startsWith(QStringLiteral("walk.bvh")));
 }
 
 TEST_F(StudioWithoutAScreen, TheLibraryGetsItsWidthBackAfterASmallWindow) {

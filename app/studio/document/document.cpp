@@ -54,11 +54,6 @@ QString Document::title() const {
   return original_ ? QFileInfo(original_->path).fileName() : QString();
 }
 
-QString Document::fileTitle() const {
-  if (!saved_path_.isEmpty() || !original_ || !decoded_) return title();
-  return QFileInfo(original_->path).completeBaseName() + QLatin1String(".mcpr");
-}
-
 SourceFormat Document::source() const {
   if (original_) return original_->source;
   return decoded_ ? decoded_->source : SourceFormat();

@@ -60,11 +60,8 @@ class Document : public QObject {
   /// Units and axes of the file that the clip was read from.
   SourceFormat source() const;
 
-  /// The file name for the window title.
+  /// The name of the file that was opened or last saved, for the window title.
   QString title() const;
-
-  /// Name of the file that saving writes: the last saved one, or one beside the original.
-  QString fileTitle() const;
 
   /// True when the user changed something and the shown clip is in no file.
   bool modified() const;

@@ -331,7 +331,7 @@ void MainWindow::updateTitle() {
       QStringLiteral("%1 – %2").arg(projects_->title(), QCoreApplication::applicationName());
   // The project is always saved; the title marks an unsaved compressed clip.
   setWindowTitle(document.title().isEmpty() ? project + QStringLiteral("[*]")
-                                            : tr("%1[*] – %2").arg(document.fileTitle(), project));
+                                            : tr("%1[*] – %2").arg(document.title(), project));
   setWindowModified(document.modified() || library_->stuck());
   updateCommands();
 }
