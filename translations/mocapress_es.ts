@@ -3309,8 +3309,8 @@
         <translation>Las columnas de la biblioteca muestran todas las medidas.</translation>
     </message>
     <message>
-        <source>Compression ratio (smaller →)</source>
-        <translation>Tasa de compresión (más pequeño →)</translation>
+        <source>Compression ratio (smaller files →)</source>
+        <translation>Tasa de compresión (archivos más pequeños →)</translation>
     </message>
     <message>
         <source>eps_x (cm)</source>
@@ -4266,8 +4266,8 @@
         <translation>Error frente a tasa de compresión, una curva por método. La tabla de abajo enumera cada punto.</translation>
     </message>
     <message>
-        <source>Compression ratio (smaller →)</source>
-        <translation>Tasa de compresión (más pequeño →)</translation>
+        <source>Compression ratio (smaller files →)</source>
+        <translation>Tasa de compresión (archivos más pequeños →)</translation>
     </message>
     <message>
         <source>current result</source>

@@ -3309,8 +3309,8 @@
         <translation>Les colonnes de la bibliothèque ont tous les chiffres.</translation>
     </message>
     <message>
-        <source>Compression ratio (smaller →)</source>
-        <translation>Taux de compression (plus petit →)</translation>
+        <source>Compression ratio (smaller files →)</source>
+        <translation>Taux de compression (fichiers plus petits →)</translation>
     </message>
     <message>
         <source>eps_x (cm)</source>
@@ -4266,8 +4266,8 @@
         <translation>Erreur selon le taux de compression, une courbe par méthode. Le tableau dessous a chaque point.</translation>
     </message>
     <message>
-        <source>Compression ratio (smaller →)</source>
-        <translation>Taux de compression (plus petit →)</translation>
+        <source>Compression ratio (smaller files →)</source>
+        <translation>Taux de compression (fichiers plus petits →)</translation>
     </message>
     <message>
         <source>current result</source>

@@ -3284,8 +3284,8 @@
         <translation>数値はすべてライブラリの列にあります。</translation>
     </message>
     <message>
-        <source>Compression ratio (smaller →)</source>
-        <translation>圧縮比（小さい →）</translation>
+        <source>Compression ratio (smaller files →)</source>
+        <translation>圧縮比（ファイルが小さい →）</translation>
     </message>
     <message>
         <source>eps_x (cm)</source>
@@ -4235,8 +4235,8 @@
         <translation>圧縮率に対する誤差、手法ごとに1本の曲線。下の表に全点があります。</translation>
     </message>
     <message>
-        <source>Compression ratio (smaller →)</source>
-        <translation>圧縮率(小さい →)</translation>
+        <source>Compression ratio (smaller files →)</source>
+        <translation>圧縮率(ファイルが小さい →)</translation>
     </message>
     <message>
         <source>current result</source>

@@ -7,6 +7,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "core/codec/methods/compression_method.h"
@@ -92,6 +93,13 @@ TEST(SeriesStyle, TellsAllMethodsApart) {
         << compression_method.name << " as " << seen[key];
   }
   EXPECT_TRUE(seriesStyle("annealed", true).hollow);
+}
+
+TEST(SeriesStyle, GivesTheUsualMethodsOfAStudyColoursOfTheirOwn) {
+  std::set<QRgb> seen;
+  for (const QString& method : usualStudySettings().methods)
+    EXPECT_TRUE(seen.insert(seriesStyle(method.toStdString(), false).colour.rgb()).second)
+        << method.toStdString();
 }
 
 Target ratio(double value) {

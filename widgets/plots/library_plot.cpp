@@ -37,7 +37,7 @@ LibraryPlot::LibraryPlot(const LibraryFilter* clips, QWidget* parent)
   offerCopyImage(this);
   plot_->setAccessibleName(tr("Clips of the library, error over ratio"));
   plot_->setAccessibleDescription(tr("The columns of the library show all measurements."));
-  plot_->xAxis->setLabel(tr("Compression ratio (smaller →)"));
+  plot_->xAxis->setLabel(tr("Compression ratio (smaller files →)"));
   plot_->yAxis->setLabel(tr("eps_x (cm)"));
   for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) axis->setScaleType(QCPAxis::stLogarithmic);
   plot_->xAxis->setTicker(QSharedPointer<LogTicker>::create(QStringLiteral(":1")));

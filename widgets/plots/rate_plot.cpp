@@ -59,7 +59,7 @@ RatePlot::RatePlot(QWidget* parent)
   plot_->setAccessibleDescription(
       tr("Error over compression ratio, one curve for each method. The table below lists every "
          "point."));
-  plot_->xAxis->setLabel(tr("Compression ratio (smaller →)"));
+  plot_->xAxis->setLabel(tr("Compression ratio (smaller files →)"));
   for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) axis->setScaleType(QCPAxis::stLogarithmic);
   plot_->xAxis->setTicker(QSharedPointer<LogTicker>::create(QStringLiteral(":1")));
   plot_->yAxis->setTicker(QSharedPointer<LogTicker>::create());

@@ -298,6 +298,7 @@ void StudyWindow::showProgress() {
   panel_->setProgress(unknown ? 0 : counts.done, unknown ? 0 : std::max(1, counts.jobs));
   panel_->setStatus(statusOf(*session_));
   results_->setHint(hintOf(*session_));
+  if (session_->rows().empty()) results_->plot()->setWeighting(session_->settings().weighting);
   results_->setComplete(session_->completeClips());
   export_->setEnabled(!session_->rows().empty() && !busy);
 }
