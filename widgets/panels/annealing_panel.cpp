@@ -45,7 +45,7 @@ AnnealingPanel::AnnealingPanel(QWidget* parent)
   left_->setAccessibleName(tr("Time left"));
   cancel_->setToolTip(
       tr("Stop refining. The best result so far is kept if it is better than the draft."));
-  plot_->setMinimumHeight(110);
+  plot_->setMinimumHeight(130);
   // Widgets keep their room when hidden, so that nothing moves.
   for (QWidget* each : {static_cast<QWidget*>(progress_), static_cast<QWidget*>(left_)}) {
     QSizePolicy policy = each->sizePolicy();

@@ -3,6 +3,7 @@
 
 #include <qcustomplot.h>
 
+#include <QLabel>
 #include <QVBoxLayout>
 
 #include "core/codec/encode/encoder.h"
@@ -10,12 +11,17 @@
 
 namespace mocapress {
 
-ConvergencePlot::ConvergencePlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
+ConvergencePlot::ConvergencePlot(QWidget* parent)
+    : QWidget(parent),
+      title_(new QLabel(tr("Error while refining"), this)),
+      plot_(new QCustomPlot(this)) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(plot_);
+  column->setSpacing(2);
+  column->addWidget(title_);
+  column->addWidget(plot_, 1);
   offerCopyImage(this);
-  plot_->setAccessibleName(tr("Error while refining"));
+  plot_->setAccessibleName(title_->text());
   plot_->setToolTip(tr("Error after each iteration of the refinement."));
   plot_->xAxis->setLabel(tr("Iteration"));
   plot_->yAxis->setLabel(tr("eps_x (cm)"));
@@ -29,6 +35,7 @@ ConvergencePlot::ConvergencePlot(QWidget* parent) : QWidget(parent), plot_(new Q
 void ConvergencePlot::clear() {
   plot_->clearGraphs();
   pass_ = -1;
+  title_->hide();
   plot_->hide();
 }
 
@@ -48,6 +55,7 @@ void ConvergencePlot::append(const std::vector<EncodeProgress>& states) {
       plot_->graph(plot_->graphCount() - 1)->addData(state.iteration, state.eps_cm);
   }
   if (plot_->graphCount() == 0) return;
+  title_->show();
   plot_->show();
   plot_->rescaleAxes();
   plot_->yAxis->scaleRange(1.1);

@@ -5,6 +5,7 @@
 #include <vector>
 
 class QCustomPlot;
+class QLabel;
 
 namespace mocapress {
 
@@ -26,6 +27,7 @@ class ConvergencePlot : public QWidget {
  private:
   void startPass(int pass);
 
+  QLabel* title_;
   QCustomPlot* plot_;
   int pass_ = -1;
 };
