@@ -90,10 +90,10 @@ TEST_F(BatchRun, AFailedClipIsARowWithItsReasonAndTheRestGoesOn) {
   EXPECT_EQ(outcome.counts.done, 5u);
   EXPECT_EQ(outcome.counts.failed, 3u);
   EXPECT_THAT(rows()[0].error, HasSubstr("broken.bvh:"));
-  EXPECT_THAT(rows()[1].error, HasSubstr("neither lonely.asf"));
+  EXPECT_THAT(rows()[1].error, HasSubstr("lonely.asf is not beside it"));
   EXPECT_THAT(rows()[4].error, HasSubstr("out of reach"));
   EXPECT_FALSE(fs::exists(out() / "in/broken.mcpr"));
-  EXPECT_THAT(read_text(out() / "report.html"), HasSubstr("neither lonely.asf"));
+  EXPECT_THAT(read_text(out() / "report.html"), HasSubstr("lonely.asf is not beside it"));
 }
 
 TEST_F(BatchRun, CanEndAtTheFirstFailure) {
