@@ -14,7 +14,7 @@ BatchRow row_of(const std::string& output, std::size_t bytes, double max_cm, dou
   BatchRow row;
   row.output = output;
   row.measured = Measurement{.motion_bytes = bytes,
-                             .max_error_cm = max_cm,
+                             .body = {.surface = {.max = {.cm = max_cm}}},
                              .seen = Seen{times_noticed, 0, "velocity of rhand"}};
   return row;
 }
