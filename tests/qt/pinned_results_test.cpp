@@ -68,7 +68,7 @@ TEST_F(Pinning, AResultStaysAsItWasWhileOthersAreTried) {
   EXPECT_TRUE(panel_.pinButton()->isEnabled());
   ASSERT_EQ(model_.rowCount(), 1);
   EXPECT_DOUBLE_EQ(model_.entries()[0].ratio, pinned->ratio);
-  EXPECT_DOUBLE_EQ(model_.entries()[0].max_cm, pinned->distortion->max.cm);
+  EXPECT_DOUBLE_EQ(model_.entries()[0].max_cm, pinned->distortion->worst(Weighting::Surface).cm);
   ASSERT_EQ(viewport_.pinned().size(), 1u);
   EXPECT_EQ(viewport_.pinned()[0].tracks, pinned->tracks);
   EXPECT_EQ(viewport_.pinned()[0].title[0], model_.entries()[0].name);
