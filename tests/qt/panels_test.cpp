@@ -508,10 +508,7 @@ TEST(ErrorGraph, DrawsAnglesOnAnAxisInDegrees) {
   EXPECT_EQ(plot->graph(1)->data()->at(50)->value, 20);
 }
 
-TEST(ErrorGraph, ItsLegendIsWholeBesideTheSwitchHoweverNarrow) {
-  ErrorGraph graph;
-  QAction degrees(QStringLiteral("Degrees"));
-  graph.setSwitch(&degrees);
+void showFourLongNames(ErrorGraph& graph) {
   std::vector<ErrorCurve> curves;
   for (int i = 0; i < 4; ++i)
     curves.push_back({QStringLiteral("a joint of a long name %1").arg(i), Qt::red, i});
@@ -519,6 +516,13 @@ TEST(ErrorGraph, ItsLegendIsWholeBesideTheSwitchHoweverNarrow) {
       std::make_shared<Distortion>(Distortion{.distances = Eigen::MatrixXf::Ones(10, 4)}), 120,
       curves);
   graph.show();
+}
+
+TEST(ErrorGraph, ItsLegendIsWholeBesideTheSwitchHoweverNarrow) {
+  ErrorGraph graph;
+  QAction degrees(QStringLiteral("Degrees"));
+  graph.setSwitch(&degrees);
+  showFourLongNames(graph);
   auto* plot = graph.findChild<QCustomPlot*>();
   const auto* button = graph.findChild<QToolButton*>();
   int rows_before = 0;
@@ -539,13 +543,7 @@ TEST(ErrorGraph, ItsLegendIsWholeBesideTheSwitchHoweverNarrow) {
 
 TEST(ErrorGraph, ItsLegendIsOneWholeLineInALowPanel) {
   ErrorGraph graph;
-  std::vector<ErrorCurve> curves;
-  for (int i = 0; i < 4; ++i)
-    curves.push_back({QStringLiteral("a joint of a long name %1").arg(i), Qt::red, i});
-  graph.setErrors(
-      std::make_shared<Distortion>(Distortion{.distances = Eigen::MatrixXf::Ones(10, 4)}), 120,
-      curves);
-  graph.show();
+  showFourLongNames(graph);
   auto* plot = graph.findChild<QCustomPlot*>();
   for (const int width : {1600, 600, 300}) {
     graph.resize(width, 110);
