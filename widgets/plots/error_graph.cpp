@@ -49,7 +49,8 @@ ErrorGraph::ErrorGraph(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot
   plot_->legend->setIconSize(14, 8);
   plot_->legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
   plot_->legend->setColumnSpacing(14);
-  plot_->setMinimumSize(kLeastSize);  // else the legend would set the minimum
+  plot_->setMinimumSize(kLeastSize);          // else the legend would set the minimum
+  plot_->axisRect()->setMinimumSize(50, 15);  // in a low panel the curves give way, not the legend
 
   // The playhead has a layer of its own, so that moving it does not redraw the curves.
   plot_->addLayer(QStringLiteral("playhead"));
