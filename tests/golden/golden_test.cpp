@@ -315,7 +315,8 @@ TEST(GoldenBank, Version1GivesItsFilesBack) {
 }
 
 TEST(GoldenBank, TheWriterStillMakesTheSameFile) {
-  const auto now = std::filesystem::path(testing::TempDir()) / "golden_bank_now.mcpk";
+  const auto now = std::filesystem::path(testing::TempDir()) /
+                   ("golden_bank" + std::to_string(getpid()) + ".mcpk");
   make_bank(now, find_bank_sources(files_of_bank()), {});
   EXPECT_TRUE(read_bytes(now) == read_bytes(golden("v1_bank.mcpk")));
   std::filesystem::remove(now);
@@ -349,7 +350,8 @@ TEST(GoldenLearnedBank, Version1GivesItsFilesBackAndPlays) {
 }
 
 TEST(GoldenLearnedBank, TheWriterStillMakesTheSameFile) {
-  const auto now = std::filesystem::path(testing::TempDir()) / "golden_learned_bank_now.mcpk";
+  const auto now = std::filesystem::path(testing::TempDir()) /
+                   ("golden_learned_bank" + std::to_string(getpid()) + ".mcpk");
   write_learned_bank(now);
   EXPECT_TRUE(read_bytes(now) == read_bytes(golden("v1_learned.mcpk")));
   std::filesystem::remove(now);

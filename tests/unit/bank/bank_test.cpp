@@ -2,6 +2,7 @@
 #include "core/bank/bank.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstring>
@@ -53,10 +54,7 @@ std::vector<std::byte> encoded_in_order(const Motion& motion, RotationOrder orde
 
 class BankTest : public testing::Test {
  protected:
-  BankTest()
-      : folder_(fs::temp_directory_path() /
-                ("mocapress-bank-" +
-                 std::string(testing::UnitTest::GetInstance()->current_test_info()->name()))) {
+  BankTest() : folder_(fs::temp_directory_path() / ("mocapress-bank-" + std::to_string(getpid()))) {
     fs::remove_all(folder_);
     fs::create_directories(folder_ / "clips/walks");
     const Motion motion = test::smooth_motion(60);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <ostream>
 
@@ -17,8 +18,7 @@ class File : public testing::Test {
   File() { std::filesystem::create_directories(folder_); }
   ~File() override { std::filesystem::remove_all(folder_); }
   const std::filesystem::path folder_ =
-      std::filesystem::path(testing::TempDir()) /
-      testing::UnitTest::GetInstance()->current_test_info()->name();
+      std::filesystem::path(testing::TempDir()) / ("mocapress-file-" + std::to_string(getpid()));
 };
 
 TEST_F(File, ReadsBackWhatWasWritten) {

@@ -2,6 +2,7 @@
 #include "core/base/memory_limit.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <vector>
@@ -48,7 +49,8 @@ TEST_F(MemoryLimit, AFailedAllocationNamesTheFile) {
 }
 
 TEST_F(MemoryLimit, HoldsForTheBytesOfAFileItself) {
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "large.bvh";
+  const std::filesystem::path file =
+      std::filesystem::path(testing::TempDir()) / ("large-" + std::to_string(getpid()) + ".bvh");
   write_text(file, std::string(2000, 'x'));
   set_memory_limit(1999);
   EXPECT_THROW(read_text(file), InputError);

@@ -2,6 +2,7 @@
 #include "core/formats/gltf_reader.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstring>
 #include <limits>
@@ -496,8 +497,7 @@ TEST(GltfReader, ReadsOrSaysWhatIsWrongWhateverTheBytes) {
 class GltfFolder : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) / "mocapress-gltf" /
-              testing::UnitTest::GetInstance()->current_test_info()->name();
+    folder_ = fs::path(testing::TempDir()) / ("mocapress-gltf-" + std::to_string(getpid()));
     fs::remove_all(folder_);
     fs::create_directories(folder_ / "below");
   }

@@ -2,6 +2,7 @@
 #include "core/formats/gltf_writer.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstring>
 
@@ -128,8 +129,7 @@ TEST(GltfWriter, StandsAtRestWhereItsChannelsAreZeroOrAsASourceWithoutThatBegins
 class GltfOnto : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) / "mocapress-gltf-onto" /
-              testing::UnitTest::GetInstance()->current_test_info()->name();
+    folder_ = fs::path(testing::TempDir()) / ("mocapress-gltf-onto-" + std::to_string(getpid()));
     fs::remove_all(folder_);
     fs::create_directories(folder_ / "elsewhere");
   }

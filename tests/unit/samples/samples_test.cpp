@@ -2,6 +2,7 @@
 #include "resources/samples/generator/samples.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -162,7 +163,8 @@ TEST_P(Samples, FallFreelyWhileNoFootIsDown) {
 TEST_P(Samples, AreTheBundledFilesByteForByte) {
   const std::filesystem::path bundled =
       std::filesystem::path(MOCAPRESS_SOURCE_DIR) / "resources" / "samples";
-  const std::filesystem::path made = testing::TempDir() + "mocapress-sample-" + GetParam().name;
+  const std::filesystem::path made =
+      testing::TempDir() + "mocapress-sample-" + std::to_string(getpid());
   std::filesystem::create_directories(made);
   const std::string amc = std::string("human_") + GetParam().name + ".amc";
   write_motion(made / amc, motion_, made / "human.asf");
