@@ -5,6 +5,7 @@
 #include <draco/mesh/triangle_soup_mesh_builder.h>
 #include <gtest/gtest.h>
 #include <meshoptimizer.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -122,7 +123,8 @@ TEST(MeshoptGltf, IsRefusedInASentenceWhereItsBytesAreWrong) {
 
 /// Packed data stays packed when a motion is put into the file.
 TEST(MeshoptGltf, TakesANewMotionAndKeepsTheRest) {
-  const fs::path folder = fs::path(testing::TempDir()) / "mocapress-packed";
+  const fs::path folder =
+      fs::path(testing::TempDir()) / ("mocapress-packed-" + std::to_string(getpid()));
   fs::create_directories(folder);
   SmallGltf gltf = packed_knee();
   gltf.begin_animation("other");
@@ -163,14 +165,23 @@ std::vector<Eigen::Vector3d> posed(const MotionFile& file, int frame) {
 }
 
 /// The largest distance of one of `places` from the nearest of `others`.
-double farthest(const std::vector<Eigen::Vector3d>& places,
-                const std::vector<Eigen::Vector3d>& others) {
+double farthest(const std::vector<Eigen::Vector3d>& places, std::vector<Eigen::Vector3d> others) {
+  const auto by_x = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return a.x() < b.x();
+  };
+  std::sort(others.begin(), others.end(), by_x);
   double farthest = 0;
   for (const Eigen::Vector3d& place : places) {
     double nearest = HUGE_VAL;
-    for (const Eigen::Vector3d& other : others)
-      nearest = std::min(nearest, (other - place).squaredNorm());
-    farthest = std::max(farthest, std::sqrt(nearest));
+    const auto may_be_nearer = [&](const Eigen::Vector3d& other) {
+      return std::abs(other.x() - place.x()) < nearest;
+    };
+    const auto middle = std::lower_bound(others.begin(), others.end(), place, by_x);
+    for (auto at = middle; at != others.end() && may_be_nearer(*at); ++at)
+      nearest = std::min(nearest, (*at - place).norm());
+    for (auto at = middle; at != others.begin() && may_be_nearer(*std::prev(at)); --at)
+      nearest = std::min(nearest, (*std::prev(at) - place).norm());
+    farthest = std::max(farthest, nearest);
   }
   return farthest;
 }
