@@ -13,7 +13,7 @@
  * mcpr_sample.
  *
  * Memory and threads: the decoder allocates, throws and locks nothing and has no globals. The
- * caller provides all memory, aligned to MCPR_ALIGNMENT, but for 16 KiB of stack at most in any
+ * caller provides all memory, see MCPR_ALIGNMENT, but for 16 KiB of stack at most in any
  * call. A built clip is read-only. Any number of threads may decode from it, each with its own
  * scratch memory.
  *
@@ -51,7 +51,8 @@ extern "C" {
 #define MCPR_VERSION_PATCH 0
 #define MCPR_VERSION (MCPR_VERSION_MAJOR * 10000 + MCPR_VERSION_MINOR * 100 + MCPR_VERSION_PATCH)
 
-/* Alignment, in bytes, of all memory handed to the decoder. Files may have any alignment. */
+/* Alignment, in bytes, of banks, and of all memory to build in or to work in. Files, and arrays
+ * that are written to, such as poses, may have any that suits their type. */
 #define MCPR_ALIGNMENT 32
 
 /* Before every function. Define it when the decoder goes into a shared library, for example as

@@ -86,28 +86,37 @@ TEST_F(JoinedRuntime, CompilesAloneNeedsNothingOfCxxAndPlaysAsTheLibraryDoes) {
   EXPECT_EQ(missing.find("mocapress"), std::string::npos) << missing;
 }
 
-/// The indented lines of the readme from the first that includes the header for C++.
-TEST_F(JoinedRuntime, PlaysByTheExampleInCxxOfItsReadme) {
+/// The indented lines of the readme from the one that includes this header to the end of main.
+std::string example_of_readme(const std::string& header) {
   std::istringstream readme(read_text(fs::path(MOCAPRESS_SOURCE_DIR) / "core/runtime/README.md"));
   std::string program;
-  for (std::string line; std::getline(readme, line) && line != "    }";)
-    if (!program.empty() || line == "    #include <mocapress_runtime.hpp>")
-      program += line.substr(std::min<std::size_t>(line.size(), 4)) + "\n";
-  write("game/example.cpp", program + "}\n");
-  for (const std::string compiler : {"g++", "clang++"}) {
-    if (!is_installed(compiler)) continue;
-    run(compiler +
-        " -std=c++20 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror "
-        "-fno-exceptions -fno-rtti -I. example.cpp " +
-        object_of("g++") + " -o example");
-    const std::string said = run("./example " + (example_ / "walk.mcpr").string());
-    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 4) << said;
-    EXPECT_NE(said.find("1.5 s: the root is 9"), std::string::npos) << said;
+  for (std::string line; std::getline(readme, line);) {
+    if (program.empty() && line != "    #include <" + header + ">") continue;
+    program += line.substr(std::min<std::size_t>(line.size(), 4)) + "\n";
+    if (line == "    }") break;
   }
-  const Outcome refused =
-      run_program({(file("game") / "example").string(), write("no.mcpr", "no clip at all")});
-  EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_NE(refused.out.find("not a Mocapress file"), std::string::npos) << refused.out;
+  return program;
+}
+
+TEST_F(JoinedRuntime, PlaysByTheExamplesOfItsReadme) {
+  const std::string flags =
+      " -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror -I. ";
+  write("game/example.cpp", example_of_readme("mocapress_runtime.hpp"));
+  write("game/example.c", example_of_readme("mocapress_runtime.h"));
+  for (const std::string compiler :
+       {"g++ -std=c++20 -fno-exceptions -fno-rtti", "clang++ -std=c++20 -fno-exceptions -fno-rtti",
+        "gcc -std=c11", "clang -std=c11"}) {
+    if (!is_installed(compiler.substr(0, compiler.find(' ')))) continue;
+    const std::string source = compiler.find("++") != std::string::npos ? "cpp" : "c";
+    run(compiler + flags + "example." + source + " " + object_of("g++") + " -lm -o example");
+    const std::string said = run("./example " + (example_ / "walk.mcpr").string());
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 4) << compiler << said;
+    EXPECT_NE(said.find("1.5 s: the root is 9"), std::string::npos) << compiler << said;
+    const Outcome refused =
+        run_program({(file("game") / "example").string(), write("no.mcpr", "no clip at all")});
+    EXPECT_EQ(refused.exit_code, 1);
+    EXPECT_NE(refused.out.find("not a Mocapress file"), std::string::npos) << refused.out;
+  }
 }
 
 /// A pragma for AVX2 would apply to all templates of a joined source, which must run without it.
