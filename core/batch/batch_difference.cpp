@@ -6,6 +6,7 @@
 #include <map>
 #include <tuple>
 
+#include "core/base/names_all.h"
 #include "core/report/json_value.h"
 
 namespace mocapress {
@@ -78,6 +79,7 @@ std::string_view name(ClipChange change) {
   constexpr std::string_view kNames[] = {"failed", "newly-visible", "worse", "larger",
                                          "gone",   "added",         "done",  "no-longer-visible",
                                          "better", "smaller"};
+  static_assert(names_all<ClipChange>(kNames));
   return kNames[static_cast<std::size_t>(change)];
 }
 

@@ -10,6 +10,7 @@
 #include "core/base/fnv1a.h"
 #include "core/base/frame_text.h"
 #include "core/base/make_folders.h"
+#include "core/base/names_all.h"
 #include "core/base/number_text.h"
 #include "core/base/open_file.h"
 #include "core/base/path_kind.h"
@@ -365,6 +366,7 @@ class Export {
 
 std::string_view name(ClipProgress::Stage stage) {
   constexpr std::string_view kNames[] = {"reading", "encoding", "verifying"};
+  static_assert(names_all<ClipProgress::Stage>(kNames));
   return kNames[static_cast<std::size_t>(stage)];
 }
 

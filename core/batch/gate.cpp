@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/batch/gate.h"
 
+#include "core/base/names_all.h"
+
 namespace mocapress {
 namespace {
 
@@ -29,6 +31,7 @@ std::optional<std::string> refusal_by(const BatchRow& row, Gate gate) {
 
 std::string_view name(Gate gate) {
   constexpr std::string_view kNames[] = {"visible", "borderline", "rejected", "warning"};
+  static_assert(names_all<Gate>(kNames));
   return kNames[static_cast<std::size_t>(gate)];
 }
 

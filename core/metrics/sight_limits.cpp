@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/metrics/sight_limits.h"
 
+#include "core/base/names_all.h"
 #include "core/base/number_text.h"
 
 namespace mocapress {
@@ -8,6 +9,7 @@ namespace mocapress {
 std::string_view name(Cue cue) {
   constexpr std::string_view kNames[] = {"velocity", "place",  "jitter", "slide", "lift",
                                          "floor",    "flight", "head",   "hand"};
+  static_assert(names_all<Cue>(kNames));
   return kNames[static_cast<std::size_t>(cue)];
 }
 

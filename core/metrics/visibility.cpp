@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/base/frame_text.h"
+#include "core/base/names_all.h"
 #include "core/base/number_text.h"
 #include "core/motion/body.h"
 #include "core/motion/body_part.h"
@@ -57,6 +58,7 @@ void raise(std::optional<double>& most, double value) {
 
 std::string_view name(Sight sight) {
   constexpr std::string_view kNames[] = {"not-visible", "borderline", "visible"};
+  static_assert(names_all<Sight>(kNames));
   return kNames[static_cast<std::size_t>(sight)];
 }
 

@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "core/base/names_all.h"
+
 namespace mocapress {
 namespace {
 
@@ -34,6 +36,7 @@ std::optional<BodyPart> part_of(const std::string& joint) {
 
 std::string_view name(BodyPart part) {
   constexpr std::string_view kNames[] = {"feet", "hands", "fingers", "head"};
+  static_assert(names_all<BodyPart>(kNames));
   return kNames[static_cast<std::size_t>(part)];
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/names_all.h"
 #include "core/base/parallel.h"
 #include "core/codec/decode/decoder.h"
 #include "core/codec/encode/analysis/clip_analysis.h"
@@ -148,6 +149,7 @@ Trial encode_to_target(const ClipAnalysis& analysis, const EncodeSettings& setti
 
 std::string_view name(Effort effort) {
   constexpr std::string_view kNames[] = {"draft", "default", "best"};
+  static_assert(names_all<Effort>(kNames));
   return kNames[static_cast<std::size_t>(effort)];
 }
 

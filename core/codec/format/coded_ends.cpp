@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/byte_cursor.h"
+#include "core/base/names_all.h"
 #include "core/codec/format/format_error.h"
 #include "core/codec/format/range_coder.h"
 #include "core/runtime/format/end_poses.h"
@@ -12,6 +13,7 @@ namespace mocapress {
 
 std::string_view name(Ends ends) {
   constexpr std::string_view kNames[] = {"free", "even", "exact"};
+  static_assert(names_all<Ends>(kNames));
   return kNames[static_cast<std::size_t>(ends)];
 }
 
