@@ -10,6 +10,7 @@
 // needs none. By SSE2, ours has the instructions that ACL is compiled for.
 // Usage: mocapress-cold CLIP|FOLDER... [--pieces N] [--clips N] [--rounds N] [--detail-bands N]
 #include <immintrin.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -74,8 +75,8 @@ void flush(const std::byte* bytes, std::size_t size) {
 }
 
 void Cold::run() const {
-  const fs::path folder = fs::temp_directory_path() / "mocapress-cold";
-  fs::remove_all(folder);
+  const fs::path folder =
+      fs::temp_directory_path() / ("mocapress-cold-" + std::to_string(getpid()));
   fs::create_directories(folder);
   Random random(47);
   std::vector<Motion> wholes;
@@ -111,6 +112,7 @@ void Cold::run() const {
              .texts = {},
              .cooking = {.detail_bands = detail_bands}});
   const MappedFile file(folder / "cooked.mcpk");
+  fs::remove_all(folder);
   const AlignedBytes memory(file.bytes().size());
   std::memcpy(memory.data(), file.bytes().data(), file.bytes().size());
   const mcpk_bank* bank = nullptr;

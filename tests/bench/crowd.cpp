@@ -13,6 +13,8 @@
 // level alone: poses a second without these bands, and the joints' distances from their places with
 // all bands.
 // Usage: mocapress-crowd CLIP|FOLDER... [--every N] [--characters N] [--rounds N]
+#include <unistd.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <atomic>
@@ -234,8 +236,8 @@ struct Crowd {
 };
 
 Json Crowd::run() const {
-  const fs::path folder = fs::temp_directory_path() / "mocapress-crowd";
-  fs::remove_all(folder);
+  const fs::path folder =
+      fs::temp_directory_path() / ("mocapress-crowd-" + std::to_string(getpid()));
   fs::create_directories(folder);
   std::vector<std::unique_ptr<AclClip>> theirs;
   std::vector<BankSource> sources;
@@ -264,6 +266,7 @@ Json Crowd::run() const {
             {.form = runtime::BankForm::Cooked, .tags = {}, .texts = {}});
   const BankFile packed(folder / "packed.mcpk");
   const MappedFile file(folder / "cooked.mcpk");
+  fs::remove_all(folder);
   const mcpk_bank* bank = nullptr;
   require(mcpk_open(file.bytes().data(), file.bytes().size(), 0, &bank, nullptr));
 
