@@ -57,7 +57,7 @@ struct BatchCommand {
   MotionInput source;
   MotionOutput exporting;
   std::string folder;
-  PresetArguments preset;
+  PresetArguments preset{.preset = "gameplay"};
   std::vector<std::string> formats = {"mcpr"};
   std::string bank;
   bool learn = false;
@@ -287,7 +287,7 @@ void add_batch(CLI::App& app) {
       ->type_name("INPUT...");
   command->add_option("-o,--output", call->folder, "Folder for compressed files and reports")
       ->type_name("DIR");
-  call->preset.add_options(*command);
+  call->preset.add_options(*command, false);
   command
       ->add_option("--format", call->formats,
                    "Formats to write each clip in, comma-separated [mcpr]")

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <utility>
 
 #include "app/cli/commands.h"
 #include "app/cli/contacts.h"
@@ -14,6 +15,7 @@
 #include "core/base/file.h"
 #include "core/base/file_identity.h"
 #include "core/base/frame_text.h"
+#include "core/base/number_text.h"
 #include "core/base/staged_file.h"
 #include "core/base/utf8_path.h"
 #include "core/batch/verification.h"
@@ -54,12 +56,10 @@ struct Compress {
   MotionInput source;
   std::string output;
   std::string review;  // path of the review page
-  Settings settings{.target = {}};
-  Effort effort = Effort::Default;
-  CorrectionArguments correction;
+  PresetArguments preset;
   ContactInput contacts;
-  ImportanceArguments importance;
-  SightArguments sight;
+  std::vector<ImportantRange> ranges;
+  std::optional<double> track_error;
   int tiers = 1;
   std::optional<std::string> additive;  // the base
   std::optional<int> base_frame;
@@ -67,12 +67,24 @@ struct Compress {
 
   /// The requested settings, as far as they do not depend on the clip.
   Settings asked() const {
-    Settings asked = settings;
-    if (!correction.ratio.empty()) asked.correction = correction.settings();
-    asked.importance = importance.named();
-    asked.limits = sight.read(asked.limits);
-    if (effort != Effort::Draft) asked.effort = effort;
+    Settings asked = preset.read();
+    if (!ranges.empty()) asked.ranges = ranges;
+    if (track_error) asked.track_error = *track_error;
     return asked;
+  }
+
+  /// The same for this clip. Throws CLI::ValidationError where they do not fit it.
+  EncodeSettings asked_of(const Settings& asked, const Motion& motion) const {
+    preset.importance.require_names_of(motion.skeleton);
+    EncodeSettings options;
+    or_usage_error([&] {
+      options = encode_settings(asked, motion.skeleton);
+      frame_factors(options.ranges, motion.clip.frames());
+    });
+    if (preset.effort) options.effort = *preset.effort;
+    options.figures_only = true;
+    if (!options.contacts || contacts.is_given()) options.contacts = contacts.spans(motion);
+    return options;
   }
 
   bool reads_stream() const { return input == kStandardStream; }
@@ -115,22 +127,13 @@ struct Compress {
     check_streams();
     check_additive();
     const Settings asked = this->asked();
-    or_usage_error([&] { check(asked); });
     const bool of_wavelets = find_comparison_method(asked.method) == nullptr;
     MotionFile file = read_source();
     if (additive) return run_additive(std::move(file), asked);
     const MethodEncoder encoder(std::move(file.motion));
-    const Skeleton& skeleton = encoder.wavelets().motion().skeleton;
-    importance.require_names_of(skeleton);
-    EncodeSettings options;
-    or_usage_error([&] { options = encode_settings(asked, skeleton); });
-    or_usage_error(
-        [&] { frame_factors(options.ranges, encoder.wavelets().motion().clip.frames()); });
+    const EncodeSettings options = asked_of(asked, encoder.wavelets().motion());
     if (tiers > 1 && (!of_wavelets || effective_coding(options) != Coding::Adaptive))
       throw CLI::ValidationError("--tiers", "needs the adaptive coding, as the closed loop has it");
-    options.effort = effort;
-    options.contacts = contacts.spans(encoder.wavelets().motion());
-    options.figures_only = true;
     Encoding made = encoder.compress(*find_compression_method(asked.method), options);
     made.file = with_tracks(with_source(made.file, file.source), file.tracks, asked.track_error);
     made.file = with_tiers(made.file, tiers, [&](std::span<const std::byte> mcpr, int first) {
@@ -183,13 +186,8 @@ struct Compress {
 
   /// Compresses what the clip adds to the base.
   void run_additive(MotionFile file, const Settings& asked) const {
-    importance.require_names_of(file.motion.skeleton);
-    EncodeSettings options;
-    or_usage_error([&] { options = encode_settings(asked, file.motion.skeleton); });
-    or_usage_error([&] { frame_factors(options.ranges, file.motion.clip.frames()); });
-    options.effort = effort;
-    options.figures_only = true;
-    const std::vector<ContactSpan> spans = contacts.spans(file.motion);
+    EncodeSettings options = asked_of(asked, file.motion);
+    const std::vector<ContactSpan> spans = *std::exchange(options.contacts, std::nullopt);
     const AdditiveEncoder encoder(file.motion, read_base());
     Encoding made = encoder.compress(*find_compression_method(asked.method), options, spans);
     made.file = with_tracks(with_source(made.file, file.source), file.tracks, asked.track_error);
@@ -273,47 +271,12 @@ void add_compress(CLI::App& app) {
       ->add_option("-o,--output", call->output,
                    "File to write, or - for standard output; without -o the clip is only measured")
       ->type_name("OUT.mcpr");
-  command
-      ->add_option("--method", call->settings.method,
-                   "Compression method; all but closed-loop are for comparison")
-      ->transform(one_of_the_methods())
-      ->capture_default_str();
-  command
-      ->add_option("--coding", call->settings.coding,
-                   "Coding of the coefficients [closed-loop: adaptive, others: deflate]")
-      ->transform(one_of({Coding::Rle16, Coding::Deflate, Coding::Adaptive}));
-  command
-      ->add_option("--weighting", call->settings.weighting,
-                   "Points on which errors are measured [surface]")
-      ->transform(one_of(kWeightings));
-  add_target_options(*command, "One target at most [--ratio 25]",
-                     [call](const Target& asked) { call->settings.target = asked; });
-  call->correction.add_options(*command);
+  call->preset.add_options(*command, true);
   call->contacts.add_options(*command);
-  call->importance.add_options(*command);
-  call->sight.add_options(*command);
-  add_range_option(*command, call->settings.ranges);
-  command
-      ->add_option("--effort", call->effort,
-                   "Search effort of the closed loop: draft is quick and only near the target, "
-                   "best is a little smaller and slower [default]")
-      ->transform(one_of({Effort::Draft, Effort::Default, Effort::Best}));
-  command
-      ->add_option("--ends", call->settings.ends,
-                   "First and last pose of the closed loop: free of bounds, even (within the "
-                   "target), or exact (within a tenth of it) [even]")
-      ->transform(one_of({Ends::Free, Ends::Even, Ends::Exact}));
-  command
-      ->add_option("--loop", call->settings.loop,
-                   "Treat the clip as a loop: repeats (the last frame shows the first pose again), "
-                   "follows (the first frame follows the last), or none [detected]")
-      ->transform(one_of({Loop::None, Loop::Repeats, Loop::Follows}));
-  command
-      ->add_option("--track-error", call->settings.track_error,
-                   "Largest error allowed for values of morph weights, properties and scales")
-      ->capture_default_str();
-  command->add_option("--seed", call->settings.seed,
-                      "Seed of the annealing; the same seed gives the same bytes");
+  add_range_option(*command, call->ranges);
+  command->add_option("--track-error", call->track_error,
+                      "Largest error allowed for values of morph weights, properties and scales [" +
+                          shortest_text(kUsualTrackError) + "]");
   command
       ->add_option("--review", call->review,
                    "Also write a web page that shows original and compressed motion")

@@ -19,6 +19,8 @@ struct ContactInput {
 
   void add_options(CLI::App& command);
 
+  bool is_given() const { return file || !height.empty() || !speed.empty(); }
+
   /// Finds or reads the contacts of the original. Throws InputError for an invalid file, and
   /// CLI::ValidationError for invalid thresholds.
   std::vector<ContactSpan> spans(const Motion& motion) const;

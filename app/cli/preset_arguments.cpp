@@ -171,30 +171,39 @@ void add_target_options(CLI::App& command, const std::string& title,
       ->transform(one_of({Sight::NotVisible, Sight::Borderline}));
 }
 
-void PresetArguments::add_options(CLI::App& command) {
+void PresetArguments::add_options(CLI::App& command, bool with_drafts) {
   std::string known;
   for (const Settings& one : built_in_presets())
     known += (known.empty() ? "" : ", ") + slug(one.name);
   command
-      .add_option("--preset", preset, "Preset: " + known + ", or a preset file (.json) [gameplay]")
+      .add_option("--preset", preset,
+                  "Preset: " + known +
+                      ", or a preset file (.json). Other options replace parts of "
+                      "it [" +
+                      (preset.empty() ? "none" : preset) + "]")
       ->type_name("P|FILE");
-  command.add_option("--method", method, "Compression method; replaces the preset's")
-      ->transform(one_of_the_methods());
-  command.add_option("--coding", coding, "Coding of the coefficients; replaces the preset's")
-      ->transform(one_of({Coding::Rle16, Coding::Deflate, Coding::Adaptive}));
   command
-      .add_option("--weighting", weighting,
-                  "Points on which errors are measured; replaces the preset's")
+      .add_option("--method", method,
+                  "Compression method; all but closed-loop are for comparison [closed-loop]")
+      ->transform(one_of_the_methods());
+  command
+      .add_option("--coding", coding,
+                  "Coding of the coefficients [closed-loop: adaptive, others: deflate]")
+      ->transform(one_of({Coding::Rle16, Coding::Deflate, Coding::Adaptive}));
+  command.add_option("--weighting", weighting, "Points on which errors are measured [surface]")
       ->transform(one_of(kWeightings));
-  add_target_options(command, "One target at most; it replaces the preset's target and promises",
+  add_target_options(command, "One target at most [the preset's; --ratio 25 without one]",
                      [this](const Target& asked) { target = asked; });
   correction.add_options(command);
   importance.add_options(command);
   sight.add_options(command);
   command
       .add_option("--effort", effort,
-                  "Search effort of the closed loop: best is a little smaller and slower [default]")
-      ->transform(one_of({Effort::Default, Effort::Best}));
+                  std::string("Search effort of the closed loop: ") +
+                      (with_drafts ? "draft is quick and only near the target, " : "") +
+                      "best is a little smaller and slower [default]")
+      ->transform(with_drafts ? one_of({Effort::Draft, Effort::Default, Effort::Best})
+                              : one_of({Effort::Default, Effort::Best}));
   command
       .add_option("--ends", ends,
                   "First and last pose of the closed loop: free of bounds, even (within the "
@@ -209,22 +218,19 @@ void PresetArguments::add_options(CLI::App& command) {
 }
 
 Settings PresetArguments::read() const {
-  Settings read = find_preset(preset);
+  Settings read = preset.empty() ? Settings{.target = {}} : find_preset(preset);
   if (!method.empty()) {
     read.method = method;
     read.coding.reset();
   }
   if (coding) read.coding = coding;
   if (weighting) read.weighting = *weighting;
-  if (target) {
-    read.target = *target;
-    read.promises = {};  // promises apply only to the unchanged preset
-  }
+  if (target) read.target = *target;
   if (seed) read.seed = *seed;
   if (!correction.ratio.empty()) read.correction = correction.settings();
   if (!importance.words.empty()) read.importance = importance.named();
   read.limits = sight.read(read.limits);
-  if (effort) read.effort = *effort;
+  if (effort && *effort != Effort::Draft) read.effort = *effort;
   if (ends) read.ends = *ends;
   if (loop) read.loop = *loop;
   try {

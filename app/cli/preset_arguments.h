@@ -46,22 +46,23 @@ void add_range_option(CLI::App& command, std::vector<ImportantRange>& ranges);
 void add_target_options(CLI::App& command, const std::string& title,
                         const std::function<void(const Target&)>& choose);
 
-/// A preset and changes to it: the options of `compress`.
+/// A preset and changes to it, for `compress` and `batch`.
 struct PresetArguments {
-  std::string preset = "gameplay";  // name or file
-  std::string method;               // empty: the preset's
+  std::string preset;  // name or file; empty: none
+  std::string method;  // empty: the preset's
   std::optional<Coding> coding;
   std::optional<Weighting> weighting;
   std::optional<Target> target;
   std::optional<std::uint64_t> seed;
-  std::optional<Effort> effort;
+  std::optional<Effort> effort;  // a draft is left to the caller: settings have none
   std::optional<Ends> ends;
   std::optional<Loop> loop;
   ImportanceArguments importance;  // replaces the preset's importances if any is named
   CorrectionArguments correction;
   SightArguments sight;
 
-  void add_options(CLI::App& command);
+  /// Efforts: those that `compress` has, with drafts, or all others.
+  void add_options(CLI::App& command, bool with_drafts);
 
   /// Throws InputError if the preset cannot be read, CLI::ValidationError for options that exclude
   /// each other.

@@ -708,6 +708,31 @@ TEST_F(Cli, ViewersWhoAreNearerNoticeMore) {
   EXPECT_THAT(bad.err, testing::HasSubstr("bad.json: \"hands\" is unknown"));
 }
 
+TEST_F(Cli, PresetsAreThoseOfABatchAndOptionsReplaceTheirParts) {
+  const std::string mine = write(
+      "mine.json",
+      R"({"name": "Mine", "target": {"kind": "error", "value": 0.4}, "importance": {"feet": 4},
+          "promises": {"hand_degrees": 3}, "importance_ranges": [
+          {"first_frame": 40, "last_frame": 80, "factor": 3}]})");
+  for (const std::vector<std::string>& options : std::initializer_list<std::vector<std::string>>{
+           {"--preset", "planted-feet"},
+           {"--preset", "gameplay", "--target-error", "0.4"},
+           {"--preset", mine},
+           {"--preset", mine, "--target-error", "0.6", "--importance", "spine=2"}}) {
+    std::vector<std::string> words = {"batch", clip_, "-o", file("out"), "--name", "made"};
+    words.insert(words.end(), options.begin(), options.end());
+    words.emplace_back("--overwrite");
+    ASSERT_EQ(mocapress(words).exit_code, 0);
+    compress(options);
+    EXPECT_EQ(read_bytes(packed_), read_bytes(file("out") / "made.mcpr")) << options.back();
+  }
+  compress({});
+  const auto plain = read_bytes(packed_);
+  compress({"--ratio", "25"});
+  EXPECT_EQ(read_bytes(packed_), plain);
+  EXPECT_EQ(mocapress({"compress", clip_, "--preset", "nothing"}).exit_code, 3);
+}
+
 TEST_F(Cli, HelpAndVersionSucceed) {
   EXPECT_EQ(mocapress({"--help"}).exit_code, 0);
   EXPECT_EQ(mocapress({"--version"}).exit_code, 0);
