@@ -70,6 +70,7 @@ struct Compress {
     Settings asked = preset.read();
     if (!ranges.empty()) asked.ranges = ranges;
     if (track_error) asked.track_error = *track_error;
+    or_usage_error([&] { check(asked); });
     return asked;
   }
 

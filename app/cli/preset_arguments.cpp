@@ -192,8 +192,11 @@ void PresetArguments::add_options(CLI::App& command, bool with_drafts) {
       ->transform(one_of({Coding::Rle16, Coding::Deflate, Coding::Adaptive}));
   command.add_option("--weighting", weighting, "Points on which errors are measured [surface]")
       ->transform(one_of(kWeightings));
-  add_target_options(command, "One target at most [the preset's; --ratio 25 without one]",
-                     [this](const Target& asked) { target = asked; });
+  add_target_options(
+      command,
+      "One target at most; it replaces the preset's target and promises [the preset's; --ratio 25 "
+      "without one]",
+      [this](const Target& asked) { target = asked; });
   correction.add_options(command);
   importance.add_options(command);
   sight.add_options(command);
@@ -225,7 +228,10 @@ Settings PresetArguments::read() const {
   }
   if (coding) read.coding = coding;
   if (weighting) read.weighting = *weighting;
-  if (target) read.target = *target;
+  if (target) {
+    read.target = *target;
+    read.promises = {};  // promises apply only to the preset's own target
+  }
   if (seed) read.seed = *seed;
   if (!correction.ratio.empty()) read.correction = correction.settings();
   if (!importance.words.empty()) read.importance = importance.named();
