@@ -342,11 +342,13 @@ void add_batch(CLI::App& app) {
       ->type_name("SECONDS")
       ->check(number_above_0());
   command
-      ->add_option("--fail-on", call->fail_on,
-                   "Exit with code 4 if a finished clip is one of these, comma-separated; "
-                   "borderline includes visible, rejected includes stale verdicts")
+      ->add_option(
+          "--fail-on", call->fail_on,
+          "Exit with code 4 if a finished clip is one of these, comma-separated; "
+          "borderline includes visible, rejected includes stale verdicts, damaged is a file cut "
+          "short or with values that are no numbers, warning any repair or guess")
       ->delimiter(',')
-      ->check(CLI::IsMember({"visible", "borderline", "rejected", "warning"}));
+      ->check(CLI::IsMember({"visible", "borderline", "rejected", "damaged", "warning"}));
   command->add_flag("--keep-going,!--stop-at-failure", call->keep_going,
                     "After a clip that failed, continue with the others (default) or stop");
   command->add_flag("--json-progress", call->json_progress, "Print progress as lines of JSON");

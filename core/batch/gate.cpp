@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/batch/gate.h"
 
+#include <algorithm>
+
 #include "core/base/names_all.h"
+#include "core/formats/value_repair.h"
 
 namespace mocapress {
 namespace {
@@ -20,6 +23,11 @@ std::optional<std::string> refusal_by(const BatchRow& row, Gate gate) {
       if (const auto stale = stale_reason(row)) return "stale verdict: " + *stale;
       if (row.review.verdict == Verdict::Rejected) return "rejected";
       return std::nullopt;
+    case Gate::Damaged:
+      if (const auto found = std::ranges::find_if(row.warnings, &tells_of_damage);
+          found != row.warnings.end())
+        return "damaged: " + *found;
+      return std::nullopt;
     case Gate::Warning:
       if (!row.warnings.empty()) return "warning: " + row.warnings.front();
       return std::nullopt;
@@ -30,13 +38,14 @@ std::optional<std::string> refusal_by(const BatchRow& row, Gate gate) {
 }  // namespace
 
 std::string_view name(Gate gate) {
-  constexpr std::string_view kNames[] = {"visible", "borderline", "rejected", "warning"};
+  constexpr std::string_view kNames[] = {"visible", "borderline", "rejected", "damaged", "warning"};
   static_assert(names_all<Gate>(kNames));
   return kNames[static_cast<std::size_t>(gate)];
 }
 
 std::optional<Gate> gate_named(std::string_view word) {
-  for (const Gate gate : {Gate::Visible, Gate::Borderline, Gate::Rejected, Gate::Warning})
+  for (const Gate gate :
+       {Gate::Visible, Gate::Borderline, Gate::Rejected, Gate::Damaged, Gate::Warning})
     if (name(gate) == word) return gate;
   return std::nullopt;
 }

@@ -15,10 +15,11 @@ enum class Gate {
   Visible,     // an attentive viewer sees its error
   Borderline,  // an attentive viewer sees or may see its error
   Rejected,    // a reviewer rejected it, or the verdict is stale
+  Damaged,     // its file is cut short, or holds values that are no numbers
   Warning      // its reader repaired or guessed something
 };
 
-/// "visible", "borderline", "rejected", "warning".
+/// "visible", "borderline", "rejected", "damaged", "warning".
 std::string_view name(Gate gate);
 
 /// The gate of this name; unset if there is none.

@@ -229,7 +229,7 @@ bool AmcReader::close_frame(const Token& number) {
 bool AmcReader::drop_frame(const Token& number) {
   if (frames_ == 0) cursor_.fail(cursor_.peek(), "the file ends within its first frame");
   values_.resize(frames_ * row_size_);
-  warn(number.line, "the file ends within its last frame, which is dropped");
+  warn(number.line, kTruncated);
   return false;
 }
 
@@ -273,9 +273,7 @@ void AmcReader::warn_of_counts() {
   if (first_jump_line_ > 0)
     warn(first_jump_line_,
          "frame numbers do not run 1, 2, 3 from here: frames are taken as they come");
-  if (missing_joints_ > 0)
-    warn(0, counted(missing_joints_, "bone") +
-                " missing from a frame, where the frame before is repeated");
+  if (missing_joints_ > 0) warn(0, counted(missing_joints_, "bone") + kRepeated);
   if (joints_made_3dof_ > 0)
     warn(0, counted(joints_made_3dof_, "bone") +
                 " with three values where the skeleton names fewer, read as " +

@@ -253,7 +253,7 @@ bool BvhReader::read_row() {
     if (!value && !cursor_.at_end()) cursor_.fail_expecting_number(word, "a channel's value");
     if (!value) {
       values_.resize(row_begin);
-      warn(first_line, "the file ends within its last frame, which is dropped");
+      warn(first_line, kTruncated);
       return false;
     }
     values_.push_back(*value);
@@ -274,7 +274,7 @@ void BvhReader::read_rows() {
   if (frames == 0) cursor_.fail(cursor_.peek(), "no complete frame follows");
   if (static_cast<double>(frames) != stated_frames_)
     warn(frames_line_, "the header says " + number(stated_frames_) + " frames, " +
-                           std::to_string(frames) + " follow: all of them are read");
+                           std::to_string(frames) + kOtherFrames);
 }
 
 /// The columns of joints. Scales become tracks, unless they stay at 1.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/formats/value_repair.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mocapress {
@@ -29,6 +30,13 @@ long repair_values(RawRows rows) {
     }
   }
   return repaired;
+}
+
+bool tells_of_damage(std::string_view warning) {
+  return std::ranges::any_of(
+      std::initializer_list<std::string_view>{kRepaired, kTruncated, kOtherFrames, kRepeated,
+                                              kKeysLeftOut},
+      [&](std::string_view text) { return warning.find(text) != warning.npos; });
 }
 
 }  // namespace mocapress

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string_view>
 
 namespace mocapress {
 
@@ -12,7 +13,15 @@ using RawRows = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic,
 /// frame before; in the first frame by the first good one after, or 0. Returns their number.
 long repair_values(RawRows rows);
 
-/// The text of a warning, after their number.
+// Warnings about a file that lacks a part of its motion.
 inline constexpr const char* kRepaired = " not finite or beyond 1e9, replaced by the frame before";
+inline constexpr const char* kTruncated = "the file ends within its last frame, which is dropped";
+inline constexpr const char* kOtherFrames = " follow: all of them are read";
+inline constexpr const char* kRepeated =
+    " missing from a frame, where the frame before is repeated";
+inline constexpr const char* kKeysLeftOut = " left out: not a finite number";
+
+/// True for the text of such a warning, and false for those about guesses.
+bool tells_of_damage(std::string_view warning);
 
 }  // namespace mocapress

@@ -13,6 +13,7 @@
 #include "core/formats/take_choice.h"
 #include "core/formats/text_cursor.h"
 #include "core/formats/text_writer.h"
+#include "core/formats/value_repair.h"
 #include "core/runtime/format/format_limits.h"
 
 namespace mocapress {
@@ -125,7 +126,7 @@ void FbxTakeReader::choose_take(FbxAnimation& animation) {
   int dropped = 0;
   for (const FbxMovement& movement : movements_)
     for (const auto& curve : movement.curves) dropped += curve ? curve->dropped() : 0;
-  if (dropped > 0) warn(counted(dropped, "key") + " left out: not a finite number");
+  if (dropped > 0) warn(counted(dropped, "key") + kKeysLeftOut);
 }
 
 /// Finds all nodes, parents first, except leaves that only hold a mesh, a light or a camera.

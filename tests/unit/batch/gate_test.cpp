@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/formats/value_repair.h"
+
 namespace mocapress::gate_test {
 namespace {
 
@@ -23,7 +25,8 @@ BatchRow reviewed_row(Verdict verdict) {
 }
 
 TEST(Gate, HasAName) {
-  for (const Gate gate : {Gate::Visible, Gate::Borderline, Gate::Rejected, Gate::Warning})
+  for (const Gate gate :
+       {Gate::Visible, Gate::Borderline, Gate::Rejected, Gate::Damaged, Gate::Warning})
     EXPECT_EQ(gate_named(name(gate)), gate);
   EXPECT_EQ(gate_named("ugly"), std::nullopt);
 }
@@ -62,6 +65,15 @@ TEST(Gate, SaysWhyItRefuses) {
   EXPECT_EQ(refusal(row, {Gate::Warning}), "warning: a.bvh: guessed");
   row.stamp.source = "other bytes";
   EXPECT_EQ(refusal(row, {Gate::Rejected})->find("stale verdict: "), 0u);
+}
+
+TEST(Gate, DamagedRefusesFilesThatLackMotionAndNoGuesses) {
+  BatchRow row = seen_row(0);
+  row.warnings = {"a.bvh: no unit of length is given: a guess"};
+  EXPECT_FALSE(is_refused(row, {Gate::Damaged}));
+  EXPECT_TRUE(is_refused(row, {Gate::Warning}));
+  row.warnings.push_back("a.bvh: line 9: " + std::string(kTruncated));
+  EXPECT_EQ(refusal(row, {Gate::Damaged}), "damaged: " + row.warnings.back());
 }
 
 TEST(Gate, RefusesNothingUnaskedAndNoClipThatFailed) {
