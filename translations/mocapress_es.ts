@@ -5674,8 +5674,8 @@
         <translation>es un esqueleto sin movimiento: abra uno de sus archivos .amc</translation>
     </message>
     <message>
-        <source>holds no animation, but may be a character: --character, or Put a Character on It in the studio, puts it on a clip</source>
-        <translation>no contiene animación, pero puede ser un personaje: --character, o Ponerle un personaje en Studio, lo pone a un clip</translation>
+        <source>holds no animation, but may be put on a clip as its character</source>
+        <translation>no contiene ninguna animación, pero puede ponerse a un clip como su personaje</translation>
     </message>
     <message>
         <source>has no take %1: there are %2</source>
@@ -7439,8 +7439,8 @@
         <translation>el archivo escrito no se puede leer: %1</translation>
     </message>
     <message>
-        <source>another run is using it: %1; if it is gone, --take-over continues</source>
-        <translation>lo usa otra ejecución: %1; si ya no existe, --take-over continúa</translation>
+        <source>another run is using it: %1; if it is gone, its batch can be taken over</source>
+        <translation>lo usa otra ejecución: %1; si ya no existe, otra puede encargarse de su lote</translation>
     </message>
     <message>
         <source>another run is using it: %1</source>
@@ -7467,8 +7467,8 @@
         <translation>cambió mientras se leía</translation>
     </message>
     <message>
-        <source>holds a batch already: it can be resumed (--resume) or overwritten (--overwrite)</source>
-        <translation>ya contiene un lote: se puede reanudar (--resume) o sobrescribir (--overwrite)</translation>
+        <source>holds a batch already: it can be resumed or overwritten</source>
+        <translation>ya contiene un lote: se puede reanudar o sobrescribir</translation>
     </message>
     <message>
         <source>is not of the same batch as the others</source>

@@ -5674,8 +5674,8 @@
         <translation>est un squelette sans mouvement : ouvrez un de ses fichiers .amc</translation>
     </message>
     <message>
-        <source>holds no animation, but may be a character: --character, or Put a Character on It in the studio, puts it on a clip</source>
-        <translation>ne contient pas d&apos;animation, mais est peut-être un personnage : --character, ou « Mettre un personnage » dans le studio, le met sur un clip</translation>
+        <source>holds no animation, but may be put on a clip as its character</source>
+        <translation>ne contient aucune animation, mais peut servir de personnage à un clip</translation>
     </message>
     <message>
         <source>has no take %1: there are %2</source>
@@ -7439,8 +7439,8 @@
         <translation>le fichier écrit ne peut être lu : %1</translation>
     </message>
     <message>
-        <source>another run is using it: %1; if it is gone, --take-over continues</source>
-        <translation>un autre travail s&apos;en sert : %1 ; s&apos;il a disparu, --take-over continue</translation>
+        <source>another run is using it: %1; if it is gone, its batch can be taken over</source>
+        <translation>un autre travail s&apos;en sert : %1 ; s&apos;il a disparu, son lot peut être repris</translation>
     </message>
     <message>
         <source>another run is using it: %1</source>
@@ -7467,8 +7467,8 @@
         <translation>a changé pendant sa lecture</translation>
     </message>
     <message>
-        <source>holds a batch already: it can be resumed (--resume) or overwritten (--overwrite)</source>
-        <translation>contient déjà un lot : il peut être repris (--resume) ou remplacé (--overwrite)</translation>
+        <source>holds a batch already: it can be resumed or overwritten</source>
+        <translation>contient déjà un lot : il peut être repris ou remplacé</translation>
     </message>
     <message>
         <source>is not of the same batch as the others</source>

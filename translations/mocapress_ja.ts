@@ -5643,8 +5643,8 @@
         <translation>動きのない骨格です。その .amc ファイルを開いてください</translation>
     </message>
     <message>
-        <source>holds no animation, but may be a character: --character, or Put a Character on It in the studio, puts it on a clip</source>
-        <translation>アニメーションがありませんが、キャラクターかもしれません。--character、またはスタジオの「キャラクターを付ける」でクリップに付けられます</translation>
+        <source>holds no animation, but may be put on a clip as its character</source>
+        <translation>アニメーションはありませんが、クリップのキャラクターとして使えます</translation>
     </message>
     <message>
         <source>has no take %1: there are %2</source>
@@ -7397,8 +7397,8 @@
         <translation>書いたファイルを読めません：%1</translation>
     </message>
     <message>
-        <source>another run is using it: %1; if it is gone, --take-over continues</source>
-        <translation>別の実行が使用中です：%1。それがもうなければ --take-over で続けられます</translation>
+        <source>another run is using it: %1; if it is gone, its batch can be taken over</source>
+        <translation>別の実行が使用中です：%1。それがもうなければ、そのバッチを引き継げます</translation>
     </message>
     <message>
         <source>another run is using it: %1</source>
@@ -7425,8 +7425,8 @@
         <translation>読み込み中に変わりました</translation>
     </message>
     <message>
-        <source>holds a batch already: it can be resumed (--resume) or overwritten (--overwrite)</source>
-        <translation>すでにバッチがあります。再開（--resume）または上書き（--overwrite）できます</translation>
+        <source>holds a batch already: it can be resumed or overwritten</source>
+        <translation>すでにバッチがあります。再開または上書きできます</translation>
     </message>
     <message>
         <source>is not of the same batch as the others</source>

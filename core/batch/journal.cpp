@@ -59,7 +59,7 @@ AppendedFile opened(const fs::path& path, bool take_over) {
     const bool is_elsewhere = holder->host != this_process().host;
     if (is_elsewhere && take_over) return AppendedFile(path, &lock_if_free);
     throw WriteError(std::string(in_use.what()) + ": " + text(*holder) +
-                     (is_elsewhere ? "; if it is gone, --take-over continues" : ""));
+                     (is_elsewhere ? "; if it is gone, its batch can be taken over" : ""));
   }
 }
 
@@ -137,9 +137,7 @@ Journal::Journal(const fs::path& path, const Batch& batch, const Shard& shard, S
   const JournalHeader header{batch.items.size(), fingerprint(batch), shard};
   const bool is_there = lines_.size() > 0;
   if (is_there && start == Start::New)
-    throw WriteError(
-        utf8(path_) +
-        ": holds a batch already: it can be resumed (--resume) or overwritten (--overwrite)");
+    throw WriteError(utf8(path_) + ": holds a batch already: it can be resumed or overwritten");
   if (is_there && start == Start::Resume)
     keep_rows_of(batch, header);
   else if (is_there)

@@ -31,9 +31,7 @@ std::string listed(const std::vector<TakeName>& takes, std::optional<std::size_t
 std::size_t choose_take(const std::string& file, const std::vector<TakeName>& takes,
                         const std::optional<std::string>& wanted, Warnings& warnings) {
   if (takes.empty())
-    throw InputError(file, 0, 0,
-                     "holds no animation, but may be a character: --character, or Put a Character "
-                     "on It in the studio, puts it on a clip");
+    throw InputError(file, 0, 0, "holds no animation, but may be put on a clip as its character");
   std::size_t chosen = 0;
   if (wanted) {
     const auto named =

@@ -141,8 +141,7 @@ constexpr const char* kSentences[] = {
                       "needs its skeleton, but neither %1.asf nor %2.asf is beside it"),
     QT_TRANSLATE_NOOP("mocapress::Sentence", "needs its skeleton, but %1.asf is not beside it"),
     QT_TRANSLATE_NOOP("mocapress::Sentence",
-                      "holds no animation, but may be a character: --character, or Put a Character "
-                      "on It in the studio, puts it on a clip"),
+                      "holds no animation, but may be put on a clip as its character"),
     QT_TRANSLATE_NOOP("mocapress::Sentence", "has no take %1: there are %2"),
     QT_TRANSLATE_NOOP("mocapress::Sentence", "has neither bones nor anything else that moves"),
     QT_TRANSLATE_NOOP("mocapress::Sentence", "no joint moves or is turned"),

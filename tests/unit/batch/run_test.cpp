@@ -165,7 +165,7 @@ TEST_F(BatchRun, AJournalInUseSaysWhoHasItAndIsTakenOverFromAnotherComputerAlone
   text.replace(at, text.find('"', at) - at, "elsewhere");
   other.replace([&](StagedFile& file) { file.write(text); });
   EXPECT_THAT(resumed(false), HasSubstr("on elsewhere, process"));
-  EXPECT_THAT(resumed(false), HasSubstr("--take-over"));
+  EXPECT_THAT(resumed(false), HasSubstr("taken over"));
   EXPECT_EQ(resumed(true), "done");
 }
 

@@ -381,10 +381,8 @@ TEST(GltfReader, SaysInOneSentenceWhatItCannotRead) {
   EXPECT_EQ(refusal(std::string("{}")), "small.glb: is no glTF 2.0: it states no version");
   EXPECT_EQ(with([](Json& j) { j["asset"]["version"] = "1.0"; }),
             "small.glb: is no glTF 2.0: its version is 1.0");
-  EXPECT_EQ(
-      with([](Json& j) { j["animations"].clear(); }),
-      "small.glb: holds no animation, but may be a character: --character, or Put a Character "
-      "on It in the studio, puts it on a clip");
+  EXPECT_EQ(with([](Json& j) { j["animations"].clear(); }),
+            "small.glb: holds no animation, but may be put on a clip as its character");
   EXPECT_EQ(with([](Json& j) { j["nodes"] = 3; }), "small.glb: \"nodes\" is not a list of objects");
   EXPECT_EQ(with([](Json& j) { j["nodes"][2]["children"] = {0}; }),
             "small.glb: has a node that is below itself");

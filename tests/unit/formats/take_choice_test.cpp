@@ -55,7 +55,7 @@ TEST(TakeChoice, SaysThatAFileWithoutTakesMayBeACharacter) {
     choose_take("f", {}, {}, warnings);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("--character"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("as its character"), std::string::npos);
   }
 }
 

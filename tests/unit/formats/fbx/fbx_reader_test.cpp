@@ -257,10 +257,8 @@ TEST(FbxReader, SamplesKeysAtTheRateThatIsAskedForAndSaysWhereTheyAreSparse) {
 }
 
 TEST(FbxReader, RefusesInOneSentence) {
-  EXPECT_EQ(
-      error_of(fbx_text({})),
-      "f: holds no animation, but may be a character: --character, or Put a Character on It in the "
-      "studio, puts it on a clip");
+  EXPECT_EQ(error_of(fbx_text({})),
+            "f: holds no animation, but may be put on a clip as its character");
   EXPECT_EQ(error_of("").find("f: cannot be read as FBX: "), 0u);
   EXPECT_EQ(error_of("nonsense").find("f: cannot be read as FBX: "), 0u);
   std::string nested;
@@ -351,10 +349,8 @@ TEST_F(FbxCorpus, AgreesWithBlender) {
 }
 
 TEST_F(FbxCorpus, HasAFileWithoutMotion) {
-  EXPECT_EQ(
-      error_of(read_text(folder_ / "Base.fbx")),
-      "f: holds no animation, but may be a character: --character, or Put a Character on It in the "
-      "studio, puts it on a clip");
+  EXPECT_EQ(error_of(read_text(folder_ / "Base.fbx")),
+            "f: holds no animation, but may be put on a clip as its character");
 }
 
 TEST_F(FbxCorpus, SurvivesTruncationsAndDamage) {
