@@ -223,7 +223,7 @@ struct Compress {
     const Clip& original = encoder.wavelets().motion().clip;
     const std::vector<std::string> facts =
         review_facts(report.method, compression_ratio(original, report.motion_bytes),
-                     report.distortion, report.visibility);
+                     report.distortion, report.weighting, report.visibility);
     const std::string title = reads_stream() ? "standard input" : utf8(utf8_path(input).filename());
     const Clip* const unplayed = report.verified_by == "runtime" ? nullptr : &made.decoded;
     const std::string script = review_clip(title, encoder.wavelets(), made.file, unplayed);

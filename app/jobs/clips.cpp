@@ -227,7 +227,8 @@ void saveReviewPage(const QString& path, const DecodedClip& decoded, const Origi
   const std::vector<std::byte> file = savedFile(decoded, &original, tracks);
   const Verification found = verify(file, *original.encoder, {.motion = true, .limits = limits});
   std::vector<std::string> facts =
-      review_facts(decoded.method, decoded.ratio, found.distortion, found.visibility, language);
+      review_facts(decoded.method, decoded.ratio, found.distortion,
+                   decoded.compressed.provenance.weighting, found.visibility, language);
   facts.insert(facts.end(), remarks.begin(), remarks.end());
   const std::string name = QFileInfo(original.path).fileName().toStdString();
   const std::string script =

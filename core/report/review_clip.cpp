@@ -33,11 +33,11 @@ std::string review_clip(std::string_view name, const Encoder& original,
 }
 
 std::vector<std::string> review_facts(std::string_view method, double ratio,
-                                      const Distortion& distortion, const Visibility& visibility,
-                                      const ReportLanguage& say) {
+                                      const Distortion& distortion, Weighting weighting,
+                                      const Visibility& visibility, const ReportLanguage& say) {
   return {
       say(std::string(method_title(method))), ratio_text(ratio),
-      say("largest error %1 cm", {format_significant(distortion.max.cm)}),
+      say("largest error %1 cm", {format_significant(distortion.worst(weighting).cm)}),
       say("errors %1, by %2", {sight_phrase(say, visibility.sight(), visibility.limits.distance_m),
                                say(limits_text(visibility.limits))})};
 }

@@ -21,7 +21,7 @@ std::string review_clip(std::string_view name, const Encoder& original,
 
 /// Short texts about a clip on its page.
 std::vector<std::string> review_facts(std::string_view method, double ratio,
-                                      const Distortion& distortion, const Visibility& visibility,
-                                      const ReportLanguage& say = {});
+                                      const Distortion& distortion, Weighting weighting,
+                                      const Visibility& visibility, const ReportLanguage& say = {});
 
 }  // namespace mocapress

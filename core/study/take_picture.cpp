@@ -104,7 +104,8 @@ std::optional<Picture> take_picture(const StudyPlan& plan, const std::filesystem
     if (tracks.decoded.empty()) worst = worst_frame(made.distortion);
     picture.methods.push_back(
         {name, compression_ratio(clip.motion().clip, made.compressed.motion_bytes()),
-         made.distortion.eps(plan.settings.weighting), made.distortion.max.cm,
+         made.distortion.eps(plan.settings.weighting),
+         made.distortion.worst(plan.settings.weighting).cm,
          sight_chart(made.visibility.table, skeleton)});
     if (has_review_viewer())
       picture.methods.back().review = review_clip(

@@ -183,8 +183,8 @@ TEST(ReportTexts, ReviewPagesFollowTheProgram) {
   const ReportLanguage say = reportLanguage();
   Distortion distortion;
   distortion.max.cm = 1.25;
-  const std::string page =
-      review_page("walk", review_facts("closed-loop", 20, distortion, {}, say), "", say);
+  const std::string page = review_page(
+      "walk", review_facts("closed-loop", 20, distortion, Weighting::BoneEnds, {}, say), "", say);
   keep(page, "review-ja.html");
   expectIn(page, {"<html lang=\"ja\">", "閉ループ", "最大誤差 1.25 cm", "\"Play\":\"再生\"",
                   "ビューアーには JavaScript が必要です。"});

@@ -68,11 +68,13 @@ TEST_F(ReviewClip, HoldsTheOriginalToAHundredthOfACentimetreAndTheFileItself) {
 
 TEST_F(ReviewClip, ListsTheFactsOfTheResult) {
   const Encoding made = compressed_by("closed-loop");
-  EXPECT_THAT(review_facts("closed-loop", 20, made.distortion, made.visibility),
-              testing::ElementsAre(
-                  method_title("closed-loop"), ratio_text(20),
-                  testing::AllOf(testing::StartsWith("largest error "), testing::EndsWith(" cm")),
-                  testing::StartsWith("errors ")));
+  for (const Weighting weighting : {Weighting::Surface, Weighting::BoneEnds}) {
+    const double largest_cm = made.distortion.worst(weighting).cm;
+    EXPECT_THAT(review_facts("closed-loop", 20, made.distortion, weighting, made.visibility),
+                testing::ElementsAre(method_title("closed-loop"), ratio_text(20),
+                                     "largest error " + format_significant(largest_cm) + " cm",
+                                     testing::StartsWith("errors ")));
+  }
 }
 
 TEST_F(ReviewClip, CodesAnewWhatNoEnginePlays) {
