@@ -242,6 +242,10 @@ TEST(ReviewQueue, TellsHowManyAreReviewed) {
   std::vector<LibraryEntry> clips = fourClips();
   clips[1].stale = Staleness::None;
   clips[2].missing = true;  // nobody has reviewed it, though it does not wait
+  LibraryEntry unreadable{.path = QStringLiteral("/a/character.fbx")};
+  unreadable.trouble = QStringLiteral("holds no animation");
+  EXPECT_FALSE(wantsReview(unreadable));
+  clips.push_back(unreadable);
   model.setEntries(clips);
   EXPECT_TRUE(QTest::qWaitFor(
       [&] { return bar.progress()->text() == QStringLiteral("2 of 4 reviewed, 1 rejected"); },

@@ -77,7 +77,7 @@ QColor colourOf(RowState state, const QPalette& palette) {
 }
 
 bool wantsReview(const LibraryEntry& entry) {
-  return !entry.missing &&
+  return !entry.missing && entry.trouble.isEmpty() &&
          (entry.review.verdict == Verdict::None || entry.stale != Staleness::None);
 }
 

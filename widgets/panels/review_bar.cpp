@@ -45,10 +45,11 @@ ReviewBar::ReviewBar(const LibraryModel* model, QWidget* parent)
 }
 
 void ReviewBar::count() {
-  const int all = model_->rowCount();
-  int reviewed = 0, rejected = 0, waiting = 0;
-  for (int row = 0; row < all; ++row) {
+  int all = 0, reviewed = 0, rejected = 0, waiting = 0;
+  for (int row = 0; row < model_->rowCount(); ++row) {
     const LibraryEntry& entry = model_->entry(row);
+    if (!entry.trouble.isEmpty()) continue;  // a file that cannot be read is no clip to review
+    ++all;
     waiting += wantsReview(entry);
     if (entry.review.verdict == Verdict::None || entry.stale != Staleness::None) continue;
     ++reviewed;
