@@ -81,6 +81,11 @@ TEST(RatePlot, DrawsEveryCurveInItsColour) {
   EXPECT_EQ(pixelsOf(colourOf("annealed"), picture), 0);
 }
 
+TEST(RatePlot, FitsThePanelOfALowWindow) {
+  RatePlot plot;
+  EXPECT_LE(plot.minimumSizeHint().height(), 180);
+}
+
 TEST(RatePlot, AClickOnAPointChoosesItsRow) {
   RatePlot plot;
   lay(plot);

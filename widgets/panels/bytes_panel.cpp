@@ -68,7 +68,7 @@ BytesPanel::BytesPanel(ByteCostModel* model, QWidget* parent)
   halves->addWidget(view_);
   halves->addWidget(makeSlopes());
   halves->setStretchFactor(1, 1);
-  halves->setSizes({150, 250});
+  halves->setSizes({200, 200});  // room for names in a window of 1280
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(halves);

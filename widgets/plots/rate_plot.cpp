@@ -18,7 +18,7 @@
 namespace mocapress {
 namespace {
 
-constexpr int kLeastHeight = 220;
+constexpr int kLeastHeight = 150;        // px; a window of 720 gives a panel 190
 constexpr double kReach = 12;            // px from a point to the mouse that shows its text
 constexpr int kBeside = 9;               // px from the mark to its label
 constexpr int kBelow = 6;                // px

@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
+#include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
 #include <QSplitter>
@@ -157,6 +158,7 @@ QString studyCache() {
 namespace {
 
 constexpr QSize kFirstSize(1180, 820);
+constexpr QSize kFrame(10, 40);  // of a window, and its title
 constexpr int kPanelWidth = 310;
 const QString kGeometry = QStringLiteral("study/geometry");
 
@@ -196,6 +198,8 @@ StudyWindow::StudyWindow(StudySession* session, QWidget* parent)
   row->addWidget(halves);
   resize(kFirstSize);
   restoreGeometry(QSettings().value(kGeometry).toByteArray());
+  // The screen may be smaller than that of the last time.
+  resize(size().boundedTo(screen()->availableSize() - kFrame));
   connectSession();
   connectPanel();
   panel_->setSettings(session_->settings());
