@@ -140,19 +140,24 @@ std::string visibility_note(const ReportLanguage& say, const std::set<std::strin
 }
 
 std::string tiles(const ReportLanguage& say, const Totals& totals, std::size_t waiting) {
+  // None of what is wrong is nothing to be red about.
+  const auto toned = [](std::size_t count, const std::string& meaning, const char* tone) {
+    return tile(std::to_string(count), meaning, count > 0 ? tone : "");
+  };
   std::string all;
   if (totals.visible + totals.borderline + totals.not_visible > 0)
-    all = tile(std::to_string(totals.visible), say("clips with visible errors")) +
-          tile(std::to_string(totals.borderline), say("clips with borderline errors")) +
+    all = toned(totals.visible, say("clips with visible errors"), "wrong") +
+          toned(totals.borderline, say("clips with borderline errors"), "doubtful") +
           tile(std::to_string(totals.not_visible), say("without visible errors"));
   all += tile(std::to_string(totals.done), say("clips done, each read back and measured"));
-  if (totals.failed > 0) all += tile(std::to_string(totals.failed), say("failed"));
+  if (totals.failed > 0) all += toned(totals.failed, say("failed"), "wrong");
   if (const std::size_t reviewed = totals.approved + totals.rejected; reviewed > 0)
     all += tile(
         say("%1 of %2", {std::to_string(reviewed), std::to_string(totals.done + totals.failed)}),
         say("reviewed: %1 approved, %2 rejected",
-            {std::to_string(totals.approved), std::to_string(totals.rejected)}));
-  if (totals.stale > 0) all += tile(std::to_string(totals.stale), say("stale verdicts"));
+            {std::to_string(totals.approved), std::to_string(totals.rejected)}),
+        totals.rejected > 0 ? "wrong" : "");
+  if (totals.stale > 0) all += toned(totals.stale, say("stale verdicts"), "doubtful");
   if (waiting > 0) all += tile(std::to_string(waiting), say("still waiting"));
   if (totals.motion_bytes > 0)
     all += tile(ratio_text(totals.raw_bytes / totals.motion_bytes),

@@ -73,9 +73,11 @@ inline std::string muted(std::string_view content) {
   return element("p", attribute("class", "muted"), content);
 }
 
-/// A figure in large letters, with its meaning.
-inline std::string tile(std::string_view figure, std::string_view meaning) {
-  return element("div", attribute("class", "tile"),
+/// A figure in large letters, with its meaning. Good and neutral figures have the text's colour;
+/// `tone` makes one amber ("doubtful") or red ("wrong").
+inline std::string tile(std::string_view figure, std::string_view meaning,
+                        std::string_view tone = "") {
+  return element("div", attribute("class", tone.empty() ? "tile" : "tile " + std::string(tone)),
                  element("b", "", figure) + element("span", "", meaning));
 }
 

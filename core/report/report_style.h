@@ -46,7 +46,8 @@ section { background: var(--card); border: 1px solid var(--rule); border-radius:
 .tile { background: var(--card); border: 1px solid var(--rule); border-radius: 12px;
   padding: 16px 20px; }
 .tile b { display: block; font-size: 32px; line-height: 1.15; letter-spacing: -0.02em;
-  font-variant-numeric: tabular-nums; color: var(--accent); }
+  font-variant-numeric: tabular-nums; }
+.tile.doubtful b { color: var(--s3); } .tile.wrong b { color: var(--accent); }
 .tile span { color: var(--muted); font-size: 13.5px; }
 .scroll { overflow-x: auto; } table { border-collapse: collapse; font-size: 13.5px; margin: 6px 0; }
 th, td { padding: 5px 8px; text-align: right; border-bottom: 1px solid var(--rule);

@@ -51,6 +51,16 @@ TEST(BatchReport, CountsWhatIsReviewed) {
   EXPECT_THAT(page_of(stale), Not(HasSubstr("1 of 1")));
 }
 
+TEST(BatchReport, AFigureIsRedWhereClipsAreWrong) {
+  BatchRow row = noted_row();
+  EXPECT_THAT(page_of(row), HasSubstr("<div class=\"tile wrong\"><b>1 of 1</b>"));
+  row.review.verdict = Verdict::Approved;
+  EXPECT_THAT(page_of(row), Not(HasSubstr("class=\"tile wrong\"")));
+  row.measured.reset();
+  row.error = "cannot be read";
+  EXPECT_THAT(page_of(row), HasSubstr("<div class=\"tile wrong\"><b>1</b><span>failed"));
+}
+
 TEST(BatchReport, NotesAreOneFieldOfItsTable) {
   EXPECT_THAT(csv_head(), HasSubstr(",notes,"));
   EXPECT_THAT(to_csv_line(noted_row()),
