@@ -109,6 +109,20 @@ struct Compress {
           output + ": compress writes .mcpr files alone; decompress writes motion files");
   }
 
+  /// Its name has an extension for the reader alone: errors do not say it.
+  MotionFile read_stream() const {
+    const std::string named = "standard input." + input_format;
+    try {
+      return read_motion_bytes(named, read_standard_input(), utf8_path_if(source.skeleton),
+                               source.options);
+    } catch (const InputError& error) {
+      const std::string text = error.what();
+      if (!text.starts_with(named)) throw;
+      throw InputError("standard input", error.line(), error.column(),
+                       text.substr(text.find(": ", named.size()) + 2));
+    }
+  }
+
   MotionFile read_source() const {
     const bool writes_file = !output.empty() && !writes_stream();
     std::vector<std::filesystem::path> sources;
@@ -117,8 +131,7 @@ struct Compress {
     if (writes_file) require_place(utf8_path(output), sources);
     if (writes_file && additive) refuse_source(utf8_path(output), source.files(*additive));
     if (!reads_stream()) return source.read_file(input);
-    MotionFile file = read_motion_bytes("standard input." + input_format, read_standard_input(),
-                                        utf8_path_if(source.skeleton), source.options);
+    MotionFile file = read_stream();
     for (Warning& warning : file.warnings) warning.file = "standard input";
     print_warnings(file.warnings);
     return file;

@@ -172,6 +172,9 @@ TEST_F(CliWriting, ADashIsAStreamOrRefusedAndNeverAFile) {
   ASSERT_EQ(mocapress({"decompress", file("walk.mcpr"), "-o", file("back.bvh")}).exit_code, 0);
   const Outcome back = mocapress({"decompress", file("walk.mcpr"), "-o", "-", "--format", "bvh"});
   EXPECT_EQ(back.out, read_text(file("back.bvh")));
+  const Outcome damaged = piped("echo MOTION | \"$1\" compress - --format bvh -o -");
+  EXPECT_EQ(damaged.exit_code, 3);
+  EXPECT_THAT(damaged.err, testing::StartsWith("mocapress: standard input:1:")) << "no .bvh";
   for (const char* words :
        {"compress - < walk.bvh", "compress walk.bvh -o - --json", "compress walk.bvh --format bvh",
         "decompress walk.mcpr -o -", "decompress - -o a.bvh", "info -", "measure walk.bvh -",
