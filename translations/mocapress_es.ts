@@ -8358,8 +8358,8 @@ Haga clic para cargarlo en Studio.</translation>
         <translation> bytes</translation>
     </message>
     <message>
-        <source> cm</source>
-        <translation> cm</translation>
+        <source> mm</source>
+        <translation> mm</translation>
     </message>
     <message>
         <source> : 1</source>
@@ -8394,8 +8394,8 @@ Haga clic para cargarlo en Studio.</translation>
         <translation>Máximo absoluto</translation>
     </message>
     <message>
-        <source>Drag to change the target. A draft appears at once and is refined when you pause.</source>
-        <translation>Arrastre para cambiar el objetivo. Un borrador aparece enseguida y se refina cuando se detiene.</translation>
+        <source>Drag to change the target. A draft appears at once and is refined when you pause. What the preset promises of head, hands and fingers is kept beside an error.</source>
+        <translation>Arrastre para cambiar el objetivo. Un borrador aparece enseguida y se refina cuando se detiene. Lo que el preajuste promete de cabeza, manos y dedos se mantiene junto a un error.</translation>
     </message>
     <message>
         <source>Problem with the target</source>

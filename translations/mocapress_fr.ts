@@ -8358,8 +8358,8 @@ Cliquer pour le charger dans le studio.</translation>
         <translation> octets</translation>
     </message>
     <message>
-        <source> cm</source>
-        <translation> cm</translation>
+        <source> mm</source>
+        <translation> mm</translation>
     </message>
     <message>
         <source> : 1</source>
@@ -8394,8 +8394,8 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Maximum absolu</translation>
     </message>
     <message>
-        <source>Drag to change the target. A draft appears at once and is refined when you pause.</source>
-        <translation>Glissez : une ébauche suit aussitôt, affinée dès que vous marquez une pause.</translation>
+        <source>Drag to change the target. A draft appears at once and is refined when you pause. What the preset promises of head, hands and fingers is kept beside an error.</source>
+        <translation>Glissez : une ébauche suit aussitôt, affinée dès que vous marquez une pause. Ce que le préréglage promet pour la tête, les mains et les doigts est tenu en plus d’une erreur.</translation>
     </message>
     <message>
         <source>Problem with the target</source>

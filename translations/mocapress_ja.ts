@@ -8310,8 +8310,8 @@ Click to load it into the studio.</source>
         <translation> バイト</translation>
     </message>
     <message>
-        <source> cm</source>
-        <translation> cm</translation>
+        <source> mm</source>
+        <translation> mm</translation>
     </message>
     <message>
         <source> : 1</source>
@@ -8346,8 +8346,8 @@ Click to load it into the studio.</source>
         <translation>絶対的な上限</translation>
     </message>
     <message>
-        <source>Drag to change the target. A draft appears at once and is refined when you pause.</source>
-        <translation>ドラッグすると下書きがすぐに追い、手を止めると仕上げます。</translation>
+        <source>Drag to change the target. A draft appears at once and is refined when you pause. What the preset promises of head, hands and fingers is kept beside an error.</source>
+        <translation>ドラッグすると下書きがすぐに追い、手を止めると仕上げます。誤差を目標にする間は、プリセットが頭・手・指について約束する値も守られます。</translation>
     </message>
     <message>
         <source>Problem with the target</source>

@@ -149,7 +149,7 @@ TEST_F(StudioWithoutAScreen, ShortcutsWinInANumberFieldAndTypedTextInATextField)
     QTest::keyClicks(number, QStringLiteral("31"));
     QTest::keyClick(number, Qt::Key_Return);
   });
-  EXPECT_EQ(document_.options().target.value, 31);
+  EXPECT_EQ(document_.options().target.value, 3.1) << "31 mm";
   settleAfter([&] { QTest::keyClick(number, Qt::Key_Z, Qt::ControlModifier); });
   EXPECT_EQ(document_.options().target.value, before);
   QSignalSpy batch(window_.actions().batch, &QAction::triggered);

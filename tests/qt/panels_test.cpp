@@ -75,10 +75,22 @@ TEST(TargetControl, TakesWhatIsTypedHoweverLargeOrSmall) {
     choose(control, kind);
     for (const QString& text : texts) {
       type(control.number(), text);
-      EXPECT_DOUBLE_EQ(control.target().value, text.toDouble()) << qPrintable(text);
+      const double unit =
+          kind == Target::Kind::Ratio || kind == Target::Kind::Size ? 1 : 0.1;  // cm
+      EXPECT_DOUBLE_EQ(control.target().value, unit * text.toDouble()) << qPrintable(text);
       EXPECT_TRUE(control.number()->text().startsWith(text))
           << qPrintable(control.number()->text());
     }
+  }
+}
+
+TEST(TargetControl, ErrorsAreInMillimetresAndTheSameNumbersAsOnTheCommandLine) {
+  TargetControl control;
+  control.setTarget({Target::Kind::Error, 0.25});
+  EXPECT_EQ(control.number()->text(), QStringLiteral("2.5 mm"));
+  for (const auto& [text, cm] : {std::pair("6.6", 0.66), {"0.7", 0.07}, {"12.3", 1.23}}) {
+    type(control.number(), QString::fromLatin1(text));
+    EXPECT_EQ(control.target().value, cm) << text;
   }
 }
 

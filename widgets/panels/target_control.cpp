@@ -23,16 +23,28 @@ struct Unit {
   int shown_decimals;
   int most_decimals;
   QString suffix;
+  double shown_as_one = 1;  // the target's value that is shown as 1
+
+  double shown(double value) const { return value / shown_as_one; }
+
+  /// The inverse, without the rounding of the multiplication: 6.6 mm are 0.66 cm, as on the command
+  /// line.
+  double value(double shown) const {
+    constexpr double kFinest = 1e9;
+    return shown_as_one == 1 ? shown : std::round(shown * shown_as_one * kFinest) / kFinest;
+  }
 };
+
+constexpr double kMillimetre = 0.1;  // cm
 
 Unit unitOf(Target::Kind kind) {
   switch (kind) {
     case Target::Kind::Size:
       return {{100, 1e7}, 10e3, 0, 0, TargetControl::tr(" bytes")};
     case Target::Kind::Error:
-      return {{0.01, 10}, 0.5, 1, 6, TargetControl::tr(" cm")};
+      return {{0.01, 10}, 0.5, 1, 6, TargetControl::tr(" mm"), kMillimetre};
     case Target::Kind::MaxError:
-      return {{0.05, 20}, 2, 1, 6, TargetControl::tr(" cm")};
+      return {{0.05, 20}, 2, 1, 6, TargetControl::tr(" mm"), kMillimetre};
     case Target::Kind::Visibility:
       return {{0.2, 20}, 1, 1, 6, TargetControl::tr(" times")};
     case Target::Kind::Ratio:
@@ -72,8 +84,9 @@ TargetControl::TargetControl(QWidget* parent)
   slider_->setAccessibleName(tr("Target on a slider"));
   slider_->setRange(0, LogScale().steps);
   slider_->setPageStep(50);
-  slider_->setToolTip(
-      tr("Drag to change the target. A draft appears at once and is refined when you pause."));
+  slider_->setToolTip(tr(
+      "Drag to change the target. A draft appears at once and is refined when you pause. What the "
+      "preset promises of head, hands and fingers is kept beside an error."));
   value_->setAccessibleName(tr("Target value"));
   value_->setToolTip(tr("Target as a number; type it or use the arrows."));
   trouble_->setWordWrap(true);
@@ -100,7 +113,7 @@ TargetControl::TargetControl(QWidget* parent)
   });
   connect(value_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     if (value <= 0) return setTrouble(tr("The target must be above zero."));
-    choose({target_.kind, value});
+    choose({target_.kind, unitOf(target_.kind).value(value)});
   });
   show();
 }
@@ -143,7 +156,7 @@ void TargetControl::show() {
   slider_->setValue(unit.scale.position(target_.value, slider_->value()));
   value_->setDecimalsShown(unit.shown_decimals, unit.most_decimals);
   value_->setSuffix(unit.suffix);
-  value_->setValue(target_.value);
+  value_->setValue(unit.shown(target_.value));
 }
 
 }  // namespace mocapress
