@@ -297,7 +297,7 @@
     </message>
     <message>
         <source>Ex&amp;port Sign-off…</source>
-        <translation>Exportar visto bueno…</translation>
+        <translation>Exportar &amp;hoja de visto bueno…</translation>
     </message>
     <message>
         <source>Write verdicts, worst frames and notes of the library as HTML, PDF or CSV</source>
@@ -377,7 +377,7 @@
     </message>
     <message>
         <source>Pict&amp;ures and Films</source>
-        <translation>Imágenes y películas</translation>
+        <translation>Imágenes y &amp;filmes</translation>
     </message>
     <message>
         <source>Timeline</source>
@@ -414,6 +414,14 @@
     <message>
         <source>Show what got larger, worse or newly visible since an earlier batch or project</source>
         <translation>Mostrar lo que es mayor, peor o ahora visible desde un lote o proyecto anterior</translation>
+    </message>
+    <message>
+        <source>Note on the Ran&amp;ge…</source>
+        <translation>Nota en el inter&amp;valo…</translation>
+    </message>
+    <message>
+        <source>Write a note on the chosen range and the joint that is chosen</source>
+        <translation>Escribe una nota sobre el intervalo y la articulación elegidos</translation>
     </message>
 </context>
 <context>
@@ -2121,6 +2129,10 @@
         <source>Stale: the clip&apos;s file or settings have changed since.</source>
         <translation>Caducada: el archivo del clip o los ajustes han cambiado desde entonces.</translation>
     </message>
+    <message>
+        <source>Frames %L1–%L2</source>
+        <translation>Fotogramas %L1–%L2</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::HeatMap</name>
@@ -3218,10 +3230,6 @@
         <translation>Filtrar</translation>
     </message>
     <message>
-        <source>Words in a clip&apos;s name, folder or state, such as “walks missed”, and bounds on columns, such as “error&gt;0.5 ratio&lt;20”: lengths in cm.</source>
-        <translation>Palabras del nombre, la carpeta o el estado de un clip, como «marchas fallado», y límites de columnas, como «error&gt;0,5 tasa&lt;20»: longitudes en cm.</translation>
-    </message>
-    <message>
         <source>&amp;Clips…</source>
         <translation>&amp;Clips…</translation>
     </message>
@@ -3296,6 +3304,10 @@
     <message>
         <source>Notes on Reading</source>
         <translation>Notas de lectura</translation>
+    </message>
+    <message>
+        <source>Words in a clip&apos;s name, folder or state, such as “walks missed”, and bounds on columns, such as “error&gt;=5mm ratio&lt;20”: lengths without a unit are in cm.</source>
+        <translation>Palabras del nombre, la carpeta o el estado de un clip, como «marchas fallado», y límites de columnas, como «error&gt;=5mm tasa&lt;20»: las longitudes sin unidad son cm.</translation>
     </message>
 </context>
 <context>
@@ -3654,6 +3666,21 @@
     <message>
         <source>Bytes</source>
         <translation>Bytes</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::PartNames</name>
+    <message>
+        <source>Clear</source>
+        <translation>Borrar</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Paneles</translation>
+    </message>
+    <message>
+        <source>More tools</source>
+        <translation>Más herramientas</translation>
     </message>
 </context>
 <context>

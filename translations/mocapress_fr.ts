@@ -217,7 +217,7 @@
     </message>
     <message>
         <source>Export Review Pa&amp;ge…</source>
-        <translation>Exporter la page de re&amp;vue…</translation>
+        <translation>Exporter la page &amp;web de revue…</translation>
     </message>
     <message>
         <source>Write a web page that shows original and compressed clip</source>
@@ -297,7 +297,7 @@
     </message>
     <message>
         <source>Ex&amp;port Sign-off…</source>
-        <translation>Exporter la validation…</translation>
+        <translation>Exporter la &amp;validation…</translation>
     </message>
     <message>
         <source>Write verdicts, worst frames and notes of the library as HTML, PDF or CSV</source>
@@ -414,6 +414,14 @@
     <message>
         <source>Show what got larger, worse or newly visible since an earlier batch or project</source>
         <translation>Montrer ce qui est plus gros, pire ou visible depuis un lot ou projet antérieur</translation>
+    </message>
+    <message>
+        <source>Note on the Ran&amp;ge…</source>
+        <translation>Note sur la &amp;plage…</translation>
+    </message>
+    <message>
+        <source>Write a note on the chosen range and the joint that is chosen</source>
+        <translation>Écrit une note sur la plage et l&apos;articulation choisies</translation>
     </message>
 </context>
 <context>
@@ -2121,6 +2129,10 @@
         <source>Stale: the clip&apos;s file or settings have changed since.</source>
         <translation>Périmée : le fichier du clip ou ses réglages ont changé depuis.</translation>
     </message>
+    <message>
+        <source>Frames %L1–%L2</source>
+        <translation>Images %L1–%L2</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::HeatMap</name>
@@ -3218,10 +3230,6 @@
         <translation>Filtrer</translation>
     </message>
     <message>
-        <source>Words in a clip&apos;s name, folder or state, such as “walks missed”, and bounds on columns, such as “error&gt;0.5 ratio&lt;20”: lengths in cm.</source>
-        <translation>Mots du nom, du dossier ou de l&apos;état d&apos;un clip, comme « marches manquée », et bornes de colonnes, comme « erreur&gt;0,5 taux&lt;20 » : longueurs en cm.</translation>
-    </message>
-    <message>
         <source>&amp;Clips…</source>
         <translation>&amp;Clips…</translation>
     </message>
@@ -3296,6 +3304,10 @@
     <message>
         <source>Notes on Reading</source>
         <translation>Notes sur la lecture</translation>
+    </message>
+    <message>
+        <source>Words in a clip&apos;s name, folder or state, such as “walks missed”, and bounds on columns, such as “error&gt;=5mm ratio&lt;20”: lengths without a unit are in cm.</source>
+        <translation>Mots du nom, du dossier ou de l&apos;état d&apos;un clip, comme « marches manquée », et bornes de colonnes, comme « erreur&gt;=5mm taux&lt;20 » : les longueurs sans unité sont en cm.</translation>
     </message>
 </context>
 <context>
@@ -3654,6 +3666,21 @@
     <message>
         <source>Bytes</source>
         <translation>Octets</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::PartNames</name>
+    <message>
+        <source>Clear</source>
+        <translation>Effacer</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Panneaux</translation>
+    </message>
+    <message>
+        <source>More tools</source>
+        <translation>Plus d'outils</translation>
     </message>
 </context>
 <context>

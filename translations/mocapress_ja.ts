@@ -415,6 +415,14 @@
         <source>Show what got larger, worse or newly visible since an earlier batch or project</source>
         <translation>以前の一括処理やプロジェクトから増大・悪化したもの、新たに見えるものを表示します</translation>
     </message>
+    <message>
+        <source>Note on the Ran&amp;ge…</source>
+        <translation>範囲にメモ(&amp;G)…</translation>
+    </message>
+    <message>
+        <source>Write a note on the chosen range and the joint that is chosen</source>
+        <translation>選択中の範囲と関節にメモを書きます</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::AnnealingPanel</name>
@@ -2109,6 +2117,10 @@
         <source>Stale: the clip&apos;s file or settings have changed since.</source>
         <translation>古いメモ：その後クリップのファイルか設定が変わりました。</translation>
     </message>
+    <message>
+        <source>Frames %L1–%L2</source>
+        <translation>フレーム %L1–%L2</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::HeatMap</name>
@@ -2741,7 +2753,7 @@
     </message>
     <message>
         <source>Ratio</source>
-        <translation>圧縮比</translation>
+        <translation>圧縮率</translation>
     </message>
     <message>
         <source>Bytes</source>
@@ -3193,10 +3205,6 @@
         <translation>絞り込み</translation>
     </message>
     <message>
-        <source>Words in a clip&apos;s name, folder or state, such as “walks missed”, and bounds on columns, such as “error&gt;0.5 ratio&lt;20”: lengths in cm.</source>
-        <translation>クリップの名前、フォルダー、状態に含まれる語（例：「walks 未達」）と、列の範囲（例：「誤差&gt;0.5 圧縮比&lt;20」）。長さは cm。</translation>
-    </message>
-    <message>
         <source>&amp;Clips…</source>
         <translation>クリップ(&amp;C)…</translation>
     </message>
@@ -3272,12 +3280,16 @@
         <source>Notes on Reading</source>
         <translation>読み込みに関するメモ</translation>
     </message>
+    <message>
+        <source>Words in a clip&apos;s name, folder or state, such as “walks missed”, and bounds on columns, such as “error&gt;=5mm ratio&lt;20”: lengths without a unit are in cm.</source>
+        <translation>クリップの名前、フォルダー、状態に含まれる語（例：「walks 未達」）と、列の範囲（例：「誤差&gt;=5mm 圧縮率&lt;20」）。単位のない長さは cm です。</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::LibraryPlot</name>
     <message>
         <source>Clips of the library, error over ratio</source>
-        <translation>ライブラリのクリップ、圧縮比と誤差</translation>
+        <translation>ライブラリのクリップ、圧縮率と誤差</translation>
     </message>
     <message>
         <source>The columns of the library show all measurements.</source>
@@ -3285,7 +3297,7 @@
     </message>
     <message>
         <source>Compression ratio (smaller files →)</source>
-        <translation>圧縮比（ファイルが小さい →）</translation>
+        <translation>圧縮率（ファイルが小さい →）</translation>
     </message>
     <message>
         <source>eps_x (cm)</source>
@@ -3627,6 +3639,21 @@
     <message>
         <source>Bytes</source>
         <translation>バイト</translation>
+    </message>
+</context>
+<context>
+    <name>mocapress::PartNames</name>
+    <message>
+        <source>Clear</source>
+        <translation>消去</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>パネル</translation>
+    </message>
+    <message>
+        <source>More tools</source>
+        <translation>ほかのツール</translation>
     </message>
 </context>
 <context>

@@ -311,7 +311,7 @@ void write_notes(std::ostream& out, const ReportLanguage& say, const BatchRows& 
   rows([&](const BatchRow& row) {
     for (const FrameNote& note : row.review.notes)
       out << line(row_head(row.output) +
-                  cell(moment(row, note.frame, note.joint, frame_text(note.frame))) +
+                  cell(moment(row, note.frame, note.joint, frames_text(note))) +
                   text_cell(note.joint, "name") + text_cell(note.text, "wrap") +
                   text_cell(note.reviewer, "name") + text_cell(note.time, "name") +
                   text_cell(say(stale_reason(row, note).value_or("")), "wrap"))

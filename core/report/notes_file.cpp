@@ -46,7 +46,8 @@ std::filesystem::path notes_file_of(const std::filesystem::path& clip) {
 void add_notes(std::vector<FrameNote>& notes, const std::vector<FrameNote>& others) {
   for (const FrameNote& other : others) {
     const auto is_same = [&](const FrameNote& note) {
-      return note.frame == other.frame && note.joint == other.joint && note.text == other.text &&
+      return note.frame == other.frame && note.last_frame == other.last_frame &&
+             note.joint == other.joint && note.text == other.text &&
              note.reviewer == other.reviewer;
     };
     if (std::ranges::none_of(notes, is_same)) notes.push_back(other);

@@ -36,8 +36,9 @@ constexpr Verdict verdict_named(std::string_view word) {
 /// A reviewer's note on a moment of a clip, and the hashes of what was looked at, as ClipReview has
 /// them.
 struct FrameNote {
-  int frame = 0;           // the first is 0
-  std::string joint = {};  // by name; empty: the whole figure
+  int frame = 0;                       // the first is 0
+  std::optional<int> last_frame = {};  // of a range that starts at `frame`; unset: one frame
+  std::string joint = {};              // by name; empty: the whole figure
   std::string text = {};
   std::string reviewer = {};
   std::string time = {};                               // ISO 8601, UTC

@@ -74,10 +74,11 @@ std::string limits_text(const SignOff& report) {
   return all;
 }
 
-std::string moment_text(const SignOffClip& clip, int frame) {
-  const std::string text = frame_text(frame);
-  return clip.sample_rate_hz > 0 ? text + ", " + fixed_text(frame / clip.sample_rate_hz, 2) + " s"
-                                 : text;
+/// The number of a frame, or the numbers of a range that starts there, and its time.
+std::string moment_text(const SignOffClip& clip, int frame, const std::string& numbers) {
+  return clip.sample_rate_hz > 0
+             ? numbers + ", " + fixed_text(frame / clip.sample_rate_hz, 2) + " s"
+             : numbers;
 }
 
 std::string summary(const SignOff& report) {
@@ -103,13 +104,13 @@ std::string worst_table(const SignOff& report) {
   std::string lines;
   for (const SignOffClip* clip : std::span(worst).first(std::min(worst.size(), kWorst))) {
     const SignOffFigures& figures = *clip->figures;
-    lines += line(row_head(clip->name) +
-                  cell(linked(moment_text(*clip, *figures.worst_frame),
-                              link_to(*clip, figures.worst_frame, figures.worst_point))) +
-                  cell(format_significant(figures.max_cm)) +
-                  cell(or_nothing(figures.worst_point), "name") +
-                  cell(or_nothing(sight_text(say, figures)), "name") +
-                  cell(reason_text(say, figures.stale), "wrap"));
+    lines += line(
+        row_head(clip->name) +
+        cell(linked(moment_text(*clip, *figures.worst_frame, frame_text(*figures.worst_frame)),
+                    link_to(*clip, figures.worst_frame, figures.worst_point))) +
+        cell(format_significant(figures.max_cm)) + cell(or_nothing(figures.worst_point), "name") +
+        cell(or_nothing(sight_text(say, figures)), "name") +
+        cell(reason_text(say, figures.stale), "wrap"));
   }
   return element(
       "section", "",
@@ -127,7 +128,8 @@ std::string notes_table(const SignOff& report) {
     for (const FrameNote& note : clip.review.notes)
       lines += line(
           row_head(clip.name) +
-          cell(linked(moment_text(clip, note.frame), link_to(clip, note.frame, note.joint))) +
+          cell(linked(moment_text(clip, note.frame, frames_text(note)),
+                      link_to(clip, note.frame, note.joint))) +
           cell(or_nothing(note.joint), "name") + cell(escaped(note.text), "wrap") +
           cell(or_nothing(note.reviewer), "name") + cell(or_nothing(note.time), "name") +
           cell(reason_text(say, stale_reason(note, clip.source_hash, clip.settings_hash)), "wrap"));

@@ -15,6 +15,10 @@ std::string text_at(const Json& json, const char* key) {
   return found == json.end() || found->is_null() ? "" : found->get<std::string>();
 }
 
+int frame_in(const Json& json) {
+  return static_cast<int>(std::clamp(json.get<double>(), -1.0, 1e9));
+}
+
 std::optional<std::string> change(bool is_other_file, bool has_other_settings) {
   if (is_other_file && has_other_settings) return "the clip's file and the settings changed";
   if (is_other_file) return "the clip's file changed";
@@ -28,6 +32,7 @@ Json to_json(const std::vector<FrameNote>& notes) {
   Json json = Json::array();
   for (const FrameNote& note : notes)
     json.push_back({{"frame", note.frame},
+                    {"last_frame", or_null(note.last_frame)},
                     {"joint", text_or_null(note.joint)},
                     {"text", note.text},
                     {"reviewer", text_or_null(note.reviewer)},
@@ -41,23 +46,29 @@ Json to_json(const std::vector<FrameNote>& notes) {
 std::vector<FrameNote> frame_notes_from(const Json& json) {
   std::vector<FrameNote> notes;
   for (const Json& one : json) {
-    const double frame = std::clamp(one.at("frame").get<double>(), -1.0, 1e9);
-    notes.push_back({.frame = static_cast<int>(frame),
+    notes.push_back({.frame = frame_in(one.at("frame")),
                      .joint = text_at(one, "joint"),
                      .text = text_at(one, "text"),
                      .reviewer = text_at(one, "reviewer"),
                      .time = text_at(one, "time"),
                      .source_hash = text_at(one, "source_hash"),
                      .settings_hash = text_at(one, "settings_hash")});
+    const Json last = one.value("last_frame", Json());
+    if (!last.is_null() && frame_in(last) > notes.back().frame)
+      notes.back().last_frame = frame_in(last);
     if (one.contains("place_cm"))
       notes.back().place_cm = optional_at<std::array<double, 3>>(one, "place_cm");
   }
   return notes;
 }
 
+std::string frames_text(const FrameNote& note) {
+  return frame_text(note.frame) + (note.last_frame ? "-" + frame_text(*note.last_frame) : "");
+}
+
 std::string note_text(const FrameNote& note, const std::optional<std::string>& stale_reason,
                       const ReportLanguage& say) {
-  std::string text = say("frame %1", {frame_text(note.frame)});
+  std::string text = say("frame %1", {frames_text(note)});
   if (!note.joint.empty()) text += ", " + note.joint;
   text += ": " + note.text;
   std::string said = note.reviewer;

@@ -22,10 +22,13 @@ void put(Json& json, const ClipReview& review);
 /// value of another type.
 ClipReview review_from(const Json& json);
 
-/// The notes on frames as JSON, and back: objects of "frame", "joint", "text", "reviewer", "time",
-/// "place_cm" (three numbers), "source_hash" and "settings_hash".
+/// The notes on frames as JSON, and back: objects of "frame", "last_frame", "joint", "text",
+/// "reviewer", "time", "place_cm" (three numbers), "source_hash" and "settings_hash".
 Json to_json(const std::vector<FrameNote>& notes);
 std::vector<FrameNote> frame_notes_from(const Json& json);
+
+/// The frame of a note as people read it, or its range: "12", "12-40".
+std::string frames_text(const FrameNote& note);
 
 /// "frame 12, lfoot: slides (ana, 2026-11-27; stale: the settings changed)".
 std::string note_text(const FrameNote& note, const std::optional<std::string>& stale_reason = {},

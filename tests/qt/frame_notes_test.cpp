@@ -115,6 +115,38 @@ TEST_F(NotesOnAClip, TheNextOneFollowsTheFrameThatIsShown) {
   }
 }
 
+TEST_F(NotesOnAClip, ANoteOnTheRangeKeepsItAndBringsItBack) {
+  notes_.addOnRange();
+  EXPECT_EQ(window_.findChild<QInputDialog*>(), nullptr) << "no range is chosen";
+  playback_.setRange(std::pair(20, 50));
+  notes_.addOnRange();
+  auto* dialog = window_.findChild<QInputDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  EXPECT_EQ(dialog->labelText(), QStringLiteral("Frames 21–51"));
+  dialog->setTextValue(QStringLiteral("slides"));
+  dialog->accept();
+  const FrameNote note = library_.frameNotes(0).front();
+  EXPECT_EQ(note.frame, 20);
+  EXPECT_EQ(note.last_frame, 50);
+
+  const QImage picture = strip_.grab().toImage();
+  const TimeAxis axis{2.0 * kStripMargin, 400.0 - kStripMargin, 120};
+  const auto is_marked = [&](int frame) {
+    const int x = static_cast<int>(axis.xOf(frame + 0.5));
+    return difference(picture.pixel(x, picture.height() - 2), kFrameNoteColour) < 12;
+  };
+  EXPECT_TRUE(is_marked(22));
+  EXPECT_TRUE(is_marked(50));
+  EXPECT_FALSE(is_marked(18));
+  EXPECT_FALSE(is_marked(53));
+
+  playback_.setRange(std::nullopt);
+  playback_.seek(0);
+  notes_.showNext();
+  EXPECT_EQ(playback_.range(), std::optional(std::pair(20, 50)));
+  EXPECT_EQ(playback_.frame(), 20);
+}
+
 TEST_F(NotesOnAClip, AMarkOnTheFirstAndLastFrameIsWhole) {
   strip_.setFrames(60);
   strip_.setNotes({{0, {}, {}}, {59, {}, {}}});

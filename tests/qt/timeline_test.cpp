@@ -27,6 +27,7 @@
 #include "widgets/plots/heat_map.h"
 #include "widgets/timeline/contact_strip.h"
 #include "widgets/timeline/error_strip.h"
+#include "widgets/timeline/note_strip.h"
 #include "widgets/timeline/pose_strip.h"
 #include "widgets/timeline/sight_strip.h"
 #include "widgets/timeline/time_ruler.h"
@@ -380,6 +381,22 @@ TEST_F(TimelineStrips, ARightClickOnAStripOffersWhatTheRulerDoesForARange) {
   ASSERT_NE(menu, nullptr);
   EXPECT_TRUE(menu->actions().contains(&care));
   EXPECT_TRUE(menu->actions().contains(timeline_.foldActions().front()));
+}
+
+TEST_F(TimelineStrips, TheMenusOfAContactAndOfANoteHaveTheCommandsOfTheRange) {
+  QAction care(QStringLiteral("More Care"));
+  timeline_.addRangeActions({&care});
+  timeline_.notes()->setNotes({{kFrames / 2, QStringLiteral("pops"), {}}});
+  timeline_.grab();  // lays strips out
+  for (QWidget* strip : std::initializer_list<QWidget*>{timeline_.contacts(), timeline_.notes()}) {
+    const QPoint middle((left_ + strip->width() - kStripMargin) / 2, 8);
+    QContextMenuEvent click(QContextMenuEvent::Mouse, middle, strip->mapToGlobal(middle));
+    QApplication::sendEvent(strip, &click);
+    const auto* menu = strip->findChild<QMenu*>();
+    ASSERT_NE(menu, nullptr) << strip->metaObject()->className();
+    EXPECT_NE(menu->actions().front(), &care);
+    EXPECT_TRUE(menu->actions().contains(&care));
+  }
 }
 
 TEST(HeatImage, HasARowALandmarkAndKeepsTheWorstOfFramesThatShareAColumn) {

@@ -216,6 +216,8 @@ void ContactStrip::contextMenuEvent(QContextMenuEvent* event) {
       emit contactsEdited(
           withContactAt(contacts_, landmark, axis().frameAt(x), usual_length_, frames_));
     });
+  menu->addSeparator();
+  menu->addActions(actions());
   menu->popup(event->globalPos());
 }
 

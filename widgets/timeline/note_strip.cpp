@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kNoteMark = 9;   // pixels
 constexpr double kOutline = 1.5;  // pixels
+constexpr double kRangeLine = 2;  // pixels
 constexpr double kGap = 3;        // pixels between a mark and its text
 constexpr double kReach = 7;      // pixels from a mark's middle
 
@@ -77,6 +78,11 @@ void NoteStrip::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   for (std::size_t i = 0; i < notes_.size(); ++i) {
     const double x = time.xOf(notes_[i].frame + 0.5);
+    if (const std::optional<int> last = notes_[i].last_frame) {
+      const double y = area.bottom() - kRangeLine / 2;
+      painter.setPen(QPen(QColor(kFrameNoteColour), kRangeLine));
+      painter.drawLine(QPointF(time.xOf(notes_[i].frame), y), QPointF(time.xOf(*last + 1), y));
+    }
     if (x < area.left() || x > area.right()) continue;
     const double end =
         i + 1 < notes_.size() ? time.xOf(notes_[i + 1].frame + 0.5) - kNoteMark / 2 : area.right();
@@ -138,6 +144,8 @@ void NoteStrip::contextMenuEvent(QContextMenuEvent* event) {
   menu->setAttribute(Qt::WA_DeleteOnClose);
   menu->addAction(tr("Edit Note…"), this, [=, this] { emit editRequested(note); });
   menu->addAction(tr("Remove Note"), this, [=, this] { emit removeRequested(note); });
+  menu->addSeparator();
+  menu->addActions(actions());
   menu->popup(event->globalPos());
 }
 

@@ -2,23 +2,25 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 #include <vector>
 
 #include "widgets/timeline/time_axis.h"
 
 namespace mocapress {
 
-/// A note on a frame, as the strip shows it.
+/// A note on a frame or a range, as the strip shows it.
 struct TimeNote {
   int frame = 0;
   QString text;        // beside the mark
   QString details;     // the tooltip
   bool stale = false;  // what it is about has changed
+  std::optional<int> last_frame = {};
 };
 
-/// Notes on frames over time: a mark each, hollow if stale, and as much of its text as there is
-/// room for. A click on a mark chooses the note, the right button edits or removes it. Hidden
-/// without notes.
+/// Notes on frames over time: a mark each, hollow if stale, with a line to the end of its range,
+/// and as much of its text as there is room for. A click on a mark chooses the note, the right
+/// button edits or removes it. Hidden without notes.
 class NoteStrip : public QWidget {
   Q_OBJECT
 

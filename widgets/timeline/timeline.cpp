@@ -101,6 +101,11 @@ void Timeline::contextMenuEvent(QContextMenuEvent* event) {
   menu->popup(event->globalPos());
 }
 
+void Timeline::addRangeActions(const QList<QAction*>& actions) {
+  for (QWidget* strip : std::initializer_list<QWidget*>{ruler_, notes_, contacts_})
+    strip->addActions(actions);
+}
+
 int Timeline::labelWidth() const {
   return std::max({ruler_->labelWidth(), errors_->labelWidth(), sight_->labelWidth(),
                    bytes_->labelWidth(), notes_->labelWidth(), contacts_->labelWidth(),

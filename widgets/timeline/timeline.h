@@ -31,6 +31,10 @@ class Timeline : public QWidget {
   explicit Timeline(QWidget* parent = nullptr);
 
   TimeRuler* ruler() const { return ruler_; }
+
+  /// Adds commands on the chosen range to the menus of all strips, after what a strip itself
+  /// offers.
+  void addRangeActions(const QList<QAction*>& actions);
   ErrorStrip* errors() const { return errors_; }
   SightStrip* sight() const { return sight_; }
   ByteStrip* bytes() const { return bytes_; }

@@ -536,7 +536,8 @@ void Viewport::showNotes() {
   const Placement& placement = on_compressed ? arrangement_.compressed : arrangement_.original;
   const double half = kNoteSeconds / 2 * sample_rate_hz_;
   for (const PlacedNote& note : notes_) {
-    if (!tracks || !shape_ || std::abs(note.frame - frame_) > half) continue;
+    const bool is_now = frame_ >= note.frame - half && frame_ <= note.last_frame + half;
+    if (!tracks || !shape_ || !is_now) continue;
     if (!note.place_cm && (note.joint < 0 || note.joint >= shape_->jointCount())) continue;
     const QVector3D place = note.place_cm.value_or(
         note.joint < 0 ? QVector3D() : landmarkAt(*tracks, frameOf(*tracks), note.joint));

@@ -31,9 +31,10 @@ class Ring;
 class Scene;
 class SkinFigure;
 
-/// A note on a frame, in the picture.
+/// A note on a frame or a range, in the picture.
 struct PlacedNote {
   int frame = 0;
+  int last_frame = 0;
   int joint = -1;                     // it is drawn there, unless it has a place
   std::optional<QVector3D> place_cm;  // in the clip's world
   QString text;

@@ -120,7 +120,7 @@ void Inspector::connectViews() {
   connect(timeline, &Timeline::seekRequested, playback_, &Playback::seek);
   connect(timeline->contacts(), &ContactStrip::contactsEdited, session_, &Session::setContacts);
   connect(timeline->sight(), &SightStrip::chosen, this, &Inspector::chooseCell);
-  timeline->ruler()->addActions(range_actions_->actions());
+  timeline->addRangeActions(range_actions_->actions());
   connect(timeline->ruler(), &TimeRuler::rangeChosen, playback_, &Playback::setRange);
   connect(playback_, &Playback::rangeChanged, timeline->ruler(),
           [=, this] { timeline->ruler()->setRange(playback_->range()); });

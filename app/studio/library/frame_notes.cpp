@@ -20,7 +20,10 @@ namespace {
 constexpr int kNoteWidth = 420;  // a sentence
 
 QString placeOf(const FrameNote& note) {
-  const QString frame = FrameNotes::tr("Frame %L1").arg(note.frame + 1);
+  const QString frame =
+      note.last_frame
+          ? FrameNotes::tr("Frames %L1–%L2").arg(note.frame + 1).arg(*note.last_frame + 1)
+          : FrameNotes::tr("Frame %L1").arg(note.frame + 1);
   return note.joint.empty()
              ? frame
              : FrameNotes::tr("%1, %2").arg(frame, QString::fromStdString(note.joint));
@@ -72,9 +75,13 @@ void FrameNotes::show() {
     const std::optional<std::string> stale = staleNote(clip, note);
     if (stale) lines << tr("Stale: the clip's file or settings have changed since.");
     lines.removeAll(QString());
-    notes.push_back({note.frame, text, lines.join(QLatin1Char('\n')), stale.has_value()});
+    notes.push_back(
+        {note.frame, text, lines.join(QLatin1Char('\n')), stale.has_value(), note.last_frame});
     const int joint = skeleton ? skeleton->find(note.joint) : -1;
-    PlacedNote in_picture{.frame = note.frame, .joint = joint, .text = text};
+    PlacedNote in_picture{.frame = note.frame,
+                          .last_frame = note.last_frame.value_or(note.frame),
+                          .joint = joint,
+                          .text = text};
     if (const auto& place = note.place_cm)
       in_picture.place_cm =
           QVector3D(static_cast<float>((*place)[0]), static_cast<float>((*place)[1]),
@@ -90,6 +97,7 @@ void FrameNotes::choose(int index) {
   const FrameNote& note = notes.at(static_cast<std::size_t>(index));
   playback_->pause();
   playback_->seek(note.frame);
+  if (note.last_frame) playback_->setRange(std::pair(note.frame, *note.last_frame));
   const Skeleton* const skeleton = session_->document().skeleton();
   if (!skeleton || note.joint.empty()) return;
   if (const int joint = skeleton->find(note.joint); joint >= 0)
@@ -106,10 +114,18 @@ void FrameNotes::showNext() {
 }
 
 void FrameNotes::addHere() {
+  add({.frame = playback_->frame()});
+}
+
+void FrameNotes::addOnRange() {
+  if (const auto range = playback_->range())
+    add({.frame = range->first, .last_frame = range->second});
+}
+
+void FrameNotes::add(FrameNote note) {
   const Document& document = session_->document();
   if (library_->currentRow() < 0 || !document.skeleton()) return;
   playback_->pause();
-  FrameNote note{.frame = playback_->frame()};
   if (const int joint = document.currentJoint(); joint >= 0)
     note.joint = document.skeleton()->joint(joint).name;
   ask(note, -1);

@@ -30,6 +30,9 @@ class FrameNotes : public QObject {
   /// Asks for a note on the frame that is shown, and the joint that is chosen.
   void addHere();
 
+  /// The same for the range that is chosen.
+  void addOnRange();
+
   /// Goes to the next note after the frame that is shown, from the last to the first.
   void showNext();
 
@@ -37,6 +40,7 @@ class FrameNotes : public QObject {
   void show();
   void choose(int index);
   void edit(int index);
+  void add(FrameNote note);
   void ask(const FrameNote& note, int index);
   void addAt(int joint, const QVector3D& place_cm);
 

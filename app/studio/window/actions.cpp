@@ -152,6 +152,10 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
   actions.note_here->setToolTip(Texts::tr(
       "Write a note on the frame that is shown and the joint that is chosen. A click with "
       "Ctrl in the picture writes one on a place there."));
+  actions.note_on_range =
+      make(window, Texts::tr("Note on the Ran&ge…"), Qt::CTRL | Qt::SHIFT | Qt::Key_M);
+  actions.note_on_range->setToolTip(
+      Texts::tr("Write a note on the chosen range and the joint that is chosen"));
   actions.next_note = make(window, Texts::tr("Next No&te"), Qt::SHIFT | Qt::Key_M);
   actions.write_notes = make(window, Texts::tr("&Write Notes beside the Clips"));
   actions.write_notes->setToolTip(
@@ -242,6 +246,7 @@ void nameActions(const Actions& actions) {
       {"approve", actions.approve},
       {"reject", actions.reject},
       {"note-here", actions.note_here},
+      {"note-on-range", actions.note_on_range},
       {"next-note", actions.next_note},
       {"write-notes", actions.write_notes},
       {"read-notes", actions.read_notes},
@@ -345,7 +350,8 @@ RecentMenus addMenus(QMainWindow* window, const Actions& actions,
   window->menuBar()
       ->addMenu(Texts::tr("&Review"))
       ->addActions({actions.next_review, actions.approve, actions.reject, actions.note_here,
-                    actions.next_note, actions.write_notes, actions.read_notes, actions.copy_link});
+                    actions.note_on_range, actions.next_note, actions.write_notes,
+                    actions.read_notes, actions.copy_link});
 
   QMenu* view = window->menuBar()->addMenu(Texts::tr("&View"));
   addInGroups(view, actions.view);

@@ -53,6 +53,7 @@ struct Actions {
   QAction* approve = nullptr;      // approves the clip and opens the next
   QAction* reject = nullptr;
   QAction* note_here = nullptr;
+  QAction* note_on_range = nullptr;
   QAction* next_note = nullptr;
   QAction* write_notes = nullptr;  // to files beside the clips
   QAction* read_notes = nullptr;

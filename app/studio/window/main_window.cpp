@@ -161,6 +161,7 @@ MainWindow::MainWindow(Work* work) : work_(work ? work : new Work(this)) {
   connect(&session_->document(), &Document::skinChanged, this, &MainWindow::updateTitle);
   connect(&session_->document(), &Document::decodedChanged, this, &MainWindow::updateTitle);
   connect(library_, &Library::projectChanged, this, &MainWindow::updateTitle);
+  connect(playback_, &Playback::rangeChanged, this, &MainWindow::updateCommands);
   connect(clips_, &LibraryModel::modelReset, this, &MainWindow::updateCommands);
   connect(clips_, &LibraryModel::rowsInserted, this, &MainWindow::updateCommands);
   updateTitle();
@@ -231,6 +232,7 @@ void MainWindow::connectEditActions() {
   connect(actions_.reject, &QAction::triggered, library_views_,
           [this] { library_views_->judge(Verdict::Rejected); });
   connect(actions_.note_here, &QAction::triggered, notes_, &FrameNotes::addHere);
+  connect(actions_.note_on_range, &QAction::triggered, notes_, &FrameNotes::addOnRange);
   connect(actions_.next_note, &QAction::triggered, notes_, &FrameNotes::showNext);
   connect(actions_.write_notes, &QAction::triggered, library_, &Library::writeNotes);
   connect(actions_.read_notes, &QAction::triggered, library_, &Library::readNotes);
@@ -306,9 +308,9 @@ void MainWindow::addContextMenus() {
                       actions_.save_picture, actions_.turntable});
     menu->popup(at);
   });
-  panels_.inspection.timeline->ruler()->addActions(
+  panels_.inspection.timeline->addRangeActions(
       {actions_.transport.play, actions_.transport.whole_clip, actions_.compare_range,
-       actions_.note_here, actions_.film});
+       actions_.note_here, actions_.note_on_range, actions_.film});
   panels_.views.joints->addActions({view.frame_joint, view.path, actions_.note_here});
   panels_.views.joints->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
@@ -383,6 +385,7 @@ void MainWindow::updateCommands() {
          {actions_.next_review, actions_.approve, actions_.reject, actions_.write_notes,
           actions_.read_notes, actions_.export_library, actions_.export_sign_off,
           actions_.compare_batch});
+  actions_.note_on_range->setEnabled(has_figure && playback_->range());
   actions_.take_character_off->setEnabled(!document.character().path.isEmpty());
   view.skin->setEnabled(document.skin() != nullptr);
   actions_.without_ik->setEnabled(has_decoded && document.decoded()->uncorrected_tracks);

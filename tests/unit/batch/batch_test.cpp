@@ -68,7 +68,7 @@ TEST(ItemList, ReturnsItemsUnchangedAfterReplacingAndErasing) {
                     .problem = i % 5 ? "" : "no",
                     .review = {static_cast<Verdict>(i % 3), i % 4 ? "" : "a\nnote"}});
     if (i % 3 == 0)
-      kept.back().review.notes = {{static_cast<int>(i), "hip", "a\n\"note\"", "", ""}};
+      kept.back().review.notes = {{static_cast<int>(i), {}, "hip", "a\n\"note\"", "", ""}};
     if (i % 2) kept.back().reading = {.cm_per_unit = 0.1 * static_cast<double>(i)};
     list.push_back(kept.back());
   }

@@ -24,8 +24,8 @@ BatchRow noted_row() {
   row.review = {.verdict = Verdict::Rejected,
                 .source_hash = "aa",
                 .settings_hash = settings_hash(row.preset, row.reading),
-                .notes = {{12, "lfoot", "slides <here>", "ana", "2026-11-27T10:00:00Z"},
-                          {40, "", "pops", "", ""}}};
+                .notes = {{12, {}, "lfoot", "slides <here>", "ana", "2026-11-27T10:00:00Z"},
+                          {40, {}, "", "pops", "", ""}}};
   return row;
 }
 

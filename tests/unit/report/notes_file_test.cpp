@@ -11,6 +11,7 @@ namespace mocapress::test {
 namespace {
 
 const FrameNote kSlides{.frame = 12,
+                        .last_frame = 40,
                         .joint = "lfoot",
                         .text = "slides \"here\"",
                         .reviewer = "ana",
@@ -63,6 +64,19 @@ TEST_F(NotesFile, RefusesOtherFilesWithTheirName) {
       EXPECT_NE(std::string(error.what()).find("walk.notes.json"), std::string::npos);
     }
   }
+}
+
+TEST_F(NotesFile, HasARangeOnlyWhereItEndsAfterItsFrame) {
+  const auto clip = folder_ / "walk.bvh";
+  write_text(notes_file_of(clip),
+             "{\"format\":\"mocapress-notes\",\"takes\":{\"\":["
+             "{\"frame\":1,\"last_frame\":1e300,\"text\":\"a\"},"
+             "{\"frame\":2,\"last_frame\":2,\"text\":\"b\"},"
+             "{\"frame\":3,\"last_frame\":null,\"text\":\"c\"},{\"frame\":4,\"text\":\"d\"}]}}");
+  const std::vector<FrameNote> notes = read_notes(clip).at("");
+  ASSERT_EQ(notes.size(), 4u);
+  EXPECT_EQ(notes[0].last_frame, 1'000'000'000);
+  for (int i = 1; i < 4; ++i) EXPECT_FALSE(notes[i].last_frame) << i;
 }
 
 TEST_F(NotesFile, LeavesOutNotesWithoutAFrameOrText) {

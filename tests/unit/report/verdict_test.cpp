@@ -10,14 +10,14 @@
 namespace mocapress::test {
 namespace {
 
-const ClipReview kApproved{
-    .verdict = Verdict::Approved,
-    .note = "feet are fine",
-    .reviewer = "ana",
-    .time = "2026-11-26T14:05:00Z",
-    .source_hash = "aa",
-    .settings_hash = "bb",
-    .notes = {{12, "lfoot", "slides", "ana", "2026-11-26T14:05:00Z"}, {40, "", "pops", "", ""}}};
+const ClipReview kApproved{.verdict = Verdict::Approved,
+                           .note = "feet are fine",
+                           .reviewer = "ana",
+                           .time = "2026-11-26T14:05:00Z",
+                           .source_hash = "aa",
+                           .settings_hash = "bb",
+                           .notes = {{12, {}, "lfoot", "slides", "ana", "2026-11-26T14:05:00Z"},
+                                     {40, {}, "", "pops", "", ""}}};
 
 TEST(Verdict, ReadsBackFromItsJson) {
   Json json = {{"other", 1}};
