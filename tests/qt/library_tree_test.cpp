@@ -197,6 +197,59 @@ TEST_F(ALibraryTree, FiltersByBoundsOnColumns) {
   EXPECT_EQ(filtered("ratio>3 ratio>31"), "a.bvh");
   EXPECT_EQ(filtered("length<9"), "") << "not known";
   EXPECT_EQ(filtered("error>"), "a.bvh b.bvh c.bvh") << "while it is typed";
+  EXPECT_EQ(filtered("error>="), "a.bvh b.bvh c.bvh");
+  EXPECT_EQ(filtered("ratio>=120"), "a.bvh");
+  EXPECT_EQ(filtered("ratio ≤ 30"), "b.bvh");
+  EXPECT_EQ(filtered("ratio<30"), "");
+}
+
+TEST_F(ALibraryTree, FiltersByWordsOfLoopAndPreset) {
+  LibraryEntry a = entry("/m/a.bvh"), b = entry("/m/b.bvh");
+  a.loop = Loop::Follows;
+  b.preset = QStringLiteral("Archive");
+  clips_.setEntries({a, b});
+  tree_.setFilter(QStringLiteral("loop"));
+  EXPECT_EQ(textOf(tree_).toStdString(), "a.bvh");
+  tree_.setFilter(QStringLiteral("archive"));
+  EXPECT_EQ(textOf(tree_).toStdString(), "b.bvh");
+}
+
+TEST_F(ALibraryTree, TakesUnitsInBounds) {
+  LibraryEntry a = entry("/m/walk.bvh", true), b = entry("/m/b.bvh", true);
+  a.outcome->eps_cm = 0.2;
+  b.outcome->eps_cm = 0.6;
+  a.outcome->motion_bytes = 900;
+  b.outcome->motion_bytes = 2500;
+  clips_.setEntries({a, b});
+  const auto filtered = [this](const char* words) {
+    tree_.setFilter(QString::fromUtf8(words));
+    return textOf(tree_).toStdString();
+  };
+  EXPECT_EQ(filtered("error>0.5cm"), "b.bvh");
+  EXPECT_EQ(filtered("error < 3 mm"), "walk.bvh");
+  EXPECT_EQ(filtered("error<1M walk"), "walk.bvh");
+  EXPECT_EQ(filtered("error<1 walk"), "walk.bvh") << "a word, no unit";
+  EXPECT_EQ(filtered("bytes>1,000"), "b.bvh") << "as the column shows it";
+  EXPECT_EQ(filtered("bytes>=2.5 kB"), "b.bvh");
+  EXPECT_EQ(filtered("error>0.5furlongs"), "") << "words that no clip has";
+}
+
+TEST_F(ALibraryTree, TakesBoundsOnColumnsWithTitlesOfTwoWords) {
+  LibraryEntry a = entry("/m/walk.bvh", true), b = entry("/m/b.bvh", true);
+  for (LibraryEntry* clip : {&a, &b}) {
+    const ClipFigures before{.done = true, .bytes = 1000};
+    ClipFigures after = before;
+    after.bytes = clip == &a ? 1100 : 900;
+    clip->since = ClipDifference{.before = before, .after = after};
+  }
+  clips_.setEntries({a, b});
+  const auto filtered = [this](const char* words) {
+    tree_.setFilter(QString::fromUtf8(words));
+    return textOf(tree_).toStdString();
+  };
+  EXPECT_EQ(filtered("bytes since>=10%"), "walk.bvh");
+  EXPECT_EQ(filtered("b.b Bytes since < 5"), "b.bvh");
+  EXPECT_EQ(filtered("bytes since<-10"), "");
 }
 
 TEST_F(ALibraryTree, TellsOnceOfChangesToTheClipsOfAFolder) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/library_filter.h"
 
+#include <QLocale>
+#include <QMap>
 #include <QRegularExpression>
 #include <algorithm>
 
@@ -44,6 +46,26 @@ std::optional<LibraryColumn> columnTitled(const QString& title) {
   return {};
 }
 
+/// A number of the filter in the user's language, or with a decimal point or comma.
+std::optional<double> numberIn(QString text) {
+  bool is_number = false;
+  // "0.500" has no separator of thousands in any language.
+  const double local = QLocale().toDouble(text, &is_number);
+  if (is_number && !text.startsWith(QLatin1Char('0'))) return local;
+  const double plain = text.replace(QLatin1Char(','), QLatin1Char('.')).toDouble(&is_number);
+  return is_number ? std::optional(plain) : std::nullopt;
+}
+
+/// Units by what they are worth in those of numberOf().
+const QMap<QString, double>& units() {
+  static const QMap<QString, double> kUnits = {
+      {QStringLiteral("mm"), 0.1},  {QStringLiteral("cm"), 1},   {QStringLiteral("m"), 100},
+      {QStringLiteral("ms"), 1e-3}, {QStringLiteral("s"), 1},    {QStringLiteral("min"), 60},
+      {QStringLiteral("b"), 1},     {QStringLiteral("kb"), 1e3}, {QStringLiteral("mb"), 1e6},
+      {QStringLiteral("%"), 1}};
+  return kUnits;
+}
+
 }  // namespace
 
 QString displayName(LibraryShow show) {
@@ -81,22 +103,41 @@ LibraryFilter::LibraryFilter(LibraryModel* clips, QObject* parent)
 
 bool ColumnBound::matches(const LibraryEntry& entry) const {
   const std::optional<double> number = numberOf(entry, column);
-  return number && (is_above ? *number > value : *number < value);
+  if (!number) return false;
+  if (is_met_by_equals && *number == value) return true;
+  return is_above ? *number > value : *number < value;
 }
 
 void LibraryFilter::setWords(const QString& words) {
-  static const QRegularExpression kBound(QStringLiteral("(\\S+?)\\s*([<>])\\s*([\\d.,]*)"));
-  QString others = words;
+  // Up to three words, of which the last ones may be a title; a sign; a number and its unit.
+  static const QRegularExpression kBound(
+      QStringLiteral(
+          R"(((?:[^\s<>≤≥]+ ){0,2}[^\s<>≤≥]+) ?([<>≤≥]=?) ?(?:(-?\d[\d.,]*) ?(%1|)(?!\S))?)")
+          .arg(units().keys().join(QLatin1Char('|'))),
+      QRegularExpression::CaseInsensitiveOption);
+  const QString text = words.simplified();
+  QString others = text;
   bounds_.clear();
-  for (const QRegularExpressionMatch& match : kBound.globalMatch(words)) {
-    const std::optional<LibraryColumn> column = columnTitled(match.captured(1));
+  for (const QRegularExpressionMatch& match : kBound.globalMatch(text)) {
+    QString title = match.captured(1);
+    std::optional<LibraryColumn> column = columnTitled(title);
+    while (!column && title.contains(QLatin1Char(' '))) {
+      title = title.section(QLatin1Char(' '), 1);
+      column = columnTitled(title);
+    }
     if (!column) continue;
-    others.replace(match.capturedStart(), match.capturedLength(),
-                   QString(match.capturedLength(), QLatin1Char(' ')));
-    bool is_number = false;  // false also while it is typed
-    const double value =
-        match.captured(3).replace(QLatin1Char(','), QLatin1Char('.')).toDouble(&is_number);
-    if (is_number) bounds_.push_back({*column, match.captured(2) == QLatin1String(">"), value});
+    const auto from = match.capturedEnd(1) - title.size();
+    const auto length = match.capturedEnd() - from;
+    others.replace(from, length, QString(length, QLatin1Char(' ')));
+    const QString sign = match.captured(2);
+    const bool is_above = sign[0] == QLatin1Char('>') || sign[0] == QChar(u'≥');
+    const bool has_equals = sign.size() > 1 || sign[0] == QChar(u'≥') || sign[0] == QChar(u'≤');
+    const std::optional<double> number = numberIn(match.captured(3));
+    if (!number) continue;  // while it is typed
+    const double worth = *column == LibraryColumn::BytesSince
+                             ? 0.01  // shown in %
+                             : units().value(match.captured(4).toLower(), 1);
+    bounds_.push_back({*column, is_above, has_equals, *number * worth});
   }
   words_ = others.split(QLatin1Char(' '), Qt::SkipEmptyParts);
   invalidateFilter();
@@ -118,8 +159,10 @@ bool LibraryFilter::filterAcceptsRow(int clip, const QModelIndex&) const {
   return std::all_of(words_.begin(), words_.end(), [&](const QString& word) {
     if (entry.path.contains(word, Qt::CaseInsensitive)) return true;
     if (state.isNull())
-      state = QString::fromStdString(entry.take.value_or("")) + QLatin1Char(' ') +
-              (entry.outcome ? stateText(entry) : outcomeText(entry) + stateText(entry));
+      state = QStringList{QString::fromStdString(entry.take.value_or("")),
+                          entry.outcome ? QString() : outcomeText(entry), stateText(entry),
+                          textOf(entry, LibraryColumn::Looping), entry.preset}
+                  .join(QLatin1Char(' '));
     return state.contains(word, Qt::CaseInsensitive);
   });
 }

@@ -30,7 +30,8 @@ QString displayName(LibraryShow show);
 /// A bound on the number in a column.
 struct ColumnBound {
   LibraryColumn column = LibraryColumn::Error;
-  bool is_above = true;  // larger numbers match; false: smaller ones
+  bool is_above = true;           // larger numbers match; false: smaller ones
+  bool is_met_by_equals = false;  // so does the bound itself
   double value = 0;
 
   bool matches(const LibraryEntry& entry) const;
@@ -43,8 +44,9 @@ class LibraryFilter : public QSortFilterProxyModel {
  public:
   explicit LibraryFilter(LibraryModel* clips, QObject* parent = nullptr);
 
-  /// Words that name, folder or state must all have; empty: no matter. A word such as "error>0.5"
-  /// bounds the number in the column of that title: lengths in cm, times in seconds.
+  /// Words that name, folder, state, loop or preset must all have; empty: no matter. A word such as
+  /// "error>0.5" or "bytes since >= 5 %" bounds the number in the column whose title begins so.
+  /// Without a unit lengths are in cm, times in seconds, and changes of the bytes in %.
   void setWords(const QString& words);
   void setShow(LibraryShow show);
 

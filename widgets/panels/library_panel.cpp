@@ -197,7 +197,7 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
   filter_->setPlaceholderText(tr("Filter"));
   filter_->setToolTip(
       tr("Words in a clip's name, folder or state, such as “walks missed”, and bounds on columns, "
-         "such as “error>0.5 ratio<20”: lengths in cm."));
+         "such as “error>=5mm ratio<20”: lengths without a unit are in cm."));
   filter_->setClearButtonEnabled(true);
   view_->setModel(tree_);
   view_->setItemDelegateForColumn(0, new RowPainter(model, tree_, view_));
