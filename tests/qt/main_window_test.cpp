@@ -25,6 +25,7 @@
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTranslator>
 #include <QTreeView>
 #include <algorithm>
 #include <memory>
@@ -555,6 +556,30 @@ TEST_F(StudioWithoutAScreen, AWindowInAnotherLanguageShowsTheSameWorkWithItsHist
   EXPECT_TRUE(next.views().viewport->pinned().empty());
   next.session().history()->undo();
   EXPECT_NE(document_.options().target.value, 30);
+}
+
+TEST_F(StudioWithoutAScreen, AWindowInAnotherLanguageNamesEarlierStepsInIt) {
+  settleAfter([&] { window_.files().open(clip("walk.bvh")); });
+  EncodeSettings options = document_.options();
+  options.target = {Target::Kind::Ratio, 30};
+  settleAfter([&] { window_.session().setOptions(options); });
+  window_.library().setVerdict({0}, Verdict::Approved);
+  ASSERT_EQ(window_.actions().undo->text(), QStringLiteral("&Undo Verdict"));
+  QTranslator spanish;
+  ASSERT_TRUE(spanish.load(QStringLiteral(":/i18n/mocapress_es.qm")));
+  QCoreApplication::installTranslator(&spanish);
+  {
+    MainWindow next(&window_.work());
+    next.takeOver(window_.state());
+    const QString target = next.session().history()->undoText();
+    EXPECT_NE(target, QStringLiteral("Target"));
+    EXPECT_EQ(target, spanish.translate("mocapress::SettingsField", "Target"));
+    next.library().history()->setActive();
+    EXPECT_EQ(next.actions().undo->text(),
+              QStringLiteral("%1 %2").arg(spanish.translate("mocapress::Actions", "&Undo"),
+                                          spanish.translate("mocapress::Library", "Verdict")));
+  }
+  QCoreApplication::removeTranslator(&spanish);
 }
 
 TEST_F(StudioWithoutAScreen, TheWorkGoesOnOnceTheWindowBeforeIsGone) {

@@ -175,15 +175,15 @@ void BatchSession::setSettings(const BatchSettings& settings) {
   renamed.names = settings.names;
   const QString kind = renamed == settings ? QStringLiteral("names") : QString();  // merges typing
   const bool dresses = settings.character != settings_.character;
-  history_.push(new EditStep(
-      dresses ? tr("Character") : tr("Output"), [this, settings] { apply(settings); },
-      [this, before = settings_] { apply(before); }, kind));
+  history_.push(new EditStep([dresses] { return dresses ? tr("Character") : tr("Output"); },
+                             [this, settings] { apply(settings); },
+                             [this, before = settings_] { apply(before); }, kind));
 }
 
 void BatchSession::setCommon(const Settings& preset) {
   if (running() || preset == queue_.common()) return;
   history_.push(new EditStep(
-      tr("Settings"), [this, preset] { queue_.setCommon(preset); },
+      [] { return tr("Settings"); }, [this, preset] { queue_.setCommon(preset); },
       [this, before = queue_.common()] { queue_.setCommon(before); }, QStringLiteral("common")));
 }
 
@@ -201,18 +201,17 @@ void BatchSession::setOwn(const std::vector<int>& rows, const std::optional<Sett
   if (running() || before.empty()) return;
   std::map<int, std::optional<Settings>> after = before;
   for (auto& [row, own] : after) own = preset;
-  history_.push(new EditStep(
-      tr("Settings"), [this, after] { queue_.setOwn(after); },
-      [this, before] { queue_.setOwn(before); }, locks ? QString() : kind));
+  history_.push(new EditStep([] { return tr("Settings"); }, [this, after] { queue_.setOwn(after); },
+                             [this, before] { queue_.setOwn(before); }, locks ? QString() : kind));
 }
 
 void BatchSession::remove(const std::vector<int>& rows) {
   if (running() || rows.empty()) return;
   std::map<int, QueuedClip> clips;
   for (const int row : rows) clips[row] = queue_.clips()[static_cast<std::size_t>(row)];
-  history_.push(new EditStep(
-      tr("Remove Clips"), [this, rows] { queue_.remove(rows); },
-      [this, clips] { queue_.insert(clips); }));
+  history_.push(new EditStep([] { return tr("Remove Clips"); },
+                             [this, rows] { queue_.remove(rows); },
+                             [this, clips] { queue_.insert(clips); }));
 }
 
 void BatchSession::setLeftOut(const std::vector<int>& rows, bool left_out) {
@@ -220,10 +219,10 @@ void BatchSession::setLeftOut(const std::vector<int>& rows, bool left_out) {
   for (const int row : rows)
     if (queue_.clips()[static_cast<std::size_t>(row)].left_out != left_out) others.push_back(row);
   if (running() || others.empty()) return;
-  history_.push(new EditStep(
-      left_out ? tr("Leave Out Clips") : tr("Export Clips Too"),
-      [this, others, left_out] { queue_.setLeftOut(others, left_out); },
-      [this, others, left_out] { queue_.setLeftOut(others, !left_out); }));
+  history_.push(
+      new EditStep([left_out] { return left_out ? tr("Leave Out Clips") : tr("Export Clips Too"); },
+                   [this, others, left_out] { queue_.setLeftOut(others, left_out); },
+                   [this, others, left_out] { queue_.setLeftOut(others, !left_out); }));
 }
 
 /// Adds the clips that are not in the queue yet at its end.
@@ -236,9 +235,8 @@ void BatchSession::add(const std::vector<QueuedClip>& clips) {
   if (fresh.empty()) return;
   std::vector<int> rows(fresh.size());
   std::iota(rows.begin(), rows.end(), queue_.rowCount());
-  history_.push(new EditStep(
-      tr("Add Clips"), [this, fresh] { queue_.add(fresh); },
-      [this, rows] { queue_.remove(rows); }));
+  history_.push(new EditStep([] { return tr("Add Clips"); }, [this, fresh] { queue_.add(fresh); },
+                             [this, rows] { queue_.remove(rows); }));
 }
 
 void BatchSession::undo() {
@@ -267,9 +265,10 @@ void BatchSession::take(const std::vector<QueuedClip>& clips) {
     if (at == queued.end()) continue;
     const auto row = static_cast<int>(at - queued.begin());
     if (at->reading != clip.reading)
-      history_.push(new EditStep(
-          tr("Settings"), [this, row, after = clip.reading] { queue_.setReading(row, after); },
-          [this, row, before = at->reading] { queue_.setReading(row, before); }));
+      history_.push(
+          new EditStep([] { return tr("Settings"); },
+                       [this, row, after = clip.reading] { queue_.setReading(row, after); },
+                       [this, row, before = at->reading] { queue_.setReading(row, before); }));
     if (at->own != clip.own) setOwn({row}, clip.own);
   }
   history_.endMacro();

@@ -100,19 +100,20 @@ void PinnedResults::pinEngine() {
   pin.settings.preset.limits = document.options().limits;
   pin.settings.preset.target = {Target::Kind::Size, bytes};
   const OriginalPtr original = document.original();
-  engine_.start([pin, original, options = settingsFor(pin.settings, original->motion()).encode](
-                    const Job& job) { return made(pin, options, *original, job); },
-                [this, pin](const DecodedPtr& decoded) {
-                  // Others may have been pinned meanwhile.
-                  if (pins_.size() + unmade_.size() >= kMostPinned)
-                    return emit failed(tr("Four results are pinned already."));
-                  const Result result{
-                      {freeName(methodTitle(kEngineMethod)), freeColour(), pin.settings}, decoded};
-                  session_->history()->push(new EditStep(
-                      tr("Pin"), [this, result, row = pins_.size()] { put(result, row); },
-                      [this, colour = result.pin.colour] { drop(colour); }));
-                },
-                [this](const QString& message) { emit failed(message); });
+  engine_.start(
+      [pin, original, options = settingsFor(pin.settings, original->motion()).encode](
+          const Job& job) { return made(pin, options, *original, job); },
+      [this, pin](const DecodedPtr& decoded) {
+        // Others may have been pinned meanwhile.
+        if (pins_.size() + unmade_.size() >= kMostPinned)
+          return emit failed(tr("Four results are pinned already."));
+        const Result result{{freeName(methodTitle(kEngineMethod)), freeColour(), pin.settings},
+                            decoded};
+        session_->history()->push(new EditStep(
+            [] { return tr("Pin"); }, [this, result, row = pins_.size()] { put(result, row); },
+            [this, colour = result.pin.colour] { drop(colour); }));
+      },
+      [this](const QString& message) { emit failed(message); });
 }
 
 void PinnedResults::pinCurrent() {
@@ -123,25 +124,26 @@ void PinnedResults::pinCurrent() {
       targetText(options.target), displayName(decoded->compressed.provenance.method)));
   const NamedSettings settings = namedSettings({options, {}, {}}, *session_->document().skeleton());
   const Result result{{name, freeColour(), settings}, decoded};
-  session_->history()->push(new EditStep(
-      tr("Pin"), [this, result, row = pins_.size()] { put(result, row); },
-      [this, colour = result.pin.colour] { drop(colour); }));
+  session_->history()->push(new EditStep([] { return tr("Pin"); },
+                                         [this, result, row = pins_.size()] { put(result, row); },
+                                         [this, colour = result.pin.colour] { drop(colour); }));
 }
 
 void PinnedResults::unpin(int row) {
   if (row < 0 || row >= static_cast<int>(pins_.size())) return;
   const Result result = pins_[static_cast<std::size_t>(row)];
   session_->history()->push(new EditStep(
-      tr("Take Off a Pin"), [this, colour = result.pin.colour] { drop(colour); },
+      [] { return tr("Take Off a Pin"); }, [this, colour = result.pin.colour] { drop(colour); },
       [this, result, row] { put(result, static_cast<std::size_t>(row)); }));
 }
 
 void PinnedResults::rename(int row, const QString& name) {
   const Pin pin = pins_[static_cast<std::size_t>(row)].pin;
   if (name == pin.name) return;
-  session_->history()->push(new EditStep(
-      tr("Name of a Pin"), [this, colour = pin.colour, name] { this->name(colour, name); },
-      [this, pin] { this->name(pin.colour, pin.name); }));
+  session_->history()->push(
+      new EditStep([] { return tr("Name of a Pin"); },
+                   [this, colour = pin.colour, name] { this->name(colour, name); },
+                   [this, pin] { this->name(pin.colour, pin.name); }));
 }
 
 void PinnedResults::put(const Result& result, std::size_t row) {

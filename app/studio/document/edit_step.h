@@ -4,6 +4,7 @@
 #include <QElapsedTimer>
 #include <QString>
 #include <QUndoCommand>
+#include <QUndoStack>
 #include <functional>
 #include <utility>
 
@@ -15,17 +16,21 @@ inline constexpr int kOneNoteMs = 1500;  // longest pause within a step made of 
 /// A step of any undo history, made of two functions. redo() is called once when it is pushed.
 class EditStep : public QUndoCommand {
  public:
-  /// Steps of the same `kind` that follow each other within `pause_ms` merge, as during a drag or
+  /// `name` gives the step's name in the language of the time when it is called. Steps of the same
+  /// `kind` that follow each other within `pause_ms` merge, as during a drag or
   /// while typing. An empty kind never merges.
-  EditStep(const QString& text, std::function<void()> redo, std::function<void()> undo,
+  EditStep(std::function<QString()> name, std::function<void()> redo, std::function<void()> undo,
            QString kind = {}, int pause_ms = kOneStepMs)
-      : QUndoCommand(text),
+      : QUndoCommand(name()),
+        name_(std::move(name)),
         redo_(std::move(redo)),
         undo_(std::move(undo)),
         kind_(std::move(kind)),
         pause_ms_(pause_ms) {
     made_.start();
   }
+
+  QString name() const { return name_(); }
 
   int id() const override { return 1; }  // equal for all steps: mergeWith() decides by kind
   bool mergeWith(const QUndoCommand* newer) override {
@@ -39,10 +44,22 @@ class EditStep : public QUndoCommand {
   void redo() override { redo_(); }
 
  private:
+  std::function<QString()> name_;
   std::function<void()> redo_, undo_;
   QString kind_;
   int pause_ms_;
   QElapsedTimer made_;
 };
+
+/// Names the steps of a history anew after a change of the language. A macro has the name of its
+/// first step.
+inline void renameSteps(const QUndoStack& history) {
+  for (int i = 0; i < history.count(); ++i) {
+    const QUndoCommand* const step = history.command(i);
+    const QUndoCommand* const named = step->childCount() > 0 ? step->child(0) : step;
+    if (const auto* edit = dynamic_cast<const EditStep*>(named))
+      const_cast<QUndoCommand*>(step)->setText(edit->name());
+  }
+}
 
 }  // namespace mocapress

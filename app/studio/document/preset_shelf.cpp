@@ -64,7 +64,8 @@ bool PresetShelf::isFree(const std::string& name) {
 bool PresetShelf::save(const Settings& preset) {
   if (!isFree(preset.name)) return false;
   const Settings* before = own(preset.name);
-  change(tr("Save Preset"), {{before ? std::optional(*before) : std::nullopt, preset}});
+  change([] { return tr("Save Preset"); },
+         {{before ? std::optional(*before) : std::nullopt, preset}});
   return true;
 }
 
@@ -77,13 +78,13 @@ bool PresetShelf::rename(const QString& name, const QString& to) {
   }
   Settings after = *before;
   after.name = to.toStdString();
-  change(tr("Rename Preset"), {{*before, after}});
+  change([] { return tr("Rename Preset"); }, {{*before, after}});
   return true;
 }
 
 void PresetShelf::remove(const QString& name) {
   const Settings* before = own(name.toStdString());
-  if (before) change(tr("Remove Preset"), {{*before, std::nullopt}});
+  if (before) change([] { return tr("Remove Preset"); }, {{*before, std::nullopt}});
 }
 
 void PresetShelf::importFrom(const QString& path) {
@@ -94,7 +95,7 @@ void PresetShelf::importFrom(const QString& path) {
       const Settings* before = own(preset.name);
       edits.push_back({before ? std::optional(*before) : std::nullopt, preset});
     }
-    if (!edits.empty()) change(tr("Import Presets"), edits);
+    if (!edits.empty()) change([] { return tr("Import Presets"); }, edits);
   } catch (const Error& error) {
     emit noted(QString::fromStdString(error.what()));
   }
@@ -109,7 +110,7 @@ void PresetShelf::exportTo(const QString& path, const Settings& preset) {
   }
 }
 
-void PresetShelf::change(const QString& text, const std::vector<Edit>& edits) {
+void PresetShelf::change(const std::function<QString()>& name, const std::vector<Edit>& edits) {
   if (!history_) return apply(edits, false);
   const QPointer<PresetShelf> shelf(this);  // the history may outlive the shelf
   const auto applied = [shelf, edits](bool backwards) {
@@ -117,7 +118,7 @@ void PresetShelf::change(const QString& text, const std::vector<Edit>& edits) {
       if (shelf) shelf->apply(edits, backwards);
     };
   };
-  history_()->push(new EditStep(text, applied(false), applied(true)));
+  history_()->push(new EditStep(name, applied(false), applied(true)));
 }
 
 /// Applies edits in place of presets of the same names. Changes made since by another clip's

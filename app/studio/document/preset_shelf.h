@@ -54,7 +54,7 @@ class PresetShelf : public QObject {
   };
 
   const Settings* own(const std::string& name) const;
-  void change(const QString& text, const std::vector<Edit>& edits);
+  void change(const std::function<QString()>& name, const std::vector<Edit>& edits);
   void apply(const std::vector<Edit>& edits, bool backwards);
   bool setAside();
   void write();

@@ -118,7 +118,7 @@ void Session::openRow(const StudyRow& row, const QString& skeleton) {
 }
 
 void Session::readAgain(const ReadOptions& reading) {
-  readAs(tr("Import Options"), reading);
+  readAs([] { return tr("Import Options"); }, reading);
 }
 
 void Session::chooseTake(int take) {
@@ -129,7 +129,7 @@ void Session::chooseTake(int take) {
   open(original->path, original->skeleton, reading);
 }
 
-void Session::readAs(const QString& step, const ReadOptions& reading) {
+void Session::readAs(const std::function<QString()>& step, const ReadOptions& reading) {
   const OriginalPtr& original = document_.original();
   if (!original || original->reading == reading) return;
   // A step is pushed only after reading succeeds, since the file may be gone.
@@ -333,9 +333,9 @@ void Session::changeTuning(const Tuning& before, const Tuning& after) {
   const bool same_slot = before.active == after.active;
   const SettingsField field =
       same_slot ? firstDifference(before.now(), after.now()) : SettingsField::Slot;
-  history()->push(new EditStep(
-      nameOf(field), [this, after] { apply(after); }, [this, before] { apply(before); },
-      same_slot ? dragOf(before.now(), after.now()) : QString()));
+  history()->push(new EditStep([field] { return nameOf(field); }, [this, after] { apply(after); },
+                               [this, before] { apply(before); },
+                               same_slot ? dragOf(before.now(), after.now()) : QString()));
 }
 
 void Session::switchSlot() {
@@ -496,11 +496,10 @@ void Session::changeCharacter(const PutCharacter& character) {
     return stands;
   };
   // Without a mesh, settings weighted by it change too.
-  history()->push(new EditStep(
-      tr("Character"), [=] { change(before, character); },
-      [=, this, tuning = document_.tuning()] {
-        if (change(character, before)) apply(tuning);
-      }));
+  history()->push(new EditStep([] { return tr("Character"); }, [=] { change(before, character); },
+                               [=, this, tuning = document_.tuning()] {
+                                 if (change(character, before)) apply(tuning);
+                               }));
 }
 
 void Session::recallCharacters(const CharacterFiles& files) {

@@ -186,7 +186,7 @@ class Session : public QObject {
     std::map<std::string, SlotFigures> figures;  // by settingsKey() of the settings
   };
 
-  void readAs(const QString& step, const ReadOptions& reading);
+  void readAs(const std::function<QString()>& step, const ReadOptions& reading);
   void readBy(const ReadOptions& reading, std::function<void()> then = {});
 
   /// Sets a rig's character; unset removes it.

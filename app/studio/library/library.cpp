@@ -113,7 +113,7 @@ void Library::add(const QStringList& paths) {
   if (clips->empty()) return;
   const int first = clips->begin()->first;
   history_.push(new EditStep(
-      tr("Add Clips"), [this, clips] { putBack(*clips); },
+      [] { return tr("Add Clips"); }, [this, clips] { putBack(*clips); },
       [this, clips] {
         QSet<QString> added;
         for (const auto& [row, clip] : *clips) added.insert(clip.path);
@@ -133,12 +133,12 @@ void Library::remove(const QList<int>& rows) {
   QSet<QString> keys;
   for (const int row : rows) keys.insert(project_.clips[static_cast<std::size_t>(row)].key());
   auto clips = std::make_shared<ClipsByRow>();
-  history_.push(new EditStep(
-      tr("Remove Clip"),
-      [this, clips, keys] {
-        *clips = takeOut([&keys](const auto& one) { return keys.contains(one.key()); });
-      },
-      [this, clips] { putBack(*clips); }));
+  history_.push(new EditStep([] { return tr("Remove Clip"); },
+                             [this, clips, keys] {
+                               *clips = takeOut(
+                                   [&keys](const auto& one) { return keys.contains(one.key()); });
+                             },
+                             [this, clips] { putBack(*clips); }));
 }
 
 std::vector<LibraryEntry> Library::entries() const {
@@ -300,6 +300,7 @@ void Library::addTakes(int row, const Takes& takes) {
     clip.stamp = first.stamp;
     if (!known.contains(clip.key())) others.push_back(std::move(clip));
   }
+  if (others.empty()) return showRows({row});
   const auto below = project_.clips.begin() + row + 1;
   const auto added = project_.clips.insert(below, others.begin(), others.end());
   findEarlier();

@@ -149,7 +149,7 @@ class Library : public KeptProject {
   using Reviews = std::map<QString, ClipReview>;  // by ProjectClip::key()
   using SettingsByKey = std::map<QString, std::optional<NamedSettings>>;
 
-  void change(const std::vector<int>& rows, const QString& name,
+  void change(const std::vector<int>& rows, const std::function<QString()>& name,
               const std::function<void(NamedSettings&)>& change);
   void apply(const Reviews& reviews);
   void apply(const SettingsByKey& settings);

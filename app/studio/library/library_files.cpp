@@ -102,8 +102,8 @@ void Library::findMissing(const QString& folder) {
           }
         const int left = static_cast<int>(missing.size()) - found_again;
         if (!moved.empty())
-          history_.push(new EditStep(
-              tr("Find Clips"), [this, moved] { move(moved); }, [this, back] { move(back); }));
+          history_.push(new EditStep([] { return tr("Find Clips"); },
+                                     [this, moved] { move(moved); }, [this, back] { move(back); }));
         emit noted(tr("Found %Ln clip(s)", nullptr, found_again) +
                    (left > 0 ? tr(", %Ln still missing", nullptr, left) : QString()));
       },

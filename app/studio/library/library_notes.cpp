@@ -36,8 +36,8 @@ void Library::setFrameNote(int row, int index, const FrameNote& note) {
   }
   if (review == clip.review) return;
   const Reviews before{{clip.key(), clip.review}}, after{{clip.key(), review}};
-  history_.push(new EditStep(
-      tr("Note"), [this, after] { apply(after); }, [this, before] { apply(before); }));
+  history_.push(new EditStep([] { return tr("Note"); }, [this, after] { apply(after); },
+                             [this, before] { apply(before); }));
 }
 
 namespace {
@@ -108,9 +108,9 @@ void Library::readNotes() {
         noteBeside(beside.found);
         const auto [before, after, added] = withNotes(beside.found);
         if (!after.empty())
-          history_.push(new EditStep(
-              tr("Read Notes"), [this, after = after] { apply(after); },
-              [this, before = before] { apply(before); }));
+          history_.push(new EditStep([] { return tr("Read Notes"); },
+                                     [this, after = after] { apply(after); },
+                                     [this, before = before] { apply(before); }));
         emit noted(added > 0 ? tr("Read %Ln note(s).", nullptr, added)
                              : tr("The files beside the clips have no other notes."));
         if (!beside.trouble.isEmpty()) emit failed(beside.trouble);

@@ -56,8 +56,8 @@ void Library::setVerdict(const std::vector<int>& rows, Verdict verdict) {
     after.emplace(clip.key(), reviewNow(clip, verdict));
   }
   if (!after.empty())
-    history_.push(new EditStep(
-        tr("Verdict"), [this, after] { apply(after); }, [this, before] { apply(before); }));
+    history_.push(new EditStep([] { return tr("Verdict"); }, [this, after] { apply(after); },
+                               [this, before] { apply(before); }));
   if (missing == 0) return;
   emit failed(tr("No verdict for %Ln clip(s): the file is missing.", nullptr, missing));
   emit currentChanged();  // shows the old verdict again
@@ -70,9 +70,9 @@ void Library::setNote(int row, const QString& note) {
   review.note = note.toStdString();
   if (review == clip.review) return;
   const Reviews before{{clip.key(), clip.review}}, after{{clip.key(), review}};
-  history_.push(new EditStep(
-      tr("Note"), [this, after] { apply(after); }, [this, before] { apply(before); },
-      QStringLiteral("note ") + clip.key(), kOneNoteMs));
+  history_.push(new EditStep([] { return tr("Note"); }, [this, after] { apply(after); },
+                             [this, before] { apply(before); },
+                             QStringLiteral("note ") + clip.key(), kOneNoteMs));
 }
 
 void Library::apply(const Reviews& reviews) {

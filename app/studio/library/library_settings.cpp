@@ -13,12 +13,14 @@
 namespace mocapress {
 
 void Library::setPreset(const std::vector<int>& rows, const Settings& preset) {
-  change(rows, tr("Preset"), [&](NamedSettings& settings) {
-    const Settings before = std::exchange(settings.preset, preset);
-    if (!preset.contacts) settings.preset.contacts = before.contacts;
-    if (preset.ranges.empty()) settings.preset.ranges = before.ranges;
-    if (!preset.loop) settings.preset.loop = before.loop;
-  });
+  change(
+      rows, [] { return tr("Preset"); },
+      [&](NamedSettings& settings) {
+        const Settings before = std::exchange(settings.preset, preset);
+        if (!preset.contacts) settings.preset.contacts = before.contacts;
+        if (preset.ranges.empty()) settings.preset.ranges = before.ranges;
+        if (!preset.loop) settings.preset.loop = before.loop;
+      });
 }
 
 void Library::copySettings(int row) {
@@ -28,25 +30,27 @@ void Library::copySettings(int row) {
 
 void Library::pasteSettings(const std::vector<int>& rows) {
   if (!copied_) return;
-  change(rows, tr("Paste Settings"), [this](NamedSettings& settings) {
-    const Settings before = settings.preset;
-    settings = *copied_;
-    settings.preset.contacts = before.contacts;
-    settings.preset.ranges = before.ranges;
-    settings.preset.loop = before.loop;
-  });
+  change(
+      rows, [] { return tr("Paste Settings"); },
+      [this](NamedSettings& settings) {
+        const Settings before = settings.preset;
+        settings = *copied_;
+        settings.preset.contacts = before.contacts;
+        settings.preset.ranges = before.ranges;
+        settings.preset.loop = before.loop;
+      });
 }
 
 void Library::pasteImportance(const std::vector<int>& rows) {
   if (!copied_) return;
-  change(rows, tr("Paste Importance"), [this](NamedSettings& settings) {
-    settings.preset.importance = copied_->preset.importance;
-  });
+  change(
+      rows, [] { return tr("Paste Importance"); },
+      [this](NamedSettings& settings) { settings.preset.importance = copied_->preset.importance; });
 }
 
 /// Changes settings of several clips in one step. Clips that were never tuned begin with the usual
 /// settings.
-void Library::change(const std::vector<int>& rows, const QString& name,
+void Library::change(const std::vector<int>& rows, const std::function<QString()>& name,
                      const std::function<void(NamedSettings&)>& change) {
   SettingsByKey before, after;
   for (const int row : rows) {
@@ -60,9 +64,9 @@ void Library::change(const std::vector<int>& rows, const QString& name,
     after.emplace(clip.key(), settings);
   }
   if (after.empty()) return;
-  const QString text =
-      after.size() == 1 ? name
-                        : tr("%1, %Ln Clip(s)", nullptr, static_cast<int>(after.size())).arg(name);
+  const auto text = [name, count = static_cast<int>(after.size())] {
+    return count == 1 ? name() : tr("%1, %Ln Clip(s)", nullptr, count).arg(name());
+  };
   history_.push(new EditStep(
       text, [this, after] { apply(after); }, [this, before] { apply(before); }));
 }
@@ -81,9 +85,9 @@ void Library::putCharacter(const std::vector<int>& rows, const QString& file) {
       before[rig] = found == now.end() ? std::nullopt : std::optional(found->second);
       after[rig] = put;
     }
-    history_.push(new EditStep(
-        tr("Character"), [this, after] { session_->putCharacters(after); },
-        [this, before] { session_->putCharacters(before); }));
+    history_.push(new EditStep([] { return tr("Character"); },
+                               [this, after] { session_->putCharacters(after); },
+                               [this, before] { session_->putCharacters(before); }));
   };
   if (file.isEmpty()) return put_on(std::nullopt);
   reading_character_.start(

@@ -6,6 +6,7 @@
 #include <QMenuBar>
 #include <QToolBar>
 
+#include "app/studio/document/edit_step.h"
 #include "app/studio/document/session.h"
 #include "app/studio/library/library.h"
 
@@ -27,8 +28,7 @@ bool isDockOf(const QWidget* window, const QWidget* top) {
 
 UndoTarget::UndoTarget(Session* session, Library* library, QWidget* window)
     : QObject(window), session_(session), library_(library), window_(window) {
-  histories_.addStack(library->history());
-  followSteps(library->history());
+  add(library->history());
   takeClip();
   histories_.setActiveStack(session->history());
   connect(session, &Session::historyChanged, this, &UndoTarget::takeClip);
@@ -40,16 +40,16 @@ UndoTarget::UndoTarget(Session* session, Library* library, QWidget* window)
 /// who returns to it wants to undo those.
 void UndoTarget::takeClip() {
   QUndoStack* history = session_->history();
-  if (!histories_.stacks().contains(history)) {
-    histories_.addStack(history);
-    followSteps(history);
-  }
+  if (!histories_.stacks().contains(history)) add(history);
   if (history->canUndo() || histories_.activeStack() != library_->history())
     histories_.setActiveStack(history);
 }
 
-/// A shortcut may change a clip while the library has the focus.
-void UndoTarget::followSteps(QUndoStack* history) {
+/// Steps may come from a window in another language. A shortcut may change a clip while the library
+/// has the focus.
+void UndoTarget::add(QUndoStack* history) {
+  renameSteps(*history);
+  histories_.addStack(history);
   connect(history, &QUndoStack::indexChanged, this, [this, history](int index) {
     const bool is_current = history == library_->history() || history == session_->history();
     if (index > 0 && is_current) histories_.setActiveStack(history);

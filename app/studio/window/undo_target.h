@@ -28,7 +28,7 @@ class UndoTarget : public QObject {
  private:
   void takeClip();
   void follow(const QWidget* focus);
-  void followSteps(QUndoStack* history);
+  void add(QUndoStack* history);
 
   Session* session_;
   Library* library_;
