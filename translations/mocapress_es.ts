@@ -4572,8 +4572,8 @@
         <translation>Fotograma %1 de %2, %3 s.</translation>
     </message>
     <message>
-        <source>%1 is %2 cm off.</source>
-        <translation>Desvío de %1: %2 cm.</translation>
+        <source>On the bones, %1 is %2 cm off.</source>
+        <translation>En los huesos, desvío de %1: %2 cm.</translation>
     </message>
     <message>
         <source>The lightest colour is %1 cm.</source>

@@ -4572,8 +4572,8 @@
         <translation>Image %1 sur %2, %3 s.</translation>
     </message>
     <message>
-        <source>%1 is %2 cm off.</source>
-        <translation>Écart de %1 : %2 cm.</translation>
+        <source>On the bones, %1 is %2 cm off.</source>
+        <translation>Sur les os, écart de %1 : %2 cm.</translation>
     </message>
     <message>
         <source>The lightest colour is %1 cm.</source>

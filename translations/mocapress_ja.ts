@@ -4541,8 +4541,8 @@
         <translation>フレーム %1 / %2、%3 秒。</translation>
     </message>
     <message>
-        <source>%1 is %2 cm off.</source>
-        <translation>%1 のずれは %2 cm。</translation>
+        <source>On the bones, %1 is %2 cm off.</source>
+        <translation>骨の上では、%1 のずれは %2 cm。</translation>
     </message>
     <message>
         <source>The lightest colour is %1 cm.</source>

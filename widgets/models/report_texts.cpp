@@ -91,7 +91,7 @@ struct ReportTexts {
       QT_TR_NOOP("Next worst frame"),
       QT_TR_NOOP("Reset camera"),
       QT_TR_NOOP("Frame %1 of %2, %3 s."),
-      QT_TR_NOOP("%1 is %2 cm off."),
+      QT_TR_NOOP("On the bones, %1 is %2 cm off."),
       QT_TR_NOOP("The lightest colour is %1 cm."),
       // Charts.
       QT_TR_NOOP("%1 to %2 s: %3"),

@@ -146,7 +146,7 @@ class Viewer {
     const { frames, sampleRate, points } = this.#original;
     this.status.textContent = [
       this.say('Frame %1 of %2, %3 s.', whole + 1, frames, (whole / sampleRate).toFixed(2)),
-      this.say('%1 is %2 cm off.', points[worst].name, (100 * ofFrames[whole]).toFixed(3)),
+      this.say('On the bones, %1 is %2 cm off.', points[worst].name, (100 * ofFrames[whole]).toFixed(3)),
       this.say('The lightest colour is %1 cm.', (100 * largest).toFixed(2)),
     ].join(' ');
     this.#drawStrip();
