@@ -130,6 +130,12 @@ TEST(Guide, IsThereInEveryLanguage) {
     guides << guideHtml();
     EXPECT_EQ(guides.last().count(QStringLiteral("<h3>")), 6) << language;
     EXPECT_EQ(guides.last().count(QStringLiteral("<img")), 4) << language;
+    for (const char* picture : {"compare", "inspect", "curve", "pinned"}) {
+      const QString file =
+          QStringLiteral(":/guide/%1_%2.png").arg(QLatin1String(picture), QLatin1String(language));
+      EXPECT_TRUE(guides.last().contains(QStringLiteral("\"%1\"").arg(file))) << qPrintable(file);
+      EXPECT_FALSE(QImage(file).isNull()) << qPrintable(file);
+    }
   }
   EXPECT_EQ(QSet<QString>(guides.begin(), guides.end()).size(), 4);
   QLocale::setDefault(QLocale(QStringLiteral("de")));

@@ -13,9 +13,7 @@
 namespace mocapress::test {
 namespace {
 
-// Each picture is also saved in the guide's width. In resources/guide compare.png is view-wipe,
-// inspect session-3-heat-map, curve session-3-rate-distortion and pinned pinned-side-by-side; the
-// README's studio.png is library.
+// Each picture is also saved in the width of the guide's; the README's studio.png is library.
 constexpr int kGuideWidth = 900;
 
 }  // namespace

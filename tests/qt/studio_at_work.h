@@ -6,6 +6,7 @@
 
 #include <QDir>
 #include <QImage>
+#include <QLocale>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -73,14 +74,18 @@ class StudioTour : public testing::Test {
   StudioTour() {
     QSettings().clear();
     // English needs its translation for plural forms, since the pictures are published.
-    EXPECT_TRUE(english_.load(QStringLiteral(":/i18n/mocapress_en.qm")));
-    QCoreApplication::installTranslator(&english_);
+    const QString language = qEnvironmentVariable("MOCAPRESS_TOUR_LANGUAGE", QStringLiteral("en"));
+    QLocale::setDefault(QLocale(language));
+    EXPECT_TRUE(texts_.load(QStringLiteral(":/i18n/mocapress_%1.qm").arg(language)));
+    QCoreApplication::installTranslator(&texts_);
   }
   ~StudioTour() override {
-    QCoreApplication::removeTranslator(&english_);
+    QCoreApplication::removeTranslator(&texts_);
+    QLocale::setDefault(before_);
     QSettings().clear();
   }
-  QTranslator english_;
+  QLocale before_;
+  QTranslator texts_;
   QTemporaryDir directory_;
 };
 

@@ -172,7 +172,7 @@ TEST_F(StudioTour, HelpShowsAnIllustratedGuideAndEveryKey) {
   EXPECT_GT(guide->toPlainText().size(), 1000);
   EXPECT_GE(guide->toHtml().count(QStringLiteral("<img")), 4);
   for (const char* picture : {"compare", "inspect", "curve", "pinned"})
-    EXPECT_GT(QImage(QStringLiteral(":/guide/%1.png").arg(QLatin1String(picture))).width(), 400);
+    EXPECT_GT(QImage(QStringLiteral(":/guide/%1_en.png").arg(QLatin1String(picture))).width(), 400);
   const QString keys = shown(studio->actions().shortcuts)->toPlainText();
   for (const QAction* action : studio->findChildren<QAction*>()) {
     const QString key = action->shortcut().toString(QKeySequence::NativeText);
