@@ -211,12 +211,13 @@ void hold_worst_frames(const Goal& goal, int frames, ClosedLoopWork work,
       Trial trial = attempt(scale, work, weights);
       best.complete = trial.complete;
       if (!trial.complete) return;
-      if (!goal.met(trial.excess)) {
+      // More weight takes more bytes: a trial that is no smaller already is given up.
+      if (trial.compressed.motion_bytes() >= best.compressed.motion_bytes()) break;
+      held = goal.met(trial.excess);
+      if (!held) {
         goal.raise_where_exceeded(trial.compressed, weights);
         continue;
       }
-      held = trial.compressed.motion_bytes() < best.compressed.motion_bytes();
-      if (!held) break;
       best = std::move(trial);
     }
     if (!held) step = std::sqrt(step);
