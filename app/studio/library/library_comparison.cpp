@@ -17,7 +17,8 @@ constexpr double kSame = 0.01;  // share: the usual one of `mocapress diff`
 /// Unset: nobody tried to compress the clip.
 std::optional<ClipFigures> figuresOf(const ProjectClip& clip) {
   if (!clip.failure.isEmpty()) return ClipFigures{.reason = clip.failure.toStdString()};
-  if (!clip.outcome) return {};
+  // Figures by older settings would be taken for those of today's weighting.
+  if (!clip.outcome || outdated(clip) == Staleness::Settings) return {};
   ClipFigures figures{.done = true,
                       .bytes = clip.outcome->motion_bytes,
                       .eps_cm = clip.outcome->eps_cm,
