@@ -8,6 +8,9 @@
 #include <QTest>
 
 #include "app/jobs/batch_runner.h"
+#include "core/base/file.h"
+#include "core/batch/batch_folder.h"
+#include "core/batch/project_batch.h"
 #include "core/formats/fbx/fbx_writer.h"
 #include "core/motion/landmarks.h"
 #include "tests/qt/library_on_disk.h"
@@ -57,6 +60,54 @@ TEST_F(InALibrary, APresetOfASelectionIsOneStepAndReachesTheOpenClip) {
   settleAfter(run, [&] { run.library.history()->undo(); });
   EXPECT_EQ(run.session.document().options().target, before.target);
   EXPECT_FALSE(run.library.project().clips[1].settings);
+}
+
+/// As the background and a batch compress it, whichever clip was tuned before.
+TEST_F(InALibrary, AClipWithoutSettingsIsOpenedWithTheUsualOnes) {
+  Run run;
+  run.library.add({clip("a.bvh", 1), clip("b.bvh", 2)});
+  settleAfter(run, [&] { run.library.openClip(0); });
+  settleAfter(run, [&] { run.session.setOptions(standardAt(40)); });
+  settleAfter(run, [&] { run.library.openClip(1); });
+  EXPECT_EQ(run.library.project().clips[1].settings->preset, usualPreset());
+  settleAfter(run, [&] { run.session.open(clip("c.bvh", 3)); });
+  EXPECT_EQ(run.library.project().clips[2].settings->preset, usualPreset());
+}
+
+TEST_F(InALibrary, ABatchOfItsProjectWritesTheBytesThatTheStudioSaves) {
+  Run run;
+  settleAfter(run, [&] { run.session.open(clip("walk.bvh", 1)); });
+  EncodeSettings options = withPreset(run.session.document().settings(), usualPreset(),
+                                      *run.session.document().skeleton())
+                               .encode;
+  const auto batch_equals_studio = [&](const EncodeSettings& tuned, const char* name) {
+    settleAfter(run, [&] { run.session.setOptions(tuned); });
+    const QString saved = path(name) + QStringLiteral(".mcpr");
+    QSignalSpy written(&run.session, &Session::saved);
+    run.session.save(saved);
+    ASSERT_TRUE(written.count() > 0 || written.wait(kPatience));
+    Batch batch{.presets = {usualPreset()}};
+    const QDir folder(QFileInfo(saved).absolutePath());
+    add_project(batch, path("hero.mocapress").toStdString(),
+                projectText(run.library.project(), folder).toStdString(), "{stem}");
+    const auto out = path(name).toStdU16String();
+    BatchControl control;
+    run_batch_in(out, batch, {}, control);
+    EXPECT_EQ(read_bytes(saved.toStdU16String()),
+              read_bytes(std::filesystem::path(out) / "walk.mcpr"))
+        << name;
+  };
+  batch_equals_studio(options, "usual");
+  options.target.value = 0.5;
+  ASSERT_TRUE(options.promises.any()) << "kept though the target was moved";
+  batch_equals_studio(options, "moved");
+  options.ranges = {{20, 60, 3}};
+  options.contacts = std::vector<ContactSpan>{{4, 10, 20}};
+  options.ends = Ends::Exact;
+  batch_equals_studio(options, "elaborate");
+  options.target = {Target::Kind::Ratio, 20};
+  options.correction = EncodeCorrection{.joints = {4}};
+  batch_equals_studio(options, "held");
 }
 
 /// Opening must not change settings, or a verdict would become stale at once.
@@ -150,7 +201,7 @@ TEST_F(InALibrary, ARemovalIsUndoneWhileAnotherClipIsOpenAndItsSettingsStay) {
   EXPECT_EQ(run.library.project().clips[0].path, walk);
   EXPECT_EQ(run.session.document().options().target.value, 40);
   settleAfter(run, [&] { run.session.history()->undo(); });
-  EXPECT_EQ(run.session.document().options().target.value, 10);
+  EXPECT_EQ(run.session.document().options().target, usualPreset().target);
   EXPECT_EQ(run.model.rowCount(), 2) << "a slider does not touch the library";
 }
 

@@ -253,7 +253,9 @@ void Session::forgetHistories() {
 std::optional<NamedSettings> Session::rememberedOf(const OpenedClip& opened,
                                                    const OpenRequest& request) const {
   if (!memory_ || !opened.original || opened.decoded || request.options) return {};
-  return memory_(keyOf(*opened.original));
+  const std::optional<NamedSettings> kept = memory_(keyOf(*opened.original));
+  // Settings that were chosen while nothing was open are the first clip's.
+  return kept || !document_.original() ? kept : NamedSettings{usualPreset(), {}};
 }
 
 void Session::setOptions(const EncodeSettings& options) {

@@ -104,8 +104,8 @@ class Session : public QObject {
   /// Figures of the last encoding by settings A (0) or B (1); unset: there is none.
   std::optional<SlotFigures> slotFigures(int slot) const;
 
-  /// Returns the earlier settings of a clip by its clipKey(); unset: it is compressed like the last
-  /// one.
+  /// Returns the earlier settings of a clip by its clipKey(); unset: it has the usual ones, as in a
+  /// batch, whatever the clip before it was tuned to.
   using Memory = std::function<std::optional<NamedSettings>(const QString& key)>;
   void setMemory(Memory memory) { memory_ = std::move(memory); }
 
