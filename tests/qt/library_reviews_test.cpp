@@ -4,6 +4,7 @@
 
 #include <QDateTime>
 #include <QFile>
+#include <QTest>
 
 #include "tests/qt/library_on_disk.h"
 
