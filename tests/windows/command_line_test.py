@@ -449,7 +449,9 @@ class Batch(CommandLine):
         return self.folder / "in"
 
     def start(self, *words):
-        return subprocess.Popen([WINE, PROGRAM, *map(str, words)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        # Background processes of a shell ignore Ctrl+C, and so would their children.
+        return subprocess.Popen([WINE, PROGRAM, *map(str, words)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                                preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
 
     def wait_for_a_clip(self, folder, process):
         while not list(folder.rglob("*.mcpr")) and process.poll() is None:
