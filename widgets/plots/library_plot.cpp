@@ -19,7 +19,7 @@ namespace mocapress {
 namespace {
 
 constexpr auto kRedrawInterval = std::chrono::milliseconds(100);
-constexpr QSize kLeastPlot(180, 160);
+constexpr QSize kLeastPlot(180, 110);
 constexpr double kPointReach = 10;  // px from a point at which it answers
 constexpr int kClickReach = 4;      // px a click may wander
 
@@ -47,7 +47,8 @@ LibraryPlot::LibraryPlot(const LibraryFilter* clips, QWidget* parent)
   plot_->plotLayout()->insertRow(0);
   plot_->plotLayout()->addElement(0, 0, plot_->legend);
   plot_->plotLayout()->setRowStretchFactor(0, 0.001);
-  plot_->setMinimumSize(kLeastPlot);  // else as wide as the legend
+  plot_->setMinimumSize(kLeastPlot);          // else as wide as the legend
+  plot_->axisRect()->setMinimumSize(50, 15);  // in a low panel the points give way, not the axis
   plot_->legend->setIconSize(10, fontMetrics().height());
   hint_->position->setType(QCPItemPosition::ptAxisRectRatio);
   hint_->position->setCoords(0.5, 0.5);

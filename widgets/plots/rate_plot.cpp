@@ -18,7 +18,7 @@
 namespace mocapress {
 namespace {
 
-constexpr int kLeastHeight = 150;        // px; a window of 720 gives a panel 190
+constexpr int kLeastHeight = 110;        // px; the lowest panel keeps its axes
 constexpr double kReach = 12;            // px from a point to the mouse that shows its text
 constexpr int kBeside = 9;               // px from the mark to its label
 constexpr int kBelow = 6;                // px
@@ -54,6 +54,7 @@ RatePlot::RatePlot(QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(plot_);
   plot_->setMinimumHeight(kLeastHeight);
+  plot_->axisRect()->setMinimumSize(50, 15);  // in a low panel the curves give way, not the axis
   offerCopyImage(this);
   plot_->setAccessibleName(tr("Rate-distortion plot"));
   plot_->setAccessibleDescription(
