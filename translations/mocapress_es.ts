@@ -3675,10 +3675,6 @@
         <translation>Borrar</translation>
     </message>
     <message>
-        <source>Panels</source>
-        <translation>Paneles</translation>
-    </message>
-    <message>
         <source>More tools</source>
         <translation>Más herramientas</translation>
     </message>

@@ -3675,12 +3675,8 @@
         <translation>Effacer</translation>
     </message>
     <message>
-        <source>Panels</source>
-        <translation>Panneaux</translation>
-    </message>
-    <message>
         <source>More tools</source>
-        <translation>Plus d'outils</translation>
+        <translation>Plus d&apos;outils</translation>
     </message>
 </context>
 <context>

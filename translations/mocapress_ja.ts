@@ -3648,10 +3648,6 @@
         <translation>消去</translation>
     </message>
     <message>
-        <source>Panels</source>
-        <translation>パネル</translation>
-    </message>
-    <message>
         <source>More tools</source>
         <translation>ほかのツール</translation>
     </message>

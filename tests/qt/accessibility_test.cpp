@@ -2,60 +2,83 @@
 // Texts for screen readers, and the help's texts.
 #include <gtest/gtest.h>
 
-#include <QAbstractButton>
-#include <QAbstractItemView>
-#include <QAbstractSlider>
 #include <QAbstractSpinBox>
 #include <QAccessible>
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QImage>
 #include <QLineEdit>
-#include <QScrollBar>
+#include <QMenuBar>
+#include <QRadioButton>
+#include <QSet>
 #include <QSettings>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+#include <QTreeView>
+#include <algorithm>
 
 #include "app/studio/study/study_window.h"
 #include "app/studio/window/help.h"
 #include "app/studio/window/main_window.h"
 #include "app/studio/window/theme.h"
+#include "tests/qt/patience.h"
+#include "widgets/panels/library_panel.h"
 
 namespace mocapress {
 namespace {
 
-bool isInteractive(const QWidget* widget) {
-  if (qobject_cast<const QScrollBar*>(widget)) return false;
-  // Skips parts of a control that has a name itself.
-  for (const QWidget* above = widget->parentWidget(); above; above = above->parentWidget())
-    if (qobject_cast<const QComboBox*>(above) || qobject_cast<const QAbstractSpinBox*>(above) ||
-        qobject_cast<const QLineEdit*>(above) || qobject_cast<const QAbstractItemView*>(above))
-      return false;
-  if (widget->objectName().startsWith(QStringLiteral("qt_"))) return false;
-  // Own widgets that the keyboard reaches: the 3D view, plots, maps, strips.
-  if (QLatin1String(widget->metaObject()->className()).startsWith(QLatin1String("mocapress::")) &&
-      (widget->focusPolicy() & Qt::TabFocus))
-    return true;
-  return qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QComboBox*>(widget) ||
-         qobject_cast<const QAbstractSpinBox*>(widget) ||
-         qobject_cast<const QAbstractSlider*>(widget) || qobject_cast<const QLineEdit*>(widget) ||
-         qobject_cast<const QAbstractItemView*>(widget);
+/// All items below a window that a screen reader sees, but for the cells of lists: their texts are
+/// those of the models.
+std::vector<QAccessibleInterface*> itemsOf(QAccessibleInterface* item) {
+  if (!item || !item->isValid()) return {};
+  std::vector<QAccessibleInterface*> items{item};
+  if (item->tableInterface()) return items;
+  for (int i = 0; i < item->childCount(); ++i) {
+    const std::vector<QAccessibleInterface*> below = itemsOf(item->child(i));
+    items.insert(items.end(), below.begin(), below.end());
+  }
+  return items;
 }
 
-QStringList nameless(const QWidget* window) {
-  QStringList found;
-  for (QWidget* widget : window->findChildren<QWidget*>()) {
-    if (!isInteractive(widget)) continue;
-    QAccessibleInterface* read = QAccessible::queryAccessibleInterface(widget);
-    if (!read || read->text(QAccessible::Name).trimmed().isEmpty())
-      found << QString::fromLatin1(widget->metaObject()->className()) + QLatin1Char(' ') +
-                   widget->objectName() + QStringLiteral(" in ") +
-                   QString::fromLatin1(widget->parentWidget()->metaObject()->className());
+std::vector<QAccessibleInterface*> itemsOf(QWidget* window) {
+  return itemsOf(QAccessible::queryAccessibleInterface(window));
+}
+
+/// True for what the keyboard or a click may act on.
+bool isOperable(QAccessibleInterface* item) {
+  // A label whose text can be selected is named by it, a bar of tabs by the chosen one.
+  if (item->role() == QAccessible::ScrollBar || item->role() == QAccessible::Separator ||
+      item->role() == QAccessible::StaticText || item->role() == QAccessible::PageTabList)
+    return false;
+  QAccessibleActionInterface* const actions = item->actionInterface();
+  return item->state().focusable || (actions && !actions->actionNames().isEmpty());
+}
+
+QString placeOf(QAccessibleInterface* item) {
+  QStringList names;
+  for (; item; item = item->parent()) {
+    const QObject* const object = item->object();
+    names.prepend(object ? QString::fromLatin1(object->metaObject()->className()) +
+                               QLatin1Char(' ') + object->objectName()
+                         : QStringLiteral("role %1").arg(item->role()));
   }
+  return names.join(QStringLiteral(" > "));
+}
+
+QStringList nameless(QWidget* window) {
+  QStringList found;
+  for (QAccessibleInterface* item : itemsOf(window))
+    if (isOperable(item) && item->text(QAccessible::Name).trimmed().isEmpty())
+      found << placeOf(item);
   return found;
 }
 
 TEST(Accessibility, EveryControlHasAName) {
   QSettings().clear();
   MainWindow window;
+  window.show();
   EXPECT_EQ(nameless(&window).join(QLatin1Char('\n')).toStdString(), "");
   EXPECT_EQ(nameless(window.showStudy()).join(QLatin1Char('\n')).toStdString(), "");
   window.actions().batch->trigger();
@@ -64,13 +87,60 @@ TEST(Accessibility, EveryControlHasAName) {
   window.actions().keyboard_map->trigger();
   window.actions().shortcuts->trigger();
   int windows = 0;
-  for (const QWidget* top : QApplication::topLevelWidgets()) {
+  for (QWidget* top : QApplication::topLevelWidgets()) {
     if (!top->isVisible() || top == &window) continue;
     ++windows;
     EXPECT_EQ(nameless(top).join(QLatin1Char('\n')).toStdString(), "")
         << qPrintable(top->windowTitle());
   }
   EXPECT_GE(windows, 6);
+}
+
+/// True for a button of a command that the palette finds and the keyboard map gives a key.
+bool isOfCommand(const QWidget* widget, const std::vector<Command>& commands) {
+  const auto* button = qobject_cast<const QToolButton*>(widget);
+  return button && std::any_of(commands.begin(), commands.end(), [&](const Command& command) {
+           return command.action == button->defaultAction();
+         });
+}
+
+/// True for parts whose whole has the focus, and does by keys what they do.
+bool isPart(const QWidget* widget) {
+  const QWidget* const whole = widget->parentWidget();
+  if (const auto* radio = qobject_cast<const QRadioButton*>(widget))
+    return !radio->isChecked();  // the arrows go there from the one that is
+  return qobject_cast<const QMenuBar*>(widget) || qobject_cast<const QLineEdit*>(whole) ||
+         qobject_cast<const QAbstractSpinBox*>(whole) || qobject_cast<const QComboBox*>(whole);
+}
+
+TEST(Accessibility, EveryControlIsReachedByTabOrHasACommand) {
+  QSettings().clear();
+  MainWindow window;
+  window.resize(1440, 900);
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+  QSignalSpy settled(&window.session(), &Session::settled);
+  window.files().open(sampleClip());
+  ASSERT_TRUE(settled.count() > 0 || settled.wait(kPatience));
+
+  QSet<const QWidget*> reached;
+  window.libraryPanel().view()->setFocus();
+  constexpr int kTabs = 300;  // more than the window has controls
+  for (int i = 0; i < kTabs; ++i) {
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+    ASSERT_NE(QApplication::focusWidget(), nullptr);
+    reached.insert(QApplication::focusWidget());
+  }
+  EXPECT_GT(reached.size(), 20);
+  EXPECT_LT(reached.size(), kTabs) << "the first is reached again";
+  QStringList beyond;
+  for (QAccessibleInterface* item : itemsOf(&window)) {
+    const auto* const widget = qobject_cast<const QWidget*>(item->object());
+    if (!widget || !isOperable(item) || !widget->isVisible() || !widget->isEnabled()) continue;
+    if (!reached.contains(widget) && !isOfCommand(widget, window.commands()) && !isPart(widget))
+      beyond << placeOf(item) + QLatin1String(": ") + item->text(QAccessible::Name);
+  }
+  EXPECT_EQ(beyond.join(QLatin1Char('\n')).toStdString(), "");
 }
 
 /// Contrast as WCAG 2 defines it.

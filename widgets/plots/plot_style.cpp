@@ -51,6 +51,9 @@ void offerCopyImage(QWidget* plot) {
   QObject::connect(copy, &QAction::triggered, plot,
                    [plot] { QGuiApplication::clipboard()->setPixmap(plot->grab()); });
   plot->addAction(copy);
+  // By Tab, too: the menu key opens the menu.
+  for (QCustomPlot* const part : plot->findChildren<QCustomPlot*>())
+    part->setFocusPolicy(Qt::StrongFocus);
   plot->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 

@@ -21,7 +21,7 @@ RangeActions::RangeActions(Session* session, Playback* playback, QObject* parent
       contacts_(new QMenu(tr("C&ontacts in the Range"))),
       loop_(new QMenu(tr("The Clip as a Loo&p"))) {
   // Menus are filled when they open, with what is checked then; one entry lets them open.
-  for (QMenu* menu : {care_, contacts_, loop_}) menu->addAction(QString());
+  for (QMenu* menu : {care_, contacts_, loop_}) menu->addSeparator();
   connect(care_, &QMenu::aboutToShow, this, &RangeActions::fillCare);
   connect(contacts_, &QMenu::aboutToShow, this, &RangeActions::fillContacts);
   connect(loop_, &QMenu::aboutToShow, this, &RangeActions::fillLoop);

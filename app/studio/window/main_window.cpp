@@ -30,6 +30,7 @@
 #include "app/studio/window/language.h"
 #include "app/studio/window/notices.h"
 #include "app/studio/window/panels_below.h"
+#include "app/studio/window/part_names.h"
 #include "app/studio/window/tool_windows.h"
 #include "app/studio/window/trace.h"
 #include "app/studio/window/undo_target.h"
@@ -87,6 +88,7 @@ constexpr QSize kFirstSize(1440, 900);
 MainWindow::MainWindow(Work* work) : work_(work ? work : new Work(this)) {
   setWindowIcon(QIcon(QStringLiteral(":/icons/app.svg")));
   qApp->installEventFilter(new ShortcutsFirst(this));
+  qApp->installEventFilter(new PartNames(this));
   resize(kFirstSize);
   auto* undo = new UndoTarget(session_, library_, this);
   actions_ = makeActions(playback_, undo->histories(), this);

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/studio/window/part_names.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QEvent>
+#include <QLineEdit>
+#include <QScrollArea>
+
+namespace mocapress {
+
+/// A widget is polished once, before it is shown first, with all that was set in its constructor.
+bool PartNames::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::Polish || !watched->isWidgetType()) return false;
+  auto* const widget = static_cast<QWidget*>(watched);
+  const QWidget* const whole = widget->parentWidget();
+  if (const auto* box = qobject_cast<const QComboBox*>(widget))
+    box->view()->setAccessibleName(box->accessibleName());
+  if (qobject_cast<const QScrollArea*>(widget)) widget->setFocusPolicy(Qt::NoFocus);
+  if (!whole || !widget->accessibleName().isEmpty()) return false;
+  if (widget->objectName() == QLatin1String("qt_toolbar_ext_button"))
+    widget->setAccessibleName(tr("More tools"));
+  if (qobject_cast<const QAbstractButton*>(widget) && qobject_cast<const QLineEdit*>(whole))
+    widget->setAccessibleName(tr("Clear"));
+  else if (qobject_cast<const QLineEdit*>(widget))
+    widget->setAccessibleName(whole->accessibleName());
+  return false;
+}
+
+}  // namespace mocapress
