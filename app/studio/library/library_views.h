@@ -50,6 +50,7 @@ class LibraryViews : public QObject {
   void compareWithBatch();
 
  private:
+  QString clipFolder() const;
   void putCharacter(const std::vector<int>& rows);
   void showSlots();
 
