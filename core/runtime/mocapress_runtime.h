@@ -495,7 +495,7 @@ MCPR_API mcpr_status mcpr_sample(const mcpr_cooked* cooked, const mcpr_sample_re
  * bounds. */
 typedef struct mcpr_cursor mcpr_cursor;
 
-/* The bytes that a cursor takes, at most 4096; 0 without a clip. */
+/* The bytes that a cursor takes, at most 8192; 0 without a clip. */
 MCPR_API size_t mcpr_cursor_bytes(const mcpr_cooked* cooked);
 
 /* Makes a cursor in `memory`, of mcpr_cursor_bytes(), and points *cursor to it. The clip may not be

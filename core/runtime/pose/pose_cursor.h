@@ -11,7 +11,7 @@
 #include "core/runtime/pose/pose_kernels.h"
 
 struct mcpr_cursor {
-  static constexpr std::size_t kMostBytes = 4096;
+  static constexpr std::size_t kMostBytes = 8192;
   static constexpr std::size_t kHead = 64;
   static constexpr int kFewestFrames = 4;  // fewer are not worth caching
 

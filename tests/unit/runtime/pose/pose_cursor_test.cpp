@@ -13,6 +13,7 @@
 #include "core/codec/format/container.h"
 #include "core/runtime/pose/cooked_check.h"
 #include "core/runtime/pose/cooked_clip.h"
+#include "core/runtime/pose/pose_cursor.h"
 #include "tests/support/cooked_clip.h"
 #include "tests/support/opened_clip.h"
 #include "tests/support/segmented_clip.h"
@@ -59,7 +60,7 @@ class Player {
  private:
   explicit Player(std::unique_ptr<CookedClip> clip)
       : clip_(std::move(clip)), memory_(mcpr_cursor_bytes(clip_->clip)) {
-    EXPECT_LE(memory_.size(), 4096u);
+    EXPECT_LE(memory_.size(), mcpr_cursor::kMostBytes);
     EXPECT_EQ(mcpr_make_cursor(clip_->clip, memory_.data(), memory_.size(), &cursor_, nullptr),
               MCPR_OK);
   }
@@ -166,7 +167,7 @@ TEST(PoseCursor, PathsAndListsGiveTheSameBits) {
 TEST(PoseCursor, RefusesANullCursorOrTooLittleMemory) {
   const Player player(clip_of_frames(20));
   const mcpr_cooked* const clip = player.clip().clip;
-  const AlignedBytes memory(4096);
+  const AlignedBytes memory(mcpr_cursor::kMostBytes);
   const std::size_t size = mcpr_cursor_bytes(clip);
   mcpr_cursor* cursor = nullptr;
   const mcpr_sample_request request{};
@@ -185,7 +186,7 @@ TEST(PoseCursor, WrongNumbersAreHarmless) {
   const Player player(clip_of_frames(100, {.ends = Ends::Exact}));
   const AlignedBytes& bytes = *player.clip().bytes;
   const AlignedBytes copy(bytes.size());
-  const AlignedBytes memory(4096);
+  const AlignedBytes memory(mcpr_cursor::kMostBytes);
   Random random(5);
   int opened = 0;
   for (int round = 0; round < 2000; ++round) {
