@@ -132,6 +132,10 @@ ImportOptionsDialog::ImportOptionsDialog(const OriginalClip& clip, QWidget* pare
   layout->addWidget(summary);
   layout->addLayout(form);
   layout->addWidget(buttons);
+  // Else Tab goes past those between the first in sight and the last that was made.
+  using Box = QDialogButtonBox;
+  setTabOrder(buttons->button(Box::RestoreDefaults), buttons->button(Box::Ok));
+  setTabOrder(buttons->button(Box::Ok), buttons->button(Box::Cancel));
   setOptions(clip.reading);
 }
 

@@ -3,6 +3,7 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
+#include <QAccessible>
 #include <QComboBox>
 #include <QEvent>
 #include <QLineEdit>
@@ -15,8 +16,9 @@ bool PartNames::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::Polish || !watched->isWidgetType()) return false;
   auto* const widget = static_cast<QWidget*>(watched);
   const QWidget* const whole = widget->parentWidget();
-  if (const auto* box = qobject_cast<const QComboBox*>(widget))
-    box->view()->setAccessibleName(box->accessibleName());
+  if (auto* box = qobject_cast<QComboBox*>(widget))
+    box->view()->setAccessibleName(
+        QAccessible::queryAccessibleInterface(box)->text(QAccessible::Name));
   if (qobject_cast<const QScrollArea*>(widget)) widget->setFocusPolicy(Qt::NoFocus);
   if (!whole || !widget->accessibleName().isEmpty()) return false;
   if (widget->objectName() == QLatin1String("qt_toolbar_ext_button"))
