@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The time in which the studio takes a folder of many short clips into its library: pieces of 1 to
-// 4 s, cut at random from the clips named, as BVH. Prints how long it takes until all are listed
-// and until all have their picture, and for how long the window did not answer meanwhile: a timer
-// that is due every few milliseconds tells. Then the list, with results that are made up for every
-// row, is scrolled, filtered, sorted, grouped and selected: the longest of each kind is printed,
-// with the picture that follows. At last clips are opened one after the other, and the memory that
-// the program holds is printed on the way. Needs a screen, such as Xvfb's.
+// 4 s, cut at random from the clips named, as BVH in folders of 100. Prints how long it takes until
+// all are listed and until all have their picture, and for how long the window did not answer
+// meanwhile: a timer that is due every few milliseconds tells. Then the list, with results that are
+// made up for every row, is scrolled, filtered, sorted, grouped and selected: the longest of each
+// kind is printed, with the picture that follows. At last clips are opened one after the other, and
+// the memory that the program holds is printed on the way. Needs a screen, such as Xvfb's.
 //
 //   mocapress-library-study CLIP|FOLDER... [--clips 3000] [--seed 16] [--openings 2000]
 #include <time.h>
@@ -42,7 +42,8 @@
 namespace mocapress {
 namespace {
 
-constexpr int kBeat = 5;  // ms
+constexpr int kBeat = 5;        // ms
+constexpr int kInFolder = 100;  // clips
 
 void cutClips(const QStringList& sources, int count, unsigned seed, const QString& folder) {
   std::vector<Motion> motions;
@@ -59,9 +60,10 @@ void cutClips(const QStringList& sources, int count, unsigned seed, const QStrin
     const int first = static_cast<int>(random.unit() * (whole - frames));
     const Motion piece{from.skeleton,
                        {from.clip.sample_rate_hz, from.clip.channels.middleRows(first, frames)}};
-    write_motion(
-        QStringLiteral("%1/%2.bvh").arg(folder).arg(i, 5, 10, QLatin1Char('0')).toStdU16String(),
-        piece);
+    const std::filesystem::path below =
+        std::filesystem::path(folder.toStdU16String()) / std::to_string(i / kInFolder);
+    std::filesystem::create_directory(below);
+    write_motion(below / (std::to_string(count + i) + ".bvh"), piece);
   }
 }
 
@@ -116,7 +118,7 @@ class Watch : public QObject {
       troubled_ += entry.trouble.isEmpty() ? 0 : 1;
     }
     drawn_ = now;
-    QApplication::quit();
+    QApplication::exit();  // quit() closes the window
   }
 
   const LibraryModel& model_;

@@ -201,7 +201,6 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
   filter_->setClearButtonEnabled(true);
   view_->setModel(tree_);
   view_->setItemDelegateForColumn(0, new RowPainter(model, tree_, view_));
-  view_->setUniformRowHeights(false);
   view_->setAllColumnsShowFocus(true);
   for (int show = 0; show <= static_cast<int>(LibraryShow::Missed); ++show)
     shown_->addItem(displayName(static_cast<LibraryShow>(show)));
@@ -555,6 +554,7 @@ void LibraryPanel::showTree() {
     const QSignalBlocker blocker(view_);
     const bool has_folders = tree_->rowCount() > 0 && tree_->clipOf(tree_->index(0, 0)) < 0;
     view_->setRootIsDecorated(has_folders);
+    view_->setUniformRowHeights(!has_folders);  // else each change adds up the heights of all rows
     view_->expandAll();
     const auto show_folders = [this](auto&& self, const QModelIndex& above) -> void {
       for (int row = 0; row < tree_->rowCount(above); ++row) {

@@ -23,6 +23,28 @@ constexpr QSize kLeastPlot(180, 110);
 constexpr double kPointReach = 10;  // px from a point at which it answers
 constexpr int kClickReach = 4;      // px a click may wander
 
+/// Draws its points as copies of one picture: thousands of circles take longer than a frame to
+/// fill.
+class PointGraph : public QCPGraph {
+ public:
+  using QCPGraph::QCPGraph;
+
+ protected:
+  void drawScatterPlot(QCPPainter* painter, const QVector<QPointF>& points,
+                       const QCPScatterStyle& style) const override {
+    const double pixels = parentPlot()->bufferDevicePixelRatio();
+    const int half = qCeil(style.size() / 2 + style.pen().widthF());
+    QPixmap picture(QSize(2 * half, 2 * half) * pixels);
+    picture.setDevicePixelRatio(pixels);
+    picture.fill(Qt::transparent);
+    QCPPainter one(&picture);
+    applyScattersAntialiasingHint(&one);
+    style.applyTo(&one, pen());
+    style.drawShape(&one, half, half);
+    for (const QPointF& point : points) painter->drawPixmap(point - QPointF(half, half), picture);
+  }
+};
+
 bool isShown(const LibraryEntry& entry) {
   return entry.outcome && entry.outcome->ratio > 0 && entry.outcome->eps_cm > 0;
 }
@@ -113,7 +135,7 @@ void LibraryPlot::redraw() {
   const QColor text = palette().color(QPalette::Text);
   plot_->clearGraphs();
   const auto add = [&](const QString& name, const QColor& colour) {
-    QCPGraph* graph = plot_->addGraph();
+    QCPGraph* graph = new PointGraph(plot_->xAxis, plot_->yAxis);
     graph->setLineStyle(QCPGraph::lsNone);
     graph->setScatterStyle(
         {QCPScatterStyle::ssCircle, QPen(colour, 1.2), QBrush(fainter(colour, 0.45F)), 7});
