@@ -1051,6 +1051,10 @@
         <source>Character on All Clips</source>
         <translation>Personaje en todos los clips</translation>
     </message>
+    <message>
+        <source>Report: %1</source>
+        <translation>Informe: %1</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::BlindTestWindow</name>
@@ -8525,23 +8529,23 @@ Haga clic para cargarlo en Studio.</translation>
 <context>
     <name>mocapress::TransportBar</name>
     <message>
-        <source>First frame</source>
+        <source>First Frame</source>
         <translation>Primer fotograma</translation>
     </message>
     <message>
-        <source>Previous frame</source>
+        <source>Previous Frame</source>
         <translation>Fotograma anterior</translation>
     </message>
     <message>
-        <source>Play or pause</source>
+        <source>Play or Pause</source>
         <translation>Reproducir o pausar</translation>
     </message>
     <message>
-        <source>Next frame</source>
+        <source>Next Frame</source>
         <translation>Fotograma siguiente</translation>
     </message>
     <message>
-        <source>Last frame</source>
+        <source>Last Frame</source>
         <translation>Último fotograma</translation>
     </message>
     <message>
@@ -8549,7 +8553,7 @@ Haga clic para cargarlo en Studio.</translation>
         <translation>Bucle</translation>
     </message>
     <message>
-        <source>Play backwards; press again to go faster</source>
+        <source>Play Backwards; Press Again to Go Faster</source>
         <translation>Reproducir hacia atrás; pulse otra vez para ir más rápido</translation>
     </message>
     <message>
@@ -8557,27 +8561,27 @@ Haga clic para cargarlo en Studio.</translation>
         <translation>Pausa</translation>
     </message>
     <message>
-        <source>Play forwards; press again to go faster</source>
+        <source>Play Forwards; Press Again to Go Faster</source>
         <translation>Reproducir hacia delante; pulse otra vez para ir más rápido</translation>
     </message>
     <message>
-        <source>Ten frames back</source>
+        <source>Ten Frames Back</source>
         <translation>Diez fotogramas atrás</translation>
     </message>
     <message>
-        <source>Ten frames on</source>
+        <source>Ten Frames On</source>
         <translation>Diez fotogramas adelante</translation>
     </message>
     <message>
-        <source>Play from here</source>
+        <source>Play from Here</source>
         <translation>Reproducir desde aquí</translation>
     </message>
     <message>
-        <source>Play to here</source>
+        <source>Play to Here</source>
         <translation>Reproducir hasta aquí</translation>
     </message>
     <message>
-        <source>Play the whole clip</source>
+        <source>Play the Whole Clip</source>
         <translation>Reproducir todo el clip</translation>
     </message>
     <message>

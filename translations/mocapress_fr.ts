@@ -1051,6 +1051,10 @@
         <source>Character on All Clips</source>
         <translation>Personnage sur tous les clips</translation>
     </message>
+    <message>
+        <source>Report: %1</source>
+        <translation>Rapport : %1</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::BlindTestWindow</name>
@@ -8525,23 +8529,23 @@ Cliquer pour le charger dans le studio.</translation>
 <context>
     <name>mocapress::TransportBar</name>
     <message>
-        <source>First frame</source>
+        <source>First Frame</source>
         <translation>Première image</translation>
     </message>
     <message>
-        <source>Previous frame</source>
+        <source>Previous Frame</source>
         <translation>Image précédente</translation>
     </message>
     <message>
-        <source>Play or pause</source>
+        <source>Play or Pause</source>
         <translation>Lire ou suspendre</translation>
     </message>
     <message>
-        <source>Next frame</source>
+        <source>Next Frame</source>
         <translation>Image suivante</translation>
     </message>
     <message>
-        <source>Last frame</source>
+        <source>Last Frame</source>
         <translation>Dernière image</translation>
     </message>
     <message>
@@ -8549,7 +8553,7 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Boucle</translation>
     </message>
     <message>
-        <source>Play backwards; press again to go faster</source>
+        <source>Play Backwards; Press Again to Go Faster</source>
         <translation>Lire à rebours, encore : plus vite</translation>
     </message>
     <message>
@@ -8557,27 +8561,27 @@ Cliquer pour le charger dans le studio.</translation>
         <translation>Pause</translation>
     </message>
     <message>
-        <source>Play forwards; press again to go faster</source>
+        <source>Play Forwards; Press Again to Go Faster</source>
         <translation>Lire en avant, encore : plus vite</translation>
     </message>
     <message>
-        <source>Ten frames back</source>
+        <source>Ten Frames Back</source>
         <translation>Dix images en arrière</translation>
     </message>
     <message>
-        <source>Ten frames on</source>
+        <source>Ten Frames On</source>
         <translation>Dix images en avant</translation>
     </message>
     <message>
-        <source>Play from here</source>
+        <source>Play from Here</source>
         <translation>Lire à partir d&apos;ici</translation>
     </message>
     <message>
-        <source>Play to here</source>
+        <source>Play to Here</source>
         <translation>Lire jusqu&apos;ici</translation>
     </message>
     <message>
-        <source>Play the whole clip</source>
+        <source>Play the Whole Clip</source>
         <translation>Lire tout le clip</translation>
     </message>
     <message>

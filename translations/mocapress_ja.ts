@@ -1042,6 +1042,10 @@
         <source>Character on All Clips</source>
         <translation>すべてのクリップのキャラクター</translation>
     </message>
+    <message>
+        <source>Report: %1</source>
+        <translation>報告：%1</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::BlindTestWindow</name>
@@ -8477,23 +8481,23 @@ Click to load it into the studio.</source>
 <context>
     <name>mocapress::TransportBar</name>
     <message>
-        <source>First frame</source>
+        <source>First Frame</source>
         <translation>最初のフレーム</translation>
     </message>
     <message>
-        <source>Previous frame</source>
+        <source>Previous Frame</source>
         <translation>前のフレーム</translation>
     </message>
     <message>
-        <source>Play or pause</source>
+        <source>Play or Pause</source>
         <translation>再生・一時停止</translation>
     </message>
     <message>
-        <source>Next frame</source>
+        <source>Next Frame</source>
         <translation>次のフレーム</translation>
     </message>
     <message>
-        <source>Last frame</source>
+        <source>Last Frame</source>
         <translation>最後のフレーム</translation>
     </message>
     <message>
@@ -8501,7 +8505,7 @@ Click to load it into the studio.</source>
         <translation>ループ</translation>
     </message>
     <message>
-        <source>Play backwards; press again to go faster</source>
+        <source>Play Backwards; Press Again to Go Faster</source>
         <translation>逆再生、もう一度で高速</translation>
     </message>
     <message>
@@ -8509,27 +8513,27 @@ Click to load it into the studio.</source>
         <translation>一時停止</translation>
     </message>
     <message>
-        <source>Play forwards; press again to go faster</source>
+        <source>Play Forwards; Press Again to Go Faster</source>
         <translation>順再生、もう一度で高速</translation>
     </message>
     <message>
-        <source>Ten frames back</source>
+        <source>Ten Frames Back</source>
         <translation>10フレーム戻る</translation>
     </message>
     <message>
-        <source>Ten frames on</source>
+        <source>Ten Frames On</source>
         <translation>10フレーム進む</translation>
     </message>
     <message>
-        <source>Play from here</source>
+        <source>Play from Here</source>
         <translation>ここから再生</translation>
     </message>
     <message>
-        <source>Play to here</source>
+        <source>Play to Here</source>
         <translation>ここまで再生</translation>
     </message>
     <message>
-        <source>Play the whole clip</source>
+        <source>Play the Whole Clip</source>
         <translation>クリップ全体を再生</translation>
     </message>
     <message>

@@ -9,9 +9,12 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QLabel>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 
 #include "app/studio/batch/batch_memory.h"
 #include "app/studio/batch/batch_window.h"
@@ -82,6 +85,18 @@ TEST_F(BatchInTheStudio, ExportsTheQueueAndShowsTheResultOfEachClip) {
   EXPECT_TRUE(QFileInfo::exists(path("out/clip0.mcpr")));
   EXPECT_TRUE(QFileInfo::exists(session_.report()));
   EXPECT_EQ(session_.fraction(), 1);
+}
+
+TEST_F(BatchInTheStudio, SaysWhereItsReportIsToThoseWithoutABrowser) {
+  addClips(1);
+  session_.start();
+  ASSERT_TRUE(waitForEnd());
+  BatchWindow window(&session_, nullptr);
+  window.reportButton()->click();
+  const QList<QLabel*> labels = window.findChildren<QLabel*>();
+  EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
+    return label->text().contains(QDir::toNativeSeparators(session_.report()));
+  }));
 }
 
 TEST_F(BatchInTheStudio, SaysWhatIsMissingBeforeItCanStart) {

@@ -136,14 +136,18 @@ TEST_F(Files, MissingFilesAreNotOpenedFirst) {
   EXPECT_EQ(next.document().title(), QStringLiteral("human_walk.amc"));
 }
 
-TEST_F(Files, OffersASkeletonForAnAmcOnly) {
+TEST_F(Files, OffersASkeletonForAnAmcThatIsThereOnly) {
   QSignalSpy failed(&files_, &ClipFiles::openFailed);
-  files_.open(directory_.filePath(QStringLiteral("none.amc")));
-  ASSERT_TRUE(failed.wait(kPatience));
-  EXPECT_TRUE(failed[0][1].toBool());
-  files_.open(directory_.filePath(QStringLiteral("none.bvh")));
-  ASSERT_TRUE(failed.wait(kPatience));
-  EXPECT_FALSE(failed[1][1].toBool());
+  const auto offers = [&](const QString& name) {
+    files_.open(directory_.filePath(name));
+    EXPECT_TRUE(failed.wait(kPatience));
+    return failed.takeFirst()[1].toBool();
+  };
+  const QString alone = QStringLiteral("alone.amc");
+  write_text(directory_.filePath(alone).toStdU16String(), ":FULLY-SPECIFIED\n");
+  EXPECT_TRUE(offers(alone));
+  EXPECT_FALSE(offers(QStringLiteral("none.amc")));
+  EXPECT_FALSE(offers(QStringLiteral("none.bvh")));
 }
 
 /// Accepts the open file dialog with this name and kind.

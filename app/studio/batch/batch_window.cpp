@@ -319,8 +319,11 @@ void BatchWindow::connectSession() {
   });
   connect(stop_, &QPushButton::clicked, session_, &BatchSession::stopAfterCurrent);
   connect(cancel_, &QPushButton::clicked, session_, &BatchSession::cancel);
-  connect(report_, &QPushButton::clicked, this,
-          [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(session_->report())); });
+  connect(report_, &QPushButton::clicked, this, [this] {
+    QDesktopServices::openUrl(QUrl::fromLocalFile(session_->report()));
+    // Nothing tells if a browser came up.
+    note_->setText(tr("Report: %1").arg(QDir::toNativeSeparators(session_->report())));
+  });
   connect(slurm_, &QPushButton::clicked, this, &BatchWindow::writeSlurm);
 }
 

@@ -110,8 +110,8 @@ ClipFiles::ClipFiles(Session* session, QWidget* window)
   connect(session, &Session::openFailed, this,
           [this](const OpenRequest& request, const QString& message) {
             unread_ = request;
-            emit openFailed(message,
-                            request.path.endsWith(QLatin1String(".amc"), Qt::CaseInsensitive));
+            const bool is_amc = request.path.endsWith(QLatin1String(".amc"), Qt::CaseInsensitive);
+            emit openFailed(message, is_amc && QFileInfo::exists(request.path));
           });
   connect(session, &Session::saved, this, &ClipFiles::noteSaved);
   connect(session, &Session::exported, this,
