@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
-#include <QDockWidget>
+#include <QHeaderView>
 #include <QSlider>
 #include <QTest>
 #include <QToolButton>
@@ -100,15 +100,17 @@ TEST_F(StudioTour, AnArtistTunesAClipGivesItsSettingsToOthersAndExportsThem) {
       QTest::qWaitFor([&] { return studio->views().viewport->pinned().size() == 1; }, kPatience));
   studio.settleAfter([&] { library.setPreset({0, 1}, built_in_presets()[0]); });
   QSignalSpy compared(&library, &Library::compared);
+  studio->resize(1560, 900);
   library.compareWith(out);
   ASSERT_TRUE(compared.count() > 0 || compared.wait(kPatience));
   const LibraryModel& rows = studio->work().clips;
   EXPECT_NE(textOf(rows.entry(0), LibraryColumn::Since), QString());
   EXPECT_EQ(textOf(rows.entry(3), LibraryColumn::Since), QString());
   EXPECT_EQ(studio->libraryPanel().tree()->clipsBelow({}).front(), 0);
-  studio->resizeDocks({studio->findChild<QDockWidget*>(QStringLiteral("library"))}, {520},
-                      Qt::Horizontal);
   runDueEvents();
+  const QTreeView& list = *studio->libraryPanel().view();
+  EXPECT_LE(list.header()->length(), list.viewport()->width()) << "all columns show";
+  EXPECT_GE(list.columnWidth(0), 200) << "and so do the clips";
   studio.picture(QStringLiteral("artist-3-since"));
 }
 

@@ -83,6 +83,9 @@ class LibraryPanel : public QWidget {
 
   QSize sizeHint() const override { return {230, 400}; }
 
+  /// In this width all columns show beside the clips.
+  int wholeWidth() const { return sizeHint().width() + columnsWidth(); }
+
   /// Rows narrower than this could not be read. The first columns that are chosen have room, too.
   QSize minimumSizeHint() const override;
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/studio/library/library_views.h"
 
+#include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
+#include <QMainWindow>
 #include <QSettings>
 #include <QTimer>
 #include <algorithm>
@@ -55,7 +57,7 @@ LibraryViews::LibraryViews(Session* session, Library* library, LibraryPanel* pan
   connect(panel, &LibraryPanel::putCharacterRequested, this, &LibraryViews::putCharacter);
   connect(panel, &LibraryPanel::takeCharacterOffRequested, library,
           [library](const std::vector<int>& rows) { library->putCharacter(rows, {}); });
-  connect(library, &Library::compared, panel, [panel] { panel->showComparison(true); });
+  connect(library, &Library::compared, this, &LibraryViews::showComparison);
   connect(library, &Library::entered, panel, [panel] { panel->showComparison(false); });
   connect(panel, &LibraryPanel::findMissingRequested, this, &LibraryViews::findMissing);
   // Files change mostly while the user is in another program.
@@ -110,6 +112,15 @@ void LibraryViews::showSlots() {
       summaries[slot] = tr("%1, %2").arg(ratioText(figures->ratio), lengthText(figures->eps_cm));
   slots_->setSlots(session_->document().tuning().active, summaries);
   slots_->setEnabled(session_->document().original() != nullptr);
+}
+
+/// Widens the panel, as far as the window has room, so that all columns of a comparison show.
+void LibraryViews::showComparison() {
+  panel_->showComparison(true);
+  auto* const dock = qobject_cast<QDockWidget*>(panel_->parentWidget());
+  auto* const window = qobject_cast<QMainWindow*>(window_);
+  if (dock && window)
+    window->resizeDocks({dock}, {std::max(dock->width(), panel_->wholeWidth())}, Qt::Horizontal);
 }
 
 void LibraryViews::showNextToReview() {

@@ -52,6 +52,7 @@ class LibraryViews : public QObject {
  private:
   QString clipFolder() const;
   void putCharacter(const std::vector<int>& rows);
+  void showComparison();
   void showSlots();
 
   Session* session_;
