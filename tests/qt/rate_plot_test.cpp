@@ -4,9 +4,14 @@
 #include <gtest/gtest.h>
 #include <qcustomplot.h>
 
+#include <QApplication>
+#include <QClipboard>
 #include <QComboBox>
+#include <QContextMenuEvent>
+#include <QMenu>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTimer>
 #include <QTreeView>
 
 #include "tests/qt/patience.h"
@@ -68,6 +73,23 @@ TEST(LogTicker, LabelsWhatThereIsRoomFor) {
   EXPECT_EQ(labelsOf({18, 105}), QStringList({"20:1", "50:1", "100:1"}));
   EXPECT_EQ(labelsOf({0.9, 2000}), QStringList({"1:1", "10:1", "100:1", "1000:1"}));
   EXPECT_GE(labelsOf({36.2, 38.9}).size(), 3) << "fewer than two digits are in it";
+}
+
+TEST(RatePlot, OffersToCopyItsImageWhereItIsClicked) {
+  RatePlot plot;
+  lay(plot);
+  auto* canvas = plot.findChild<QCustomPlot*>();
+  QTimer::singleShot(0, &plot, [] {
+    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    ASSERT_TRUE(menu);
+    menu->actions().front()->trigger();
+    menu->close();
+  });
+  QApplication::clipboard()->clear();
+  const QPoint middle = canvas->rect().center();
+  QContextMenuEvent event(QContextMenuEvent::Mouse, middle, canvas->mapToGlobal(middle));
+  QApplication::sendEvent(canvas, &event);
+  EXPECT_EQ(QApplication::clipboard()->pixmap().size(), plot.size());
 }
 
 TEST(RatePlot, DrawsEveryCurveInItsColour) {

@@ -50,11 +50,15 @@ void offerCopyImage(QWidget* plot) {
   auto* copy = new QAction(Texts::tr("Copy Image"), plot);
   QObject::connect(copy, &QAction::triggered, plot,
                    [plot] { QGuiApplication::clipboard()->setPixmap(plot->grab()); });
-  plot->addAction(copy);
-  // By Tab, too: the menu key opens the menu.
-  for (QCustomPlot* const part : plot->findChildren<QCustomPlot*>())
-    part->setFocusPolicy(Qt::StrongFocus);
-  plot->setContextMenuPolicy(Qt::ActionsContextMenu);
+  const auto offer = [copy](QWidget* part) {
+    part->addAction(copy);
+    part->setContextMenuPolicy(Qt::ActionsContextMenu);
+  };
+  offer(plot);
+  for (QCustomPlot* const part : plot->findChildren<QCustomPlot*>()) {
+    offer(part);                            // it hands no click on to what it is in
+    part->setFocusPolicy(Qt::StrongFocus);  // by Tab, too: the menu key opens the menu
+  }
 }
 
 QVector<QCPGraphData> overTime(const Eigen::VectorXd& values, double sample_rate_hz) {
