@@ -103,6 +103,22 @@ TEST(RatePlot, DrawsEveryCurveInItsColour) {
   EXPECT_EQ(pixelsOf(colourOf("annealed"), picture), 0);
 }
 
+TEST(RatePlot, TheLabelOfTheResultIsBesideItsMarkFromTheFirstPictureOn) {
+  RatePlot plot;
+  plot.resize(500, 200);
+  plot.setCurves(rateCurves(rows(), "walk.bvh", {}));
+  plot.setHere(CurvePoint{15, 0.3});
+  plot.grab();
+  auto* canvas = plot.findChild<QCustomPlot*>();
+  const QCPItemText* label = nullptr;
+  for (int i = 0; i < canvas->itemCount(); ++i)
+    if (const auto* text = qobject_cast<QCPItemText*>(canvas->item(i)); text && text->visible())
+      label = text;
+  ASSERT_TRUE(label);
+  EXPECT_TRUE(label->positionAlignment() & (Qt::AlignLeft | Qt::AlignRight));
+  EXPECT_TRUE(label->positionAlignment() & (Qt::AlignTop | Qt::AlignBottom));
+}
+
 TEST(RatePlot, FitsThePanelOfALowWindow) {
   RatePlot plot;
   EXPECT_LE(plot.minimumSizeHint().height(), 180);

@@ -72,7 +72,7 @@ RatePlot::RatePlot(QWidget* parent)
   hint_->position->setType(QCPItemPosition::ptAxisRectRatio);
   hint_->position->setCoords(0.5, 0.5);
   here_label_->setText(tr("current result"));
-  connect(plot_, &QCustomPlot::beforeReplot, this, &RatePlot::placeHereLabel);
+  connect(plot_, &QCustomPlot::afterLayout, this, &RatePlot::placeHereLabel);
   connectMouse();
   applyColours();
   setWeighting(weighting_);
@@ -183,20 +183,21 @@ void RatePlot::placeMarks() {
   here_label_->position->setCoords(here_->ratio, here_->eps_cm);
 }
 
-/// Puts the label at the corner of the mark that is farthest from the curves.
+/// Puts the label at the corner of the mark that is farthest from the curves, inside of the axes if
+/// it fits.
 void RatePlot::placeHereLabel() {
   if (!here_) return;
   const QPointF mark(plot_->xAxis->coordToPixel(here_->ratio),
                      plot_->yAxis->coordToPixel(here_->eps_cm));
   const QSizeF size = QFontMetricsF(font()).boundingRect(here_label_->text()).size();
-  double most = -1;
+  double most = -2;
   for (const bool right : {true, false})
     for (const bool below : {true, false}) {
       const QRectF text({mark.x() + (right ? kBeside : -kBeside - size.width()),
                          mark.y() + (below ? kBelow : -kBelow - size.height())},
                         size);
-      if (!QRectF(plot_->axisRect()->rect()).contains(text)) continue;
-      const double clear = clearance(text);
+      const bool fits = QRectF(plot_->axisRect()->rect()).contains(text);
+      const double clear = fits ? clearance(text) : -1;
       if (clear <= most) continue;
       most = clear;
       here_label_->setPositionAlignment((right ? Qt::AlignLeft : Qt::AlignRight) |
