@@ -540,8 +540,7 @@ TEST(ErrorGraph, ItsLegendIsWholeBesideTheSwitchHoweverNarrow) {
   int rows_before = 0;
   for (const int width : {1600, 600, 300}) {
     graph.resize(width, 300);
-    QApplication::processEvents();
-    plot->replot();
+    runDueEvents();
     for (int i = 0; i < plot->legend->itemCount(); ++i) {
       const QCPAbstractLegendItem* item = plot->legend->item(i);
       if (!item) continue;
@@ -561,8 +560,7 @@ TEST(ErrorGraph, ItsLegendIsOneWholeLineInALowPanel) {
   auto* plot = graph.findChild<QCustomPlot*>();
   for (const QSize size : {QSize(1600, 110), QSize(600, 110), QSize(300, 110), QSize(600, 80)}) {
     graph.resize(size);
-    QApplication::processEvents();
-    plot->replot();
+    runDueEvents();
     EXPECT_EQ(plot->legend->rowCount(), 1) << size.width();
     ASSERT_GT(plot->legend->itemCount(), 0) << size.width();
     for (int i = 0; i < plot->legend->itemCount(); ++i) {
@@ -575,8 +573,7 @@ TEST(ErrorGraph, ItsLegendIsOneWholeLineInALowPanel) {
   }
   EXPECT_LT(plot->legend->itemCount(), 5);
   graph.resize(300, 300);
-  QApplication::processEvents();
-  plot->replot();
+  runDueEvents();
   EXPECT_GT(plot->legend->rowCount(), 1);
 }
 

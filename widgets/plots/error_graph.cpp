@@ -167,6 +167,7 @@ void ErrorGraph::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   placeSwitch();
   fitLegend();
+  plot_->replot(QCustomPlot::rpQueuedReplot);  // it has drawn itself with the legend as it was
 }
 
 const Eigen::MatrixXf& ErrorGraph::shown() const {
