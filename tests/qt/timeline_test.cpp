@@ -210,6 +210,17 @@ TEST_F(TimelineStrips, NumbersOfTheRulerKeepApart) {
   EXPECT_LT(ruler->framesApart(), apart);
 }
 
+TEST_F(TimelineStrips, TheRulerCutsNoNumberAtItsLeftEnd) {
+  TimeRuler* ruler = timeline_.ruler();
+  const int apart = ruler->framesApart();
+  // The mark of the frame before the first one shown is half a frame to the left.
+  ruler->setWindow({static_cast<double>(apart), kFrames / 2.0});
+  const QImage picture = ruler->grab().toImage();
+  const QRect left(xOf(0), 0, 20, ruler->fontMetrics().ascent());
+  EXPECT_EQ(countOf(picture, picture.pixelColor(left.topLeft()), left),
+            left.width() * left.height());
+}
+
 TEST_F(TimelineStrips, AContactsEndCanBeDragged) {
   std::vector<ContactSpan> edited;
   QObject::connect(timeline_.contacts(), &ContactStrip::contactsEdited,

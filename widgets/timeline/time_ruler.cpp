@@ -134,6 +134,7 @@ void TimeRuler::paintFrames(QPainter& painter) const {
   painter.setPen(palette().color(QPalette::WindowText));
   const auto mark = [&](int number) {
     const double x = time.xOf(number - 0.5);
+    if (x < time.left) return;  // else its number would be cut
     painter.drawLine(QPointF(x, rowHeight() - kTick), QPointF(x, rowHeight()));
     const QString text = locale().toString(number);
     if (x + 2 + fontMetrics().horizontalAdvance(text) <= time.right)  // else it would be cut
@@ -152,11 +153,13 @@ void TimeRuler::paintSeconds(QPainter& painter) const {
   const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(apart) + 1e-9)));
   painter.setPen(palette().color(QPalette::PlaceholderText));
   const double end = (window_.first + time.length()) / sample_rate_hz_;
-  for (double at = std::floor(window_.first / sample_rate_hz_ / apart); at * apart <= end; ++at) {
+  for (double at = std::ceil(window_.first / sample_rate_hz_ / apart); at * apart <= end; ++at) {
     const double x = time.xOf(at * apart * sample_rate_hz_ + 0.5);
     painter.drawLine(QPointF(x, rowHeight()), QPointF(x, rowHeight() + kTick));
-    painter.drawText(QRectF(x + 2, rowHeight(), 100, rowHeight()), Qt::AlignLeft | Qt::AlignVCenter,
-                     locale().toString(at * apart, 'f', decimals));
+    const QString text = locale().toString(at * apart, 'f', decimals);
+    if (x + 2 + fontMetrics().horizontalAdvance(text) <= time.right)
+      painter.drawText(QRectF(x + 2, rowHeight(), 100, rowHeight()),
+                       Qt::AlignLeft | Qt::AlignVCenter, text);
   }
 }
 
