@@ -20,6 +20,7 @@
 #include <QProcess>
 #include <QProcessEnvironment>
 #include <QPushButton>
+#include <QScreen>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTabBar>
@@ -57,6 +58,7 @@ class StudioWindowTest : public testing::Test {
  protected:
   StudioWindowTest() {
     QSettings().clear();
+    window_.resize(1440, 900);
     window_.show();
     EXPECT_TRUE(QTest::qWaitForWindowExposed(&window_));
   }
@@ -115,6 +117,12 @@ class StudioWindowTest : public testing::Test {
 };
 
 using StudioWithoutAScreen = StudioWindowTest;
+
+TEST(StudioWindow, IsNoHigherThanTheScreenAtTheFirstStart) {
+  QSettings().clear();
+  const MainWindow window;
+  EXPECT_LT(window.height(), window.screen()->availableSize().height());
+}
 
 TEST_F(StudioWithoutAScreen, KeysGoToTheViewAtTheStart) {
   EXPECT_EQ(window_.focusWidget(), window_.views().viewport);

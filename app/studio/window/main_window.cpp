@@ -82,6 +82,7 @@ bool Leaving::mayClose() {
 namespace {
 
 constexpr QSize kFirstSize(1440, 900);
+constexpr QSize kFrame(10, 40);  // of a window, and its title
 
 }  // namespace
 
@@ -89,7 +90,7 @@ MainWindow::MainWindow(Work* work) : work_(work ? work : new Work(this)) {
   setWindowIcon(QIcon(QStringLiteral(":/icons/app.svg")));
   qApp->installEventFilter(new ShortcutsFirst(this));
   qApp->installEventFilter(new PartNames(this));
-  resize(kFirstSize);
+  resize(kFirstSize.boundedTo(screen()->availableSize() - kFrame));
   auto* undo = new UndoTarget(session_, library_, this);
   actions_ = makeActions(playback_, undo->histories(), this);
   actions_.error_scales = error_display_->scales(ErrorQuantity::Distance);
