@@ -115,8 +115,9 @@ void batch(Studio& studio) {
   auto* window = studio->findChild<BatchWindow*>();
   auto* session = studio->findChild<BatchSession*>();
   ASSERT_TRUE(window && QTest::qWaitForWindowExposed(window));
-  session->addClips({folder});
   BatchQueueModel& queue = *session->queue();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return queue.rowCount() == 1; }, kPatience));
+  session->addClips({folder});
   ASSERT_TRUE(QTest::qWaitFor(
       [&] {
         std::vector<int> others;  // the open clip is offered

@@ -101,5 +101,19 @@ TEST_F(Tuning, TheLibraryIsExportedEachClipByItsOwnSettings) {
   batch->close();
 }
 
+TEST_F(Tuning, TheOpenClipIsOfferedToTheBatchWithItsOwnSettings) {
+  EncodeSettings options = document_.options();
+  options.ranges = {{10, 20, 3}};
+  settleAfter([&] { window_.session().setOptions(options); });
+  window_.actions().batch->trigger();
+  auto* batch = window_.findChild<BatchWindow*>();
+  ASSERT_TRUE(batch);
+  const BatchQueueModel* queue = batch->session()->queue();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return queue->rowCount() == 1; }, kPatience));
+  ASSERT_TRUE(queue->clips()[0].own);
+  EXPECT_EQ(queue->clips()[0].own->ranges, options.ranges);
+  batch->close();
+}
+
 }  // namespace
 }  // namespace mocapress

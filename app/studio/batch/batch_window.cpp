@@ -465,8 +465,8 @@ void BatchWindow::showProgress() {
   status_->setText(statusOf(*session_));
 }
 
-void BatchWindow::offerClip(const QString& path) {
-  if (session_->queue()->clips().empty()) session_->addClips({path});
+void BatchWindow::offer(const std::vector<TunedClip>& clips) {
+  if (session_->queue()->clips().empty()) session_->addTuned(clips);
 }
 
 void BatchWindow::closeEvent(QCloseEvent* event) {

@@ -35,7 +35,7 @@ class BatchWindow : public QWidget {
   BatchWindow(BatchSession* session, QWidget* parent);
 
   /// Offers the open clip for export, unless the user chose others.
-  void offerClip(const QString& path);
+  void offer(const std::vector<TunedClip>& clips);
 
   BatchSession* session() { return session_; }
   BatchQueueView* view() { return view_; }

@@ -97,8 +97,7 @@ void ToolWindows::keepWithProject(BatchSession* session) {
 void ToolWindows::showBatch() {
   if (!batch_) makeBatch();
   bringToFront(batch_);
-  if (const OriginalPtr& original = session_->document().original())
-    batch_->offerClip(original->path);
+  if (library_->currentRow() >= 0) batch_->offer(library_->tuned({library_->currentRow()}));
 }
 
 BlindTestWindow* ToolWindows::showBlindTest() {
