@@ -122,6 +122,22 @@ TEST_F(OfProjectFiles, TheQuestionCanNameTheProjectFirst) {
   EXPECT_EQ(model_.rowCount(), 2);
 }
 
+TEST_F(OfProjectFiles, TheDialogToSaveStartsWhereTheClipsAre) {
+  QDir().mkpath(path("clips"));
+  library_.add({path("clips/walk.bvh")});
+  QString folder;
+  QTimer look;
+  QObject::connect(&look, &QTimer::timeout, [&folder] {
+    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+    if (!dialog) return;
+    folder = dialog->directory().path();
+    dialog->reject();
+  });
+  look.start(10);
+  EXPECT_FALSE(files_.saveAs());
+  EXPECT_EQ(folder, path("clips"));
+}
+
 TEST_F(OfProjectFiles, OpenAsksTooButNotAboutAProjectWithAName) {
   addClips();
   ASSERT_TRUE(library_.saveAs(path("knights.mocapress")));

@@ -197,6 +197,11 @@ int Library::currentRow() const {
   return found == project_.clips.end() ? -1 : static_cast<int>(found - project_.clips.begin());
 }
 
+QString Library::clipFolder() const {
+  const auto row = static_cast<std::size_t>(std::max(currentRow(), 0));
+  return row < project_.clips.size() ? QFileInfo(project_.clips[row].path).path() : QString();
+}
+
 std::vector<Pin> Library::pinsOf(const QString& key) {
   const ProjectClip* clip = project_.find(key);
   return clip ? clip->pins : std::vector<Pin>();

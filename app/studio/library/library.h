@@ -124,6 +124,9 @@ class Library : public KeptProject {
 
   int currentRow() const;
 
+  /// The folder of the open clip, or of the first: file dialogs start there. Empty: no clips.
+  QString clipFolder() const;
+
   /// Clips with their own settings, for a batch; no rows: all clips.
   std::vector<TunedClip> tuned(const std::vector<int>& rows) const;
 

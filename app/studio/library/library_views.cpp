@@ -3,7 +3,6 @@
 
 #include <QDockWidget>
 #include <QFileDialog>
-#include <QFileInfo>
 #include <QGuiApplication>
 #include <QMainWindow>
 #include <QSettings>
@@ -143,26 +142,21 @@ void LibraryViews::judge(Verdict verdict) {
     showNextToReview();
 }
 
-/// Dialogs start where the open clip is, or the first of the library.
-QString LibraryViews::clipFolder() const {
-  const std::vector<ProjectClip>& clips = library_->project().clips;
-  const auto row = static_cast<std::size_t>(std::max(library_->currentRow(), 0));
-  return row < clips.size() ? QFileInfo(clips[row].path).path() : QString();
-}
-
 void LibraryViews::addClips() {
-  library_->add(QFileDialog::getOpenFileNames(window_, tr("Add Clips"), clipFolder(),
+  library_->add(QFileDialog::getOpenFileNames(window_, tr("Add Clips"), library_->clipFolder(),
                                               tr("Motion (%1)").arg(motionPatterns())));
 }
 
 void LibraryViews::addFolder() {
-  const QString folder = QFileDialog::getExistingDirectory(window_, tr("Add Folder"), clipFolder());
+  const QString folder =
+      QFileDialog::getExistingDirectory(window_, tr("Add Folder"), library_->clipFolder());
   if (!folder.isEmpty()) library_->addFolder(folder);
 }
 
 void LibraryViews::putCharacter(const std::vector<int>& rows) {
-  const QString file = QFileDialog::getOpenFileName(window_, tr("Put a Character On"), clipFolder(),
-                                                    tr("Characters (*.fbx *.glb *.gltf *.vrm)"));
+  const QString file =
+      QFileDialog::getOpenFileName(window_, tr("Put a Character On"), library_->clipFolder(),
+                                   tr("Characters (*.fbx *.glb *.gltf *.vrm)"));
   if (!file.isEmpty()) library_->putCharacter(rows, file);
 }
 
@@ -176,14 +170,14 @@ void LibraryViews::setEncodes(bool encodes) {
 
 void LibraryViews::compareWithBatch() {
   const QString file = QFileDialog::getOpenFileName(
-      window_, tr("Compare Library with a Batch"), clipFolder(),
+      window_, tr("Compare Library with a Batch"), library_->clipFolder(),
       tr("Batches and projects (batch*.jsonl report*.json report*.html *.mocapress)"));
   if (!file.isEmpty()) library_->compareWith(file);
 }
 
 void LibraryViews::findMissing() {
   const QString folder =
-      QFileDialog::getExistingDirectory(window_, tr("Find Missing Clips"), clipFolder());
+      QFileDialog::getExistingDirectory(window_, tr("Find Missing Clips"), library_->clipFolder());
   if (!folder.isEmpty()) library_->findMissing(folder);
 }
 

@@ -50,7 +50,6 @@ class LibraryViews : public QObject {
   void compareWithBatch();
 
  private:
-  QString clipFolder() const;
   void putCharacter(const std::vector<int>& rows);
   void showComparison();
   void showSlots();

@@ -55,7 +55,8 @@ void ProjectFiles::noteOpened() {
 }
 
 bool ProjectFiles::saveAs() {
-  QString path = QFileDialog::getSaveFileName(window_, tr("Save Project"), {}, kinds());
+  const QString start = library_->name().isEmpty() ? library_->clipFolder() : library_->path();
+  QString path = QFileDialog::getSaveFileName(window_, tr("Save Project"), start, kinds());
   if (path.isEmpty()) return false;
   if (!isProjectFile(path)) path += QStringLiteral(".mocapress");
   return library_->saveAs(path);
