@@ -61,6 +61,10 @@ table:has(thead th:nth-child(9)) :is(th, td) { padding: 5px 5px; font-size: 12.5
 td.paper, th.paper { color: var(--muted); background: color-mix(in srgb, var(--rule) 28%, transparent); }
 td.best { font-weight: 700; } tr.sum td, tr.sum th { border-top: 2px solid var(--rule); }
 td small { font-size: 12px; } td.wrap { white-space: normal; text-align: left; }
+.signed :is(th, td) { vertical-align: top; } .signed td.wrap { min-width: 7em; }
+.signed th[scope=row] { white-space: normal; min-width: 11em; }
+.signed :is(th[scope=row], td.wrap) { overflow-wrap: anywhere; }
+section + p { margin-top: 16px; }
 #clips :is(th, td) { vertical-align: top; } #clips td.wrap { min-width: 8em; }
 #clips td[data-key] { min-width: 16em; }
 @media screen { section:has(#clips) {

@@ -113,7 +113,7 @@ std::string worst_table(const SignOff& report) {
         cell(reason_text(say, figures.stale), "wrap"));
   }
   return element(
-      "section", "",
+      "section", attribute("class", "signed"),
       element("h2", "", say("Worst frames")) +
           muted(say("The frame with the largest error of each clip, the largest first.")) +
           table(line(text_head(say("Clip")) + head(say("frame")) + head(say("error, cm")) +
@@ -131,11 +131,11 @@ std::string notes_table(const SignOff& report) {
           cell(linked(moment_text(clip, note.frame, frames_text(note)),
                       link_to(clip, note.frame, note.joint))) +
           cell(or_nothing(note.joint), "name") + cell(escaped(note.text), "wrap") +
-          cell(or_nothing(note.reviewer), "name") + cell(or_nothing(note.time), "name") +
+          cell(or_nothing(note.reviewer), "wrap") + cell(or_nothing(note.time), "name") +
           cell(reason_text(say, stale_reason(note, clip.source_hash, clip.settings_hash)), "wrap"));
   if (lines.empty()) return "";
   return element(
-      "section", "",
+      "section", attribute("class", "signed"),
       element("h2", "", say("Notes")) +
           table(line(text_head(say("Clip")) + head(say("frame")) + text_head(say("joint")) +
                      text_head(say("note")) + text_head(say("by")) + text_head(say("when")) +
@@ -151,7 +151,7 @@ std::string clips_table(const SignOff& report) {
     const std::string problem = clip.problem.empty() ? "" : say(clip.problem);
     std::string cells = head(linked(clip.name, link_to(clip)), attribute("scope", "row")) +
                         cell(or_nothing(say(std::string(name(review.verdict)))), "name") +
-                        cell(or_nothing(review.reviewer), "name") +
+                        cell(or_nothing(review.reviewer), "wrap") +
                         cell(or_nothing(review.time), "name") +
                         cell(reason_text(say, stale_verdict(clip)), "wrap") +
                         cell(or_nothing(problem.empty()       ? review.note
@@ -168,7 +168,7 @@ std::string clips_table(const SignOff& report) {
     lines += line(cells);
   }
   return element(
-      "section", "",
+      "section", attribute("class", "signed"),
       element("h2", attribute("class", "every"), say("Every clip")) +
           table(line(text_head(say("Clip")) + text_head(say("verdict")) + text_head(say("by")) +
                      text_head(say("when")) + text_head(say("stale")) + text_head(say("note")) +

@@ -68,6 +68,13 @@ TEST(SignOff, PageNamesWorstFramesNotesAndWhatIsStale) {
   EXPECT_EQ(sign_off_html(report(), ReportMedium::Paper).find("var("), std::string::npos);
 }
 
+TEST(SignOff, LongNamesAndWordsWrapOnAScreen) {
+  const std::string page = sign_off_html(report());
+  EXPECT_NE(page.find(".signed th[scope=row] { white-space: normal"), page.npos);
+  EXPECT_NE(page.find("<section class=\"signed\">"), page.npos);
+  EXPECT_NE(page.find("<td class=\"wrap\">ana</td>"), page.npos);
+}
+
 TEST(SignOff, PageIsInTheLanguageOfItsReader) {
   SignOff loud = report();
   loud.language = {.code = "fr",
