@@ -4468,6 +4468,10 @@
         <translation>fotograma %1</translation>
     </message>
     <message>
+        <source>frames %1</source>
+        <translation>fotogramas %1</translation>
+    </message>
+    <message>
         <source>stale: %1</source>
         <translation>caducado: %1</translation>
     </message>

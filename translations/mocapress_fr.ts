@@ -4468,6 +4468,10 @@
         <translation>image %1</translation>
     </message>
     <message>
+        <source>frames %1</source>
+        <translation>images %1</translation>
+    </message>
+    <message>
         <source>stale: %1</source>
         <translation>périmé : %1</translation>
     </message>

@@ -4437,6 +4437,10 @@
         <translation>フレーム %1</translation>
     </message>
     <message>
+        <source>frames %1</source>
+        <translation>フレーム %1</translation>
+    </message>
+    <message>
         <source>stale: %1</source>
         <translation>無効：%1</translation>
     </message>

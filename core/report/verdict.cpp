@@ -63,12 +63,12 @@ std::vector<FrameNote> frame_notes_from(const Json& json) {
 }
 
 std::string frames_text(const FrameNote& note) {
-  return frame_text(note.frame) + (note.last_frame ? "-" + frame_text(*note.last_frame) : "");
+  return frame_text(note.frame) + (note.last_frame ? "\u2013" + frame_text(*note.last_frame) : "");
 }
 
 std::string note_text(const FrameNote& note, const std::optional<std::string>& stale_reason,
                       const ReportLanguage& say) {
-  std::string text = say("frame %1", {frames_text(note)});
+  std::string text = say(note.last_frame ? "frames %1" : "frame %1", {frames_text(note)});
   if (!note.joint.empty()) text += ", " + note.joint;
   text += ": " + note.text;
   std::string said = note.reviewer;

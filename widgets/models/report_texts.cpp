@@ -64,6 +64,7 @@ struct ReportTexts {
       // Several reports.
       QT_TR_NOOP("The frame with the largest error of each clip, the largest first."),
       QT_TR_NOOP("frame %1"),
+      QT_TR_NOOP("frames %1"),
       QT_TR_NOOP("stale: %1"),
       QT_TR_NOOP("%1 by %2"),
       QT_TR_NOOP("largest error %1 cm"),

@@ -32,7 +32,7 @@ TEST(FrameText, TheFirstFrameIsOneForPeople) {
   EXPECT_THAT(reason({.frame = 0, .value = 2}, skeleton), HasSubstr("at frame 1:"));
   EXPECT_THAT(note_text(kNote), HasSubstr("frame 1, lfoot"));
   EXPECT_THAT(note_text({.frame = 0, .last_frame = 11, .text = "slides"}),
-              HasSubstr("frame 1-12: slides"));
+              HasSubstr("frames 1\u201312: slides"));
   EXPECT_EQ(frame_text(std::numeric_limits<int>::max()), "2147483648");
   try {
     frame_factors({{0, 9, 2}}, 5);
