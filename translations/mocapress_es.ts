@@ -1416,6 +1416,10 @@
         <translation>¿Guardar el clip comprimido de %1?</translation>
     </message>
     <message>
+        <source>The project keeps the clip&apos;s settings either way.</source>
+        <translation>El proyecto conserva los ajustes del clip en cualquier caso.</translation>
+    </message>
+    <message>
         <source>Biovision motion (*.bvh)</source>
         <translation>Movimiento Biovision (*.bvh)</translation>
     </message>

@@ -1416,6 +1416,10 @@
         <translation>Enregistrer le clip compressé de %1 ?</translation>
     </message>
     <message>
+        <source>The project keeps the clip&apos;s settings either way.</source>
+        <translation>Le projet conserve de toute façon les réglages du clip.</translation>
+    </message>
+    <message>
         <source>Biovision motion (*.bvh)</source>
         <translation>Mouvement Biovision (*.bvh)</translation>
     </message>

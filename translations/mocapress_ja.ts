@@ -1407,6 +1407,10 @@
         <translation>%1 の圧縮クリップを保存しますか?</translation>
     </message>
     <message>
+        <source>The project keeps the clip&apos;s settings either way.</source>
+        <translation>どちらを選んでも、クリップの設定はプロジェクトに残ります。</translation>
+    </message>
+    <message>
         <source>Biovision motion (*.bvh)</source>
         <translation>Biovision モーション (*.bvh)</translation>
     </message>

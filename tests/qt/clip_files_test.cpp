@@ -77,6 +77,7 @@ TEST_F(Files, DiscardLeavesAndCancelStays) {
   modify();
   files_.leave([&] { left = true; });
   EXPECT_FALSE(left);
+  EXPECT_TRUE(window_.findChild<QMessageBox*>()->informativeText().contains("project keeps"));
   answer(QMessageBox::Cancel);
   EXPECT_FALSE(left);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !window_.findChild<QMessageBox*>(); }, kPatience));

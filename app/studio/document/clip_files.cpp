@@ -282,6 +282,7 @@ void ClipFiles::leave(std::function<void()> then) {
       new QMessageBox(QMessageBox::Question, tr("Unsaved Changes"),
                       tr("Save the compressed clip of %1?").arg(document.title()),
                       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
+  question->setInformativeText(tr("The project keeps the clip's settings either way."));
   question->setAttribute(Qt::WA_DeleteOnClose);
   connect(question, &QMessageBox::finished, this, [this, then = std::move(then)](int button) {
     if (button == QMessageBox::Discard) then();
