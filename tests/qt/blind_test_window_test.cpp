@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -13,6 +14,7 @@
 #include "core/formats/motion_file.h"
 #include "resources/samples/generator/samples.h"
 #include "tests/qt/patience.h"
+#include "widgets/viewport/viewport.h"
 
 namespace mocapress {
 namespace {
@@ -57,6 +59,35 @@ TEST(BlindTestWindow, KeepsTheTestOfAModelObserverAndTheAnswersOfOneThatWasClose
   const std::vector<BlindTestRecord> both = read_blind_tests(file.toStdU16String());
   ASSERT_EQ(both.size(), 2u);
   EXPECT_EQ(both[1].answers.size(), 3u);
+}
+
+TEST(BlindTestWindow, LooksAtEveryFigureByOneCamera) {
+  const QTemporaryDir directory;
+  const QString path = directory.filePath(QStringLiteral("walk.bvh"));
+  write_motion(path.toStdU16String(), samples::walk_clip());
+  Session session;
+  QSignalSpy settled(&session, &Session::settled);
+  session.open(path);
+  ASSERT_TRUE(settled.count() > 0 || settled.wait(kPatience));
+  BlindTestWindow window(&session, directory.filePath(QStringLiteral("tests.json")), nullptr);
+  window.show();
+  window.prepare();
+  window.beside()->setChecked(true);
+  window.start()->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window.test().has_value(); }, kPatience));
+  const QList<Viewport*> views = window.findChildren<Viewport*>();
+  ASSERT_EQ(views.size(), 3);
+  for (int i = 0; i < 10; ++i) {
+    const OrbitCamera::Place first = views[0]->cameraPlace();
+    for (const Viewport* view : views) {
+      EXPECT_TRUE(view->isVisible());
+      EXPECT_EQ(view->cameraPlace().target, first.target);
+      EXPECT_EQ(view->cameraPlace().distance, first.distance);
+      EXPECT_EQ(view->cameraPlace().azimuth, first.azimuth);
+    }
+    window.resize(window.size() + QSize(20, 10));  // frames the figures anew
+    window.answer(i % 3 == 0);
+  }
 }
 
 TEST(BlindTestWindow, NeedsAnOpenClip) {

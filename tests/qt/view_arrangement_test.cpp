@@ -97,6 +97,15 @@ TEST(ViewArrangement, BlinkingShowsOneAtATimeInTheSamePlace) {
     }
 }
 
+TEST(ViewArrangement, AloneHidesTheOriginalInEveryMode) {
+  for (const ViewMode mode : kModes) {
+    const Arrangement alone = arrange({.mode = mode, .alone = true}, true, false);
+    EXPECT_FALSE(alone.original.shown);
+    EXPECT_EQ(alone.compressed, Placement());
+    EXPECT_EQ(alone.panes, 1);
+  }
+}
+
 TEST(JointPath, ReachesAsFarAsItSaysAndGoesThroughNow) {
   const Motion motion = test::smooth_motion(300);
   const Eigen::MatrixXd tracks = landmark_tracks(motion.skeleton, motion.clip);

@@ -34,6 +34,10 @@ Arrangement arrange(const ViewOptions& options, bool both, bool turn, int pinned
   const ViewMode mode = options.quartered ? ViewMode::Overlay : options.mode;
   const bool has_room = !options.blinking && mode != ViewMode::Wipe;
   for (Placement& each : arrangement.pinned) each.shown = has_room;
+  if (options.alone) {
+    original.shown = false;
+    return arrangement;
+  }
   if (options.blinking) {
     original.shown = !turn;
     compressed.shown = turn;

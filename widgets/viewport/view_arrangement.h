@@ -24,6 +24,7 @@ struct ViewOptions {
   ViewMode mode = ViewMode::Overlay;
   bool swapped = false;     // the figures change places
   bool blinking = false;    // the figures take turns in one place
+  bool alone = false;       // hides the original, which the camera still frames and follows
   bool by_error = false;    // colours the compressed figure by its distance from the original
   bool skin = true;         // shows figures with their skin, if they have one
   bool path = false;        // shows the path of the chosen joint, or of the root

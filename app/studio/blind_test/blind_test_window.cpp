@@ -7,6 +7,7 @@
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QFormLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
@@ -117,21 +118,26 @@ QWidget* BlindTestWindow::makeQuestions() {
   auto* page = new QWidget(this);
   question_ = new QLabel(page);
   question_->setAlignment(Qt::AlignCenter);
-  shown_ = new QLabel(page);
-  shown_->setAlignment(Qt::AlignCenter);
-  QFont large = shown_->font();
+  QFont large = page->font();
   large.setPointSizeF(2 * large.pointSizeF());
   large.setBold(true);
-  shown_->setFont(large);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(1);
-  for (Viewport*& view : views_) {
+  auto* grid = new QGridLayout;
+  grid->setSpacing(1);
+  grid->setRowStretch(1, 1);
+  for (const Figure figure : {A, X, B}) {
+    QLabel*& letter = letters_[figure];
+    letter = new QLabel(page);
+    letter->setAlignment(Qt::AlignCenter);
+    letter->setFont(large);
+    grid->addWidget(letter, 0, figure);
+    Viewport*& view = views_[figure];
     view = new Viewport(page);
     view->setFocusPolicy(Qt::NoFocus);
-    // "Original" would be on all of them; feet should not stand on the edge.
-    view->setOptions({.titles = false, .room = kRoom});
+    // All are seen as the original would be: a camera that went by the figure would tell which it
+    // is. Feet should not stand on the edge.
+    view->setOptions({.alone = true, .titles = false, .room = kRoom});
     view->setFollow(true);  // a runner would leave the picture
-    row->addWidget(view, 1);
+    grid->addWidget(view, 1, figure);
   }
   auto* keys = new QLabel(
       tr("1: A, the original    2: X    3: B, compressed        ←: X is A    →: X is B        "
@@ -141,8 +147,7 @@ QWidget* BlindTestWindow::makeQuestions() {
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 10, 0, 10);
   column->addWidget(question_);
-  column->addWidget(shown_);
-  column->addLayout(row, 1);
+  column->addLayout(grid, 1);
   column->addWidget(keys);
   return page;
 }
@@ -211,12 +216,14 @@ void BlindTestWindow::prepare() {
   start_->setEnabled(possible);
   progress_->hide();
   pages_->setCurrentIndex(0);
+  viewer_->setEnabled(true);
   viewer_->setFocus();
 }
 
 void BlindTestWindow::begin() {
   if (!original_ || !start_->isEnabled()) return;
   start_->setEnabled(false);
+  viewer_->setEnabled(false);  // a key that is pressed too early is no name
   levels_.clear();
   test_.reset();
   progress_->setValue(0);
@@ -246,8 +253,12 @@ void BlindTestWindow::startTest() {
   for (Viewport* view : views_) {
     view->setSkeleton(motion.skeleton);
     view->setSampleRate(motion.clip.sample_rate_hz);
+    view->setOriginal(original_->tracks());
   }
-  for (const Figure figure : {A, B}) views_[figure]->setVisible(beside_->isChecked());
+  for (const Figure figure : {A, B}) {
+    views_[figure]->setVisible(beside_->isChecked());
+    letters_[figure]->setVisible(beside_->isChecked());
+  }
   playback_->setClip(motion.clip.frames(), motion.clip.sample_rate_hz);
   pages_->setCurrentIndex(1);
   pages_->widget(1)->setFocus();
@@ -277,15 +288,14 @@ void BlindTestWindow::ask() {
   for (const Figure figure : {A, X, B}) look(figure);
 }
 
-/// Shows a figure in its own view, or in the one that all share. All look alike, as originals.
+/// Shows a figure in its own view, or in the one that all share. All look alike.
 void BlindTestWindow::look(Figure figure) {
   if (!test_ || test_->finished()) return;
   const bool is_b = figure == B || (figure == X && test_->question().x_is_b);
-  const bool beside = beside_->isChecked();
-  views_[beside ? figure : X]->setOriginal(is_b ? compressed().tracks : original_->tracks());
+  const Figure place = beside_->isChecked() ? figure : X;
+  views_[place]->setCompressed(is_b ? compressed().tracks : original_->tracks());
   static constexpr char kNames[] = {'A', 'X', 'B'};
-  shown_->setText(beside ? QStringLiteral("A        X        B")
-                         : QString(QLatin1Char(kNames[figure])));
+  letters_[place]->setText(QLatin1Char(kNames[figure]));
 }
 
 bool BlindTestWindow::running() const {
@@ -304,7 +314,7 @@ BlindTestRecord BlindTestWindow::record() const {
   for (const DecodedPtr& decoded : levels_)
     ++counts[static_cast<std::size_t>(decoded->visibility->worst().cue)];
   const auto most = std::max_element(counts.begin(), counts.end()) - counts.begin();
-  return {.viewer = viewer_->text().toStdString(),
+  return {.viewer = viewer_->text().trimmed().toStdString(),
           .clip = QFileInfo(original_->path).fileName().toStdString(),
           .character = QFileInfo(original_->character).fileName().toStdString(),
           .time = utc_text(std::time(nullptr)),

@@ -48,6 +48,7 @@ class BlindTestWindow : public QWidget {
   bool running() const;
 
   QPushButton* start() const { return start_; }
+  QCheckBox* beside() const { return beside_; }
   QPushButton* useAsLimits() const { return use_; }
   const std::optional<BlindTest>& test() const { return test_; }
   QLabel* verdict() const { return verdict_; }
@@ -93,8 +94,8 @@ class BlindTestWindow : public QWidget {
   QProgressBar* progress_;
   QPushButton* start_;
   std::array<Viewport*, 3> views_{};  // by Figure; X alone shows all where they take turns
+  std::array<QLabel*, 3> letters_{};  // above the views
   QLabel* question_;
-  QLabel* shown_;
   QLabel* verdict_;
   QPushButton* use_;
 };
