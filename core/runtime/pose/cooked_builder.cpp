@@ -156,6 +156,7 @@ std::uint64_t CookedBuilder::lay_out(CookedBlock& block, CookedBlock& tables, st
   if (const mcpr_tracks* const tracks = clip_.scalar_tracks())
     if (auto* const copy = block.reserve_for<std::byte>(tracks->bytes, head.tracks, 8))
       std::memcpy(copy, tracks, tracks->bytes);
+  static_assert(kSampleBytesBeyond <= 2 * kEntriesBeyond);
   block.reserve(2 * kEntriesBeyond, 2);
   block.round_up(8);
   head.bytes = block.used();

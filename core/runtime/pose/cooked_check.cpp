@@ -105,7 +105,8 @@ class Checker {
     std::uint32_t groups = 0;
     each<CookedPart>(clip_.part_table, clip_.parts, [&](const CookedPart& part) {
       require(part.first_group == groups && part.groups >= 1 && part.groups <= kMostGroupsOfPart);
-      require(part.kept_bands <= kMostKeptBands && part.wide_samples <= 1);
+      require(part.kept_bands <= kMostKeptBands && part.is_wide <= 1 &&
+              part.narrow_groups <= part.groups);
       groups += part.groups;
     });
     require(groups == clip_.row_groups);
@@ -146,10 +147,11 @@ class Checker {
     const std::uint64_t columns = std::uint64_t{kGroup} * part.groups;
     const int kept = std::min<int>(part.kept_bands, bands.count - 1);
     const int samples = std::max(bands.length(bands.count - 1 - kept), kSampleWindow);
-    require_array(rows.scales, 1, scale_bytes(part.wide_samples != 0, columns),
-                  part.wide_samples != 0 ? 4 : 2);
-    require_array(rows.samples, part.wide_samples != 0 ? 4 : 2,
-                  columns * static_cast<std::uint64_t>(samples), 2);
+    require_array(rows.scales, 1, scale_bytes(part.is_wide != 0, columns), 4);
+    require_array(
+        rows.samples, 1,
+        static_cast<std::uint64_t>(part.sample_place(part.groups) * samples) + kSampleBytesBeyond,
+        2);
     require_array(rows.bands, sizeof(CookedBand), part.kept_bands, alignof(CookedBand));
     for (int depth = 1; depth <= kept && sound_; ++depth)
       check_band(part, clip_.at<CookedBand>(rows.bands)[depth - 1],

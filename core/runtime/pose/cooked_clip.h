@@ -4,6 +4,7 @@
 // SAMPLING.md describes it.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -33,6 +34,7 @@ inline constexpr int kMostKeptBands = 5;      // detail bands of a part
 inline constexpr int kColumnBits = 7;
 inline constexpr int kRowBits = 4;              // row number modulo 16
 inline constexpr int kEntriesBeyond = 7;        // entries that may be read after a band's last one
+inline constexpr int kSampleBytesBeyond = 4;    // that may be read after the last samples
 inline constexpr int kMostLog2RowsOfBlock = 3;  // the blocks that contribute to an instant span at
                                                 // most 16 rows
 
@@ -88,25 +90,41 @@ struct CookedEntries {
 struct CookedPart {
   std::uint16_t first_group = 0;
   std::uint16_t groups = 0;
-  std::uint8_t kept_bands = 0;    // number of detail bands kept, the finest; coarser ones become
-                                  // samples
-  std::uint8_t wide_samples = 0;  // 1: samples are floats; 0: 16-bit integers
-  std::uint16_t padding = 0;
+  std::uint8_t kept_bands = 0;      // number of detail bands kept, the finest; coarser ones become
+                                    // samples
+  std::uint8_t is_wide = 0;         // 1: samples have 24 bits, steps are floats; 0: samples have 16
+  std::uint16_t narrow_groups = 0;  // the first groups, whose samples have four bits less
+
+  /// Bits of a group's samples: also the bytes that a row has of them.
+  int sample_bits(int group) const {
+    return (is_wide != 0 ? 24 : 16) - (group < narrow_groups ? 4 : 0);
+  }
+  /// Number of narrow ones among the groups from `first` to `end`.
+  int narrow_within(int first, int end) const {
+    return std::clamp<int>(narrow_groups, first, end) - first;
+  }
+  /// Bytes of a row of samples before a group's. For the number of groups: of the whole row.
+  std::ptrdiff_t sample_place(int group) const {
+    return sample_bits(groups) * group - 4 * (group < narrow_groups ? group : narrow_groups);
+  }
 };
 
 /// A part's data in one segment.
 struct CookedRows {
   // Three arrays with one element per column: offset, scale of samples and step, each the upper
-  // half of a float. If samples are floats: only the steps, as floats.
+  // half of a float, except for the steps of a wide part: these are floats.
   std::uint32_t scales = 0;
-  std::uint32_t samples = 0;  // row by row
-  std::uint32_t bands = 0;    // a CookedBand for each kept band, the finest first
-  float unit = 0;             // multiplied to all steps
+  // Row by row, and group by group: whole numbers with a sign, put_sample() tells how. Samples are
+  // offset + number * scale.
+  std::uint32_t samples = 0;
+  std::uint32_t bands = 0;  // a CookedBand for each kept band, the finest first
+  float unit = 0;           // multiplied to all steps
 };
 
 /// Size of `scales` for this many columns.
-constexpr std::uint64_t scale_bytes(bool wide_samples, std::uint64_t columns) {
-  return (wide_samples ? sizeof(float) : 3 * sizeof(std::uint16_t)) * columns;
+constexpr std::uint64_t scale_bytes(bool is_wide, std::uint64_t columns) {
+  return 2 * sizeof(std::uint16_t) * columns +
+         (is_wide ? sizeof(float) : sizeof(std::uint16_t)) * columns;
 }
 
 /// Extends the upper half of a float to a float.
@@ -181,7 +199,7 @@ enum class ColumnKind : std::uint8_t { Straight, HalfAngle, Root };
 
 struct mcpr_cooked {
   static constexpr char kMagic[4] = {'M', 'C', 'P', 'C'};
-  static constexpr std::uint32_t kVersion = 7;
+  static constexpr std::uint32_t kVersion = 8;
   char magic[4];
   std::uint32_t checksum;  // CRC-32 of `bytes`, and of everything from `version` on
   std::uint64_t bytes;     // size of the clip

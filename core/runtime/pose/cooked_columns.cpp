@@ -227,11 +227,44 @@ bool CookedColumns::place_others(bool wide) {
     if (!channel.changes || channel.is_wide != wide) continue;
     if (channel.column < 0) channel.column = place(c);
     if (channel.column < 0) return false;
-    if (!is_rotation(channel.kind))
-      moving_[moving_count_++] = {channel.joint, static_cast<std::uint16_t>(axis_of(channel.kind)),
-                                  static_cast<std::uint32_t>(channel.column)};
   }
   return true;
+}
+
+/// Whether four bits less suffice for the samples of a group.
+bool CookedColumns::is_narrow(int group, bool wide) const {
+  const double steps = wide ? 0x1p20 : 0x1p12;
+  return std::all_of(&columns_[kGroup * group], &columns_[kGroup * (group + 1)],
+                     [&](const Column& column) {
+                       if (column.channel < 0) return true;
+                       const Channel& channel = channels_[column.channel];
+                       return column.factor * (channel.most - channel.least) <
+                              steps * (is_rotation(channel.kind) ? kMostTurn : kMostShift);
+                     });
+}
+
+/// Makes parts of consecutive groups, and moves the narrow ones of each to its start.
+void CookedColumns::add_parts(int first, int end, bool wide) {
+  for (; first < end; first += kMostGroupsOfPart) {
+    CookedPart& part = parts_[part_count_++];
+    part = {.first_group = static_cast<std::uint16_t>(first),
+            .groups = static_cast<std::uint16_t>(std::min(end - first, kMostGroupsOfPart)),
+            .kept_bands = static_cast<std::uint8_t>(wide ? wide_bands_ : bands_.most),
+            .is_wide = static_cast<std::uint8_t>(wide ? 1 : 0)};
+    for (int group = first; group < first + part.groups; ++group) {
+      if (!is_narrow(group, wide)) continue;
+      const int place = first + part.narrow_groups++;
+      std::swap_ranges(&columns_[kGroup * group], &columns_[kGroup * (group + 1)],
+                       &columns_[kGroup * place]);
+      for (int v = 0; v < 3 * ((rotor_count_ + kGroup - 1) / kGroup); ++v) {
+        int& vector = vectors_[v / 3][v % 3];
+        if (vector == group)
+          vector = place;
+        else if (vector == place)
+          vector = group;
+      }
+    }
+  }
 }
 
 /// Adds groups of columns without rows, whose values are copied from other columns.
@@ -269,26 +302,34 @@ mcpr_result CookedColumns::place_columns() {
     return a.joint < b.joint;
   });
   if (!place_full_vectors()) return too_many;
-  for (int k = 0; k < kGroup * groups_; ++k)
-    if (columns_[k].channel >= 0) channels_[columns_[k].channel].column = k;
+  note_columns();
   fill_wide();
   if (!place_others(false)) return too_many;
   normal_groups_ = groups_;
   if (!place_others(true)) return too_many;
   row_groups_ = groups_;
-  if (!place_gathered_vectors()) return too_many;
-  place_offsets();
-  const auto add_parts = [&](int first, int end, bool wide) {
-    for (; first < end; first += kMostGroupsOfPart)
-      parts_[part_count_++] = {
-          .first_group = static_cast<std::uint16_t>(first),
-          .groups = static_cast<std::uint16_t>(std::min(end - first, kMostGroupsOfPart)),
-          .kept_bands = static_cast<std::uint8_t>(wide ? wide_bands_ : bands_.most),
-          .wide_samples = static_cast<std::uint8_t>(wide ? 1 : 0)};
-  };
   add_parts(0, normal_groups_, false);
   add_parts(normal_groups_, row_groups_, true);
+  note_columns();
+  list_moving();
+  if (!place_gathered_vectors()) return too_many;
+  place_offsets();
   return kOk;
+}
+
+/// Notes where the channels are.
+void CookedColumns::note_columns() {
+  for (int k = 0; k < kGroup * groups_; ++k)
+    if (columns_[k].channel >= 0) channels_[columns_[k].channel].column = k;
+}
+
+void CookedColumns::list_moving() {
+  for (int c = 0; c < channel_count(); ++c) {
+    const Channel& channel = channels_[c];
+    if (channel.changes && !is_rotation(channel.kind))
+      moving_[moving_count_++] = {channel.joint, static_cast<std::uint16_t>(axis_of(channel.kind)),
+                                  static_cast<std::uint32_t>(channel.column)};
+  }
 }
 
 /// Adds the constant part of a translation to the first column that moves it.
@@ -306,7 +347,7 @@ void CookedColumns::place_offsets() {
 
 void CookedColumns::keep_bands(int bands) {
   for (int p = 0; p < part_count_; ++p)
-    if (parts_[p].wide_samples == 0) parts_[p].kept_bands = static_cast<std::uint8_t>(bands);
+    if (parts_[p].is_wide == 0) parts_[p].kept_bands = static_cast<std::uint8_t>(bands);
 }
 
 }  // namespace mocapress::runtime

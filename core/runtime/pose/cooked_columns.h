@@ -101,13 +101,21 @@ class CookedColumns {
   bool place_others(bool wide);
   bool place_gathered_vectors();
   void place_offsets();
+  bool is_narrow(int group, bool wide) const;
+  void add_parts(int first, int end, bool wide);
   int new_group();
   std::int32_t place(int channel);
   void place_joint(int joint);
+  void note_columns();
+  void list_moving();
 
   static constexpr std::int32_t kMostValue = 2047;  // largest kept coefficient; beyond it a band
                                                     // becomes samples
   static constexpr double kMostRange = 3.9;         // range of 16-bit samples, in radians or cm
+  // The largest step of samples with four bits less. Half of it is the error of a half angle, which
+  // the joint turns by twice, about up to three axes.
+  static constexpr double kMostTurn = 1.5e-4;  // radians, of half angles
+  static constexpr double kMostShift = 1e-3;   // cm
   // Largest kept coefficient in the channel's unit: weights of 16 bits are 1.5e-5 off, and a sample
   // takes several coefficients.
   static constexpr double kMostReach = 20;

@@ -54,8 +54,31 @@ constexpr std::uint64_t entries_for(std::int32_t value) {
 
 /// The upper half of a float, rounded to the nearest or, with `up`, upwards.
 std::uint16_t upper_half(double value, bool up) {
-  const auto bits = bit_pattern<std::uint32_t>(static_cast<float>(value));
+  constexpr double kMost = 0x1p127;  // so that rounding leaves it finite
+  const auto bits =
+      bit_pattern<std::uint32_t>(static_cast<float>(std::clamp(value, -kMost, kMost)));
   return static_cast<std::uint16_t>((bits + (up ? 0xFFFFU : 0x8000U)) >> 16);
+}
+
+/// Puts a sample into a group's zeroed row. Samples of 16 bits are words, one after the other.
+/// Those of 12 bits are three times four bytes: the lower eight bits of the first four samples, the
+/// upper four of these beside the lower four of the others, the upper eight of the others. Before
+/// samples of 20 or 24 bits stands a byte of each, its lowest.
+void put_sample(std::byte* row, int bits, int lane, long sample) {
+  const auto put = [&](int at, long byte) { row[at] |= static_cast<std::byte>(byte & 0xFF); };
+  if (bits > 16) {
+    put(lane, sample);
+    put_sample(row + kGroup, bits - 8, lane, sample >> 8);
+  } else if (bits == 16) {
+    put(2 * lane, sample);
+    put(2 * lane + 1, sample >> 8);
+  } else if (lane < 4) {
+    put(lane, sample);
+    put(lane + 4, sample >> 8 & 15);
+  } else {
+    put(lane, sample << 4 & 0xF0);
+    put(lane + 4, sample >> 4);
+  }
 }
 
 class RowWriter {
@@ -97,14 +120,13 @@ CookedRows RowWriter::put_part(const CookedPart& part) {
   CookedRows rows;
   const int columns = kGroup * part.groups;
   const int kept = std::min<int>(part.kept_bands, bands().count - 1);
-  const bool is_wide = part.wide_samples != 0;
+  const bool is_wide = part.is_wide != 0;
   rows.scales = block_.reserve(scale_bytes(is_wide, static_cast<std::uint64_t>(columns)));
   std::byte* const scales = block_.at(rows.scales);
   if (scales != nullptr) rows.unit = put_steps(part, scales);
   const int samples = std::max(bands().length(bands().count - 1 - kept), kSampleWindow);
-  const std::size_t width = is_wide ? 4 : 2;
-  rows.samples =
-      block_.reserve(width * static_cast<std::size_t>(columns) * static_cast<std::size_t>(samples));
+  const std::ptrdiff_t row_bytes = part.sample_place(part.groups);
+  rows.samples = block_.reserve(static_cast<std::uint64_t>(row_bytes * samples));
   std::byte* const sample_rows = block_.at(rows.samples);
   for (int c = 0; sample_rows != nullptr && c < columns; ++c) {
     const CookedColumns::Column& from = columns_.column(kGroup * part.first_group + c);
@@ -114,28 +136,20 @@ CookedRows RowWriter::put_part(const CookedPart& part) {
         is_empty ? std::span(&none, 1) : coefficients_.samples_of(from.channel, kept);
     const std::size_t repeats = is_empty ? static_cast<std::size_t>(samples) : 1;
     for (double& sample : own) sample = sample * from.factor + from.base;
-    std::byte* to = sample_rows + width * static_cast<std::size_t>(c);
-    const std::size_t row_bytes = width * static_cast<std::size_t>(columns);
-    if (is_wide) {
-      for (const double value : own) {
-        const auto sample = static_cast<float>(value);
-        std::memcpy(to, &sample, sizeof sample);
-        to += row_bytes;
-      }
-      continue;
-    }
+    std::byte* to = sample_rows + part.sample_place(c / kGroup);
+    const int bits = part.sample_bits(c / kGroup);
+    const double furthest = std::exp2(bits - 1) - 1;
     const auto [least, most] = std::minmax_element(own.begin(), own.end());
     const std::uint16_t offset = upper_half(0.5 * (*least + *most), false);
     const auto middle = static_cast<double>(from_upper_half(offset));
-    const std::uint16_t scale =
-        upper_half(std::max({(*most - middle) / 32767, (middle - *least) / 32767, 1e-30}), true);
+    const std::uint16_t scale = upper_half(
+        std::max({(*most - middle) / furthest, (middle - *least) / furthest, 1e-30}), true);
     std::memcpy(scales + 2 * c, &offset, sizeof offset);
     std::memcpy(scales + 2 * (columns + c), &scale, sizeof scale);
     for (std::size_t i = 0; i < repeats * own.size(); ++i) {
       const double value = own[is_empty ? 0 : i] - middle;
-      const auto sample = static_cast<std::int16_t>(
-          std::lround(value / static_cast<double>(from_upper_half(scale))));
-      std::memcpy(to, &sample, sizeof sample);
+      put_sample(to, bits, c % kGroup,
+                 std::lround(value / static_cast<double>(from_upper_half(scale))));
       to += row_bytes;
     }
   }
@@ -155,7 +169,8 @@ float RowWriter::put_steps(const CookedPart& part, std::byte* scales) const {
     const CookedColumns::Column& from = columns_.column(kGroup * part.first_group + c);
     return from.channel < 0 ? 0 : coefficients_.step(from.channel) * from.factor;
   };
-  if (part.wide_samples != 0) {
+  scales += 4 * columns;
+  if (part.is_wide != 0) {
     for (int c = 0; c < columns; ++c) {
       const auto step = static_cast<float>(step_of(c));
       std::memcpy(scales + 4 * c, &step, sizeof step);
@@ -166,7 +181,7 @@ float RowWriter::put_steps(const CookedPart& part, std::byte* scales) const {
   for (int c = 0; c < columns; ++c) largest = std::max(largest, step_of(c));
   for (int c = 0; c < columns; ++c) {
     const std::uint16_t step = upper_half(largest > 0 ? step_of(c) / largest : 0, false);
-    std::memcpy(scales + 2 * (2 * columns + c), &step, sizeof step);
+    std::memcpy(scales + 2 * c, &step, sizeof step);
   }
   // Steps are the largest one divided by powers of sqrt(2). Rounding cuts every other of these by
   // 1.07e-4, of which the unit adds half to all.

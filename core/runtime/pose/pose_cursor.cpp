@@ -171,19 +171,24 @@ void mcpr_cursor::fill(const runtime::PoseKernels& kernels, int segment,
       if (wanted.first >= wanted.end) continue;
       const CookedRows& rows = clip->rows_of(segment, p);
       const int kept = std::min<int>(part.kept_bands, level_count);
+      const int first_group = wanted.first - part.first_group;
+      const std::ptrdiff_t row_bytes = part.sample_place(part.groups);
       kernels.lift({.levels = levels,
                     .level_count = kept,
                     .bands = clip->at<CookedBand>(rows.bands),
                     .clip = clip->at<std::byte>(std::uint32_t{0}),
-                    .samples = clip->at<std::byte>(rows.samples),
-                    .sample_rows = samples[kept],
+                    .samples = clip->at<std::byte>(rows.samples) + samples[kept].first * row_bytes +
+                               part.sample_place(first_group),
+                    .row_bytes = row_bytes,
+                    .sample_count = samples[kept].end - samples[kept].first,
                     .sample_step = kept == 0 ? step : 1,
                     .unit = rows.unit,
                     .scales = clip->at<std::byte>(rows.scales),
                     .groups_of_part = part.groups,
-                    .first_group = wanted.first - part.first_group,
+                    .first_group = first_group,
                     .groups = wanted.end - wanted.first,
-                    .wide = part.wide_samples != 0,
+                    .narrow = part.narrow_within(first_group, wanted.end - part.first_group),
+                    .wide = part.is_wide != 0,
                     .first_entry = kGroup * (wanted.first - groups.first),
                     .entry_columns = entry_columns,
                     .frames = const_cast<float*>(frame(first)) + kGroup * wanted.first,

@@ -38,11 +38,6 @@ struct Floats {
     std::memcpy(out.lane, from, sizeof out.lane);
     return out;
   }
-  static Floats of_words(const std::byte* from) {
-    Floats out;
-    for (int i = 0; i < kGroup; ++i) out.lane[i] = read_as<std::int16_t>(from + 2 * i);
-    return out;
-  }
   static Floats of_upper_halves(const std::byte* from) {
     Floats out;
     for (int i = 0; i < kGroup; ++i)
@@ -94,11 +89,24 @@ struct Wholes {
     std::memcpy(out.lane, from, sizeof out.lane);
     return out;
   }
-  static Wholes of_words(const std::int16_t* from) {
+  template <typename T>
+  static Wholes of(const void* from) {
     Wholes out;
     for (int i = 0; i < kGroup; ++i)
-      out.lane[i] = static_cast<std::uint32_t>(std::int32_t{from[i]});
+      out.lane[i] = static_cast<std::uint32_t>(
+          std::int32_t{read_as<T>(static_cast<const std::byte*>(from) + sizeof(T) * i)});
     return out;
+  }
+  static Wholes of_words(const void* from) { return of<std::int16_t>(from); }
+  static Wholes of_bytes(const void* from) { return of<std::uint8_t>(from); }
+  static Wholes of_twelve_bits(const std::byte* from) {
+    Wholes out;
+    for (int i = 0; i < kGroup / 2; ++i) {
+      const auto bytes = [&](int k) { return std::to_integer<std::uint32_t>(from[i + 4 * k]); };
+      out.lane[i] = bytes(1) << 28 | bytes(0) << 20;
+      out.lane[i + kGroup / 2] = bytes(2) << 24 | (bytes(1) & 0xF0) << 16;
+    }
+    return out.halved(20);
   }
   void store(std::int32_t* to) const { std::memcpy(to, lane, sizeof lane); }
   void store_words(std::int16_t* to) const {
@@ -126,6 +134,11 @@ struct Wholes {
 inline Wholes operator+(const Wholes& a, const Wholes& b) {
   Wholes out;
   for (int i = 0; i < kGroup; ++i) out.lane[i] = a.lane[i] + b.lane[i];
+  return out;
+}
+inline Wholes operator<<(const Wholes& a, int bits) {
+  Wholes out;
+  for (int i = 0; i < kGroup; ++i) out.lane[i] = a.lane[i] << bits;
   return out;
 }
 

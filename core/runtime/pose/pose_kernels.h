@@ -34,13 +34,14 @@ struct PartRows {
   const BandWeights* weights_of_bands;  // in the same order
   int first_band;                       // finer bands are left out
   int kept_bands;
-  const std::byte* samples;  // row 0
-  int first_sample;          // first of kSampleWindow rows
+  const std::byte* samples;  // of the first group in the first of kSampleWindow rows
+  std::ptrdiff_t row_bytes;  // from one of these rows to the next
   const float* weights;      // weights of these rows
   int groups_of_part;
   int first_group;  // within the part
   int groups;
-  bool wide;                    // samples are floats instead of 16-bit integers
+  int narrow;                   // the first of them, whose samples have four bits less
+  bool wide;                    // samples have 24 bits instead of 16
   float unit;                   // multiplied to all steps
   const std::int32_t* entries;  // sums of the entries, for the columns from the first group on
   const std::byte* scales;      // CookedRows::scales
@@ -90,14 +91,16 @@ struct LiftPart {
   int level_count;
   const CookedBand* bands;   // one per level
   const std::byte* clip;     // base of the bands' offsets
-  const std::byte* samples;  // row 0
-  RowRange sample_rows;
-  int sample_step;          // distance between wanted sample rows
-  float unit;               // multiplied to all steps
-  const std::byte* scales;  // CookedRows::scales
+  const std::byte* samples;  // of the first group in the first wanted row
+  std::ptrdiff_t row_bytes;  // from one row to the next
+  int sample_count;          // rows up to the last wanted one
+  int sample_step;           // distance between wanted sample rows
+  float unit;                // multiplied to all steps
+  const std::byte* scales;   // CookedRows::scales
   int groups_of_part;
   int first_group;  // within the part
   int groups;
+  int narrow;  // the first of them, whose samples have four bits less
   bool wide;
   int first_entry;    // the first group's place in rows of entries
   int entry_columns;  // columns of these rows

@@ -35,10 +35,6 @@ struct Floats {
   MOCAPRESS_AVX2 static Floats of_floats(const std::byte* from) {
     return {_mm256_loadu_ps(reinterpret_cast<const float*>(from))};
   }
-  MOCAPRESS_AVX2 static Floats of_words(const std::byte* from) {
-    const __m128i words = _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
-    return {_mm256_cvtepi32_ps(_mm256_cvtepi16_epi32(words))};
-  }
   MOCAPRESS_AVX2 static Floats of_upper_halves(const std::byte* from) {
     const __m128i halves = _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
     return {_mm256_castsi256_ps(_mm256_slli_epi32(_mm256_cvtepu16_epi32(halves), 16))};
@@ -70,8 +66,22 @@ struct Wholes {
   MOCAPRESS_AVX2 static Wholes load(const std::int32_t* from) {
     return {_mm256_loadu_si256(reinterpret_cast<const __m256i*>(from))};
   }
-  MOCAPRESS_AVX2 static Wholes of_words(const std::int16_t* from) {
-    return {_mm256_cvtepi16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(from)))};
+  MOCAPRESS_AVX2 static Wholes of_words(const void* from) {
+    return {_mm256_cvtepi16_epi32(_mm_loadu_si128(static_cast<const __m128i*>(from)))};
+  }
+  MOCAPRESS_AVX2 static Wholes of_bytes(const void* from) {
+    return {_mm256_cvtepu8_epi32(_mm_loadl_epi64(static_cast<const __m128i*>(from)))};
+  }
+  /// Reads kSampleBytesBeyond bytes more.
+  MOCAPRESS_AVX2 static Wholes of_twelve_bits(const void* from) {
+    const __m256i bytes =
+        _mm256_broadcastsi128_si256(_mm_loadu_si128(static_cast<const __m128i*>(from)));
+    // Two bytes become the upper half of each lane; -1: zero.
+    const __m256i places =
+        _mm256_setr_epi8(-1, -1, 0, 4, -1, -1, 1, 5, -1, -1, 2, 6, -1, -1, 3, 7, -1, -1, 4, 8, -1,
+                         -1, 5, 9, -1, -1, 6, 10, -1, -1, 7, 11);
+    const __m256i shift = _mm256_setr_epi32(4, 4, 4, 4, 0, 0, 0, 0);
+    return {_mm256_srai_epi32(_mm256_sllv_epi32(_mm256_shuffle_epi8(bytes, places), shift), 20)};
   }
   MOCAPRESS_AVX2 void store(std::int32_t* to) const {
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), lanes);
@@ -94,6 +104,9 @@ struct Wholes {
 
 MOCAPRESS_AVX2 inline Wholes operator+(const Wholes& a, const Wholes& b) {
   return {_mm256_add_epi32(a.lanes, b.lanes)};
+}
+MOCAPRESS_AVX2 inline Wholes operator<<(const Wholes& a, int bits) {
+  return {_mm256_slli_epi32(a.lanes, bits)};
 }
 
 /// Puts each weight at its row number modulo 16, with zeros elsewhere.

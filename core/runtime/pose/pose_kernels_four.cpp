@@ -37,10 +37,6 @@ struct Floats {
   static Floats of_floats(const std::byte* from) {
     return load(reinterpret_cast<const float*>(from));
   }
-  static Floats of_words(const std::byte* from) {
-    const Words8 words = Words8::load(from);
-    return {words.low().to_floats(), words.high().to_floats()};
-  }
   static Floats of_upper_halves(const std::byte* from) {
     const Words8 halves = Words8::load(from);
     return {floats_of(halves.unsigned_low() << 16), floats_of(halves.unsigned_high() << 16)};
@@ -81,9 +77,19 @@ struct Wholes {
   static Wholes load(const std::int32_t* from) {
     return {Ints4::load(from), Ints4::load(from + 4)};
   }
-  static Wholes of_words(const std::int16_t* from) {
+  static Wholes of_words(const void* from) {
     const Words8 words = Words8::load(from);
     return {words.low(), words.high()};
+  }
+  static Wholes of_bytes(const void* from) {
+    const Words8 words = Words8::of_bytes(from);
+    return {words.unsigned_low(), words.unsigned_high()};
+  }
+  static Wholes of_twelve_bits(const std::byte* from) {
+    const Words8 first = Words8::of_bytes(from);
+    const Words8 last = Words8::of_bytes(from + 4);
+    return {((first.unsigned_high() << 8) + first.unsigned_low()) << 20 >> 20,
+            ((last.unsigned_high() << 8) + last.unsigned_low()) << 16 >> 20};
   }
   void store(std::int32_t* to) const {
     lower.store(to);
@@ -97,6 +103,9 @@ struct Wholes {
 
 inline Wholes operator+(const Wholes& a, const Wholes& b) {
   return {a.lower + b.lower, a.upper + b.upper};
+}
+inline Wholes operator<<(const Wholes& a, int bits) {
+  return {a.lower << bits, a.upper << bits};
 }
 
 inline void place_entry_weights(const Wholes& whole, int first_row, int shift,

@@ -120,23 +120,27 @@ class Sampler {
     const CookedRows& rows = clip_.rows_of(segment, p);
     const int kept = std::min<int>(part.kept_bands, weights.levels);
     const SampleWeights& samples = weights.samples[kept];
+    const std::ptrdiff_t row_bytes = part.sample_place(part.groups);
     const int column = kGroup * (first - set.first);
-    kernels_.make_columns({.clip = clip_.at<std::byte>(std::uint32_t{0}),
-                           .bands = clip_.at<CookedBand>(rows.bands),
-                           .weights_of_bands = weights.band,
-                           .first_band = left_out_,
-                           .kept_bands = kept,
-                           .samples = clip_.at<std::byte>(rows.samples),
-                           .first_sample = samples.first_row,
-                           .weights = samples.of_row,
-                           .groups_of_part = part.groups,
-                           .first_group = first - part.first_group,
-                           .groups = end - first,
-                           .wide = part.wide_samples != 0,
-                           .unit = weights.unit * rows.unit,
-                           .entries = work_.entries + column,
-                           .scales = clip_.at<std::byte>(rows.scales),
-                           .columns = columns + column});
+    kernels_.make_columns(
+        {.clip = clip_.at<std::byte>(std::uint32_t{0}),
+         .bands = clip_.at<CookedBand>(rows.bands),
+         .weights_of_bands = weights.band,
+         .first_band = left_out_,
+         .kept_bands = kept,
+         .samples = clip_.at<std::byte>(rows.samples) + samples.first_row * row_bytes +
+                    part.sample_place(first - part.first_group),
+         .row_bytes = row_bytes,
+         .weights = samples.of_row,
+         .groups_of_part = part.groups,
+         .first_group = first - part.first_group,
+         .groups = end - first,
+         .narrow = part.narrow_within(first - part.first_group, end - part.first_group),
+         .wide = part.is_wide != 0,
+         .unit = weights.unit * rows.unit,
+         .entries = work_.entries + column,
+         .scales = clip_.at<std::byte>(rows.scales),
+         .columns = columns + column});
   }
 
   /// Makes a set of groups from one segment, by the weights in the work space.
@@ -243,13 +247,13 @@ class Sampler {
       const CookedRows& rows = clip_.rows_of(segment, p);
       const float unit = share * clip_.end_units[end] * rows.unit;
       float* const columns = columns_ + kGroup * part.first_group;
-      const auto* const steps = clip_.at<float>(rows.scales);
+      const auto* const steps = clip_.at<float>(rows.scales) + kGroup * part.groups;
       const auto* const halves = clip_.at<std::uint16_t>(rows.scales) + 2 * kGroup * part.groups;
       for (int g = 0; g < part.groups; ++g)
         for (unsigned left = clip_.end_marks(end)[part.first_group + g]; left != 0;
              left &= left - 1) {
           const int c = kGroup * g + std::countr_zero(left);
-          const float step = part.wide_samples != 0 ? steps[c] : from_upper_half(halves[c]);
+          const float step = part.is_wide != 0 ? steps[c] : from_upper_half(halves[c]);
           columns[c] += unit * step * static_cast<float>(*lacking++);
         }
     }

@@ -280,6 +280,30 @@ TEST(CookedClip, MatchesTheDecoderForSmallAndLargeAngles) {
   expect_as_decoded(test::segmented_clip(motion, SegmentLayout::whole(150)));
 }
 
+/// Roots that stay near and that go far, beside angles that hardly turn and that turn much.
+TEST(CookedClip, MatchesTheDecoderWithSamplesOfAnyNumberOfBits) {
+  using enum ChannelKind;
+  for (const double reach : {100.0, 2500.0}) {
+    Motion motion;
+    for (int j = 0; j < 16; ++j)
+      motion.skeleton.add(
+          {.name = "j" + std::to_string(j),
+           .parent = j - 1,
+           .offset = {0, 2, 0},
+           .channels = j == 0 ? std::vector{RotationX, RotationY, RotationZ, TranslationX}
+                              : std::vector{RotationX, RotationY, RotationZ}});
+    const int channels = motion.skeleton.channel_count();
+    motion.clip.channels.resize(150, channels);
+    for (int c = 0; c < channels; ++c)
+      for (int t = 0; t < 150; ++t)
+        motion.clip.channels(t, c) = (c == 3   ? reach
+                                      : c < 24 ? 0.2
+                                               : 1.2) *
+                                     std::sin(0.01 * (c % 9 + 1) * t + c);
+    expect_as_decoded(test::segmented_clip(motion, SegmentLayout::whole(150)));
+  }
+}
+
 class CookedPaths : public testing::Test {
  protected:
   CookedPaths()
