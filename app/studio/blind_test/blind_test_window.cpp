@@ -295,7 +295,7 @@ void BlindTestWindow::look(Figure figure) {
   const Figure place = beside_->isChecked() ? figure : X;
   views_[place]->setCompressed(is_b ? compressed().tracks : original_->tracks());
   static constexpr char kNames[] = {'A', 'X', 'B'};
-  letters_[place]->setText(QLatin1Char(kNames[figure]));
+  letters_[place]->setText(QString(QLatin1Char(kNames[figure])));
 }
 
 bool BlindTestWindow::running() const {
