@@ -13,7 +13,7 @@ import time
 try:
     import gi
     gi.require_version("Atspi", "2.0")
-    from gi.repository import Atspi
+    from gi.repository import Atspi, GLib
 except (ImportError, ValueError):
     sys.exit(77)
 
@@ -54,12 +54,18 @@ def windows():
 
 
 def wait_for(found):
+    """What `found` returns once it is not None. The studio works on meanwhile: a walk whose item goes away starts anew."""
     end = time.monotonic() + PATIENCE
+    reason = "no such window"
     while time.monotonic() < end:
-        if result := found():
-            return result
+        try:
+            if (result := found()) is not None:
+                return result
+        except GLib.GError as error:
+            reason = error
+            Atspi.get_desktop(0).clear_cache()
         time.sleep(0.1)
-    sys.exit("no window of the studio on AT-SPI's bus")
+    sys.exit(f"the studio on AT-SPI's bus: {reason}")
 
 
 def faults(window):
@@ -74,11 +80,11 @@ def faults(window):
 
 def test(clip):
     main = wait_for(lambda: next((window for window in windows() if clip in window.get_name()), None))
-    menu = {item.get_name(): item for item, _ in below(main) if item.get_role() == Atspi.Role.MENU_ITEM}
+    menu = wait_for(lambda: {item.get_name(): item for item, _ in below(main) if item.get_role() == Atspi.Role.MENU_ITEM})
     for count, name in enumerate(MENU_ITEMS, start=2):
         menu[name].do_action(0)
-        wait_for(lambda count=count: len(windows()) == count)
-    found = [fault for window in windows() for fault in faults(window)]
+        wait_for(lambda count=count: True if len(windows()) == count else None)
+    found = wait_for(lambda: [fault for window in windows() for fault in faults(window)])
     sys.exit("\n".join(found) or 0)
 
 

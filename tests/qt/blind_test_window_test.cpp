@@ -19,23 +19,32 @@
 namespace mocapress {
 namespace {
 
-// A model observer answers, no person.
-TEST(BlindTestWindow, KeepsTheTestOfAModelObserverAndTheAnswersOfOneThatWasClosed) {
-  const QTemporaryDir directory;
-  const QString path = directory.filePath(QStringLiteral("walk.bvh"));
-  write_motion(path.toStdU16String(), samples::walk_clip());
-  Session session;
-  QSignalSpy settled(&session, &Session::settled);
-  session.open(path);
-  ASSERT_TRUE(settled.count() > 0 || settled.wait(kPatience));
+/// A blind test of a walk that is open.
+struct BlindTestOfAWalk : testing::Test {
+  void SetUp() override {
+    const QString path = directory.filePath(QStringLiteral("walk.bvh"));
+    write_motion(path.toStdU16String(), samples::walk_clip());
+    QSignalSpy settled(&session, &Session::settled);
+    session.open(path);
+    ASSERT_TRUE(settled.count() > 0 || settled.wait(kPatience));
+    window.show();
+    window.prepare();
+  }
+  void start() {
+    ASSERT_TRUE(window.start()->isEnabled());
+    window.start()->click();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.test().has_value(); }, kPatience));
+  }
 
+  const QTemporaryDir directory;
   const QString file = directory.filePath(QStringLiteral("kept/blind_tests.json"));
-  BlindTestWindow window(&session, file, nullptr);
-  window.show();
-  window.prepare();
-  ASSERT_TRUE(window.start()->isEnabled());
-  window.start()->click();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window.test().has_value(); }, kPatience));
+  Session session;
+  BlindTestWindow window{&session, file, nullptr};
+};
+
+// A model observer answers, no person.
+TEST_F(BlindTestOfAWalk, KeepsTheTestOfAModelObserverAndTheAnswersOfOneThatWasClosed) {
+  start();
   Random draws(5);
   const PsychometricCurve viewer{1.5, 5};
   while (!window.test()->finished()) {
@@ -52,8 +61,7 @@ TEST(BlindTestWindow, KeepsTheTestOfAModelObserverAndTheAnswersOfOneThatWasClose
   EXPECT_EQ(kept[0].answers.size(), 40u);
 
   window.prepare();
-  window.start()->click();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window.test().has_value(); }, kPatience));
+  start();
   for (int i = 0; i < 3; ++i) window.answer(true);
   window.close();
   const std::vector<BlindTestRecord> both = read_blind_tests(file.toStdU16String());
@@ -61,20 +69,9 @@ TEST(BlindTestWindow, KeepsTheTestOfAModelObserverAndTheAnswersOfOneThatWasClose
   EXPECT_EQ(both[1].answers.size(), 3u);
 }
 
-TEST(BlindTestWindow, LooksAtEveryFigureByOneCamera) {
-  const QTemporaryDir directory;
-  const QString path = directory.filePath(QStringLiteral("walk.bvh"));
-  write_motion(path.toStdU16String(), samples::walk_clip());
-  Session session;
-  QSignalSpy settled(&session, &Session::settled);
-  session.open(path);
-  ASSERT_TRUE(settled.count() > 0 || settled.wait(kPatience));
-  BlindTestWindow window(&session, directory.filePath(QStringLiteral("tests.json")), nullptr);
-  window.show();
-  window.prepare();
+TEST_F(BlindTestOfAWalk, LooksAtEveryFigureByOneCamera) {
   window.beside()->setChecked(true);
-  window.start()->click();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window.test().has_value(); }, kPatience));
+  start();
   const QList<Viewport*> views = window.findChildren<Viewport*>();
   ASSERT_EQ(views.size(), 3);
   for (int i = 0; i < 10; ++i) {
