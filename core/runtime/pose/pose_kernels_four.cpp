@@ -86,10 +86,8 @@ struct Wholes {
     return {words.unsigned_low(), words.unsigned_high()};
   }
   static Wholes of_twelve_bits(const std::byte* from) {
-    const Words8 first = Words8::of_bytes(from);
-    const Words8 last = Words8::of_bytes(from + 4);
-    return {((first.unsigned_high() << 8) + first.unsigned_low()) << 20 >> 20,
-            ((last.unsigned_high() << 8) + last.unsigned_low()) << 16 >> 20};
+    const Words8 words = Words8::of_halves(from, from + 4);
+    return {words.unsigned_low() << 20 >> 20, words.high() >> 4};
   }
   void store(std::int32_t* to) const {
     lower.store(to);

@@ -86,6 +86,11 @@ struct Words8 {
   static Words8 of_signed_bytes(const void* from) {
     return {vmovl_s8(vld1_s8(static_cast<const std::int8_t*>(from)))};
   }
+  static Words8 of_halves(const std::byte* low, const std::byte* high) {
+    const int8x8x2_t zipped = vzip_s8(vld1_s8(reinterpret_cast<const std::int8_t*>(low)),
+                                      vld1_s8(reinterpret_cast<const std::int8_t*>(high)));
+    return {vreinterpretq_s16_s8(vcombine_s8(zipped.val[0], zipped.val[1]))};
+  }
   static Words8 packed(Ints4 low, Ints4 high) {
     return {vcombine_s16(vmovn_s32(low.lanes), vmovn_s32(high.lanes))};
   }

@@ -100,6 +100,11 @@ struct Words8 {
     const __m128i bytes = _mm_loadl_epi64(static_cast<const __m128i*>(from));
     return {_mm_srai_epi16(_mm_unpacklo_epi8(bytes, bytes), 8)};
   }
+  /// Bytes of `low` as lower halves, those of `high` as upper ones.
+  static Words8 of_halves(const std::byte* low, const std::byte* high) {
+    return {_mm_unpacklo_epi8(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(low)),
+                              _mm_loadl_epi64(reinterpret_cast<const __m128i*>(high)))};
+  }
   /// The words of two vectors. They must fit.
   static Words8 packed(Ints4 low, Ints4 high) { return {_mm_packs_epi32(low.lanes, high.lanes)}; }
   void store(std::int16_t* to) const { _mm_storeu_si128(reinterpret_cast<__m128i*>(to), lanes); }

@@ -84,6 +84,10 @@ struct Words8 {
   static Words8 of_pairs(Ints4 pairs) { return {pairs.lanes}; }
   static Words8 of_bytes(const void* from) { return {wasm_u16x8_load8x8(from)}; }
   static Words8 of_signed_bytes(const void* from) { return {wasm_i16x8_load8x8(from)}; }
+  static Words8 of_halves(const std::byte* low, const std::byte* high) {
+    return {wasm_i8x16_shuffle(wasm_v128_load64_zero(low), wasm_v128_load64_zero(high), 0, 16, 1,
+                               17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23)};
+  }
   static Words8 packed(Ints4 low, Ints4 high) {
     return {wasm_i16x8_narrow_i32x4(low.lanes, high.lanes)};
   }
