@@ -191,7 +191,7 @@ float RowWriter::put_steps(const CookedPart& part, std::byte* scales) const {
 /// Chooses the smallest kind of dense rows. A byte of entries counts more, because entries take
 /// time one by one.
 CookedBand RowWriter::put_band(const CookedPart& part, int depth) {
-  constexpr std::uint64_t kEntryIsWorth = 11;  // cost of an entry, in quarters of a byte of dense
+  constexpr std::uint64_t kEntryIsWorth = 15;  // cost of an entry, in quarters of a byte of dense
                                                // rows
   const int rows = rows_of(depth);
   const int first = kGroup * part.first_group;
