@@ -4549,11 +4549,19 @@
     </message>
     <message>
         <source>Wipe</source>
-        <translation>Cortina</translation>
+        <translation>Cortinilla</translation>
     </message>
     <message>
         <source>Swap</source>
         <translation>Intercambiar</translation>
+    </message>
+    <message>
+        <source>Original</source>
+        <translation>Original</translation>
+    </message>
+    <message>
+        <source>Compressed</source>
+        <translation>Comprimido</translation>
     </message>
     <message>
         <source>Colour by error</source>

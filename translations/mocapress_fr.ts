@@ -4549,11 +4549,19 @@
     </message>
     <message>
         <source>Wipe</source>
-        <translation>Balayage</translation>
+        <translation>Volet</translation>
     </message>
     <message>
         <source>Swap</source>
         <translation>Échanger</translation>
+    </message>
+    <message>
+        <source>Original</source>
+        <translation>Original</translation>
+    </message>
+    <message>
+        <source>Compressed</source>
+        <translation>Compressé</translation>
     </message>
     <message>
         <source>Colour by error</source>

@@ -4525,6 +4525,14 @@
         <translation>入れ替え</translation>
     </message>
     <message>
+        <source>Original</source>
+        <translation>元</translation>
+    </message>
+    <message>
+        <source>Compressed</source>
+        <translation>圧縮後</translation>
+    </message>
+    <message>
         <source>Colour by error</source>
         <translation>誤差で色分け</translation>
     </message>

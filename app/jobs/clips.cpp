@@ -223,17 +223,17 @@ void saveClip(const QString& path, const DecodedClip& decoded, const OriginalCli
 
 void saveReviewPage(const QString& path, const DecodedClip& decoded, const OriginalClip& original,
                     const CodedTracks& tracks, const SightLimits& limits,
-                    const std::vector<std::string>& remarks, const ReportLanguage& language) {
+                    const ReviewRemarks& remarks, const ReportLanguage& language) {
   const std::vector<std::byte> file = savedFile(decoded, &original, tracks);
   const Verification found = verify(file, *original.encoder, {.motion = true, .limits = limits});
   std::vector<std::string> facts =
       review_facts(decoded.method, decoded.ratio, found.distortion,
                    decoded.compressed.provenance.weighting, found.visibility, language);
-  facts.insert(facts.end(), remarks.begin(), remarks.end());
+  facts.insert(facts.end(), remarks.texts.begin(), remarks.texts.end());
   const std::string name = QFileInfo(original.path).fileName().toStdString();
   const std::string script =
       review_clip(name, *original.encoder, file, found.by == "runtime" ? nullptr : &found.decoded);
-  write_text(path.toStdU16String(), review_page(name, facts, script, language));
+  write_text(path.toStdU16String(), review_page(name, facts, script, language, remarks.notes));
 }
 
 }  // namespace mocapress

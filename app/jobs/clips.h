@@ -22,6 +22,7 @@
 #include "core/formats/motion_file.h"
 #include "core/metrics/glitches.h"
 #include "core/report/report_language.h"
+#include "core/report/review_page.h"
 
 namespace mocapress {
 
@@ -130,11 +131,11 @@ Warnings dress(Skeleton& skeleton, const PutCharacter& character, const Skin* ow
 /// The same clip with another character.
 OriginalPtr dressed(const OriginalClip& original, const PutCharacter& character);
 
-/// Writes a page that shows a clip and its original in a browser; `remarks` are short texts about
-/// it. Throws Error.
+/// Writes a page that shows a clip and its original in a browser; `remarks` are what reviewers
+/// said of it. Throws Error.
 void saveReviewPage(const QString& path, const DecodedClip& decoded, const OriginalClip& original,
                     const CodedTracks& tracks, const SightLimits& limits,
-                    const std::vector<std::string>& remarks, const ReportLanguage& language);
+                    const ReviewRemarks& remarks, const ReportLanguage& language);
 
 /// Writes a compressed clip. The written bytes are read back and verified before they replace an
 /// older file: against the original for a clip encoded here, otherwise by decoding. Throws Error.

@@ -303,7 +303,8 @@ void write_clips(std::ostream& out, const ReportLanguage& say, const BatchRows& 
 
 /// Writes what reviewers noted on frames, clip by clip.
 void write_notes(std::ostream& out, const ReportLanguage& say, const BatchRows& rows) {
-  out << "<section>" << element("h2", "", say("Notes")) << "<div class=\"scroll\"><table><thead>"
+  out << "<section>" << element("h2", "", say("Notes"))
+      << "<div class=\"scroll\"><table id=\"notes\"><thead>"
       << line(text_head(say("Clip")) + head(say("frame")) + text_head(say("joint")) +
               text_head(say("note")) + text_head(say("by")) + text_head(say("when")) +
               text_head(say("stale")))
@@ -311,10 +312,12 @@ void write_notes(std::ostream& out, const ReportLanguage& say, const BatchRows& 
   rows([&](const BatchRow& row) {
     for (const FrameNote& note : row.review.notes)
       out << line(row_head(row.output) +
-                  cell(moment(row, note.frame, note.joint, frames_text(note))) +
-                  text_cell(note.joint, "name") + text_cell(note.text, "wrap") +
-                  text_cell(note.reviewer, "name") + text_cell(note.time, "name") +
-                  text_cell(say(stale_reason(row, note).value_or("")), "wrap"))
+                      cell(moment(row, note.frame, note.joint, frames_text(note))) +
+                      text_cell(note.joint, "name") + text_cell(note.text, "wrap") +
+                      text_cell(note.reviewer, "name") + text_cell(note.time, "name") +
+                      text_cell(say(stale_reason(row, note).value_or("")), "wrap"),
+                  attribute("data-frame", std::to_string(note.frame)) +
+                      attribute("data-note", note_text(note, stale_reason(row, note), say)))
           << '\n';
   });
   out << "</tbody></table></div></section>\n";

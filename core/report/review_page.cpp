@@ -17,8 +17,12 @@ std::string_view text_of(std::span<const std::byte> bytes) {
 }
 
 /// The arguments with which a page shows a clip.
-std::string shown(std::string_view name, const std::vector<std::string>& facts) {
-  return "(" + in_script(Json(std::string(name))) + ", " + in_script(Json(facts)) + ");";
+std::string shown(std::string_view name, const std::vector<std::string>& facts,
+                  const std::vector<ReviewNote>& notes = {}) {
+  Json all = Json::array();
+  for (const ReviewNote& note : notes) all.push_back({{"frame", note.frame}, {"text", note.text}});
+  return "(" + in_script(Json(std::string(name))) + ", " + in_script(Json(facts)) + ", " +
+         in_script(all) + ");";
 }
 
 }  // namespace
@@ -60,16 +64,17 @@ std::string review_buttons() {
 
 std::string review_page(std::string_view name, const std::vector<std::string>& facts,
                         const std::string& script, const ReportLanguage& say,
-                        std::span<const std::byte> viewer) {
+                        const std::vector<ReviewNote>& notes, std::span<const std::byte> viewer) {
   std::string list;
   for (const std::string& fact : facts) list += element("li", "", escaped(fact));
+  for (const ReviewNote& note : notes) list += element("li", "", escaped(note.text));
   return html::page_begin(say.code, escaped(name), kReportStyle) +
          element("noscript", "",
                  element("h1", "", escaped(name)) + element("ul", "", list) +
                      element("p", "", say("The viewer needs JavaScript."))) +
          element("script", "", say_script(say, {kReviewTexts})) + review_section(viewer) +
-         element("script", "", script) + element("script", "", "showClip" + shown(name, facts)) +
-         "</main></body></html>\n";
+         element("script", "", script) +
+         element("script", "", "showClip" + shown(name, facts, notes)) + "</main></body></html>\n";
 }
 
 }  // namespace mocapress

@@ -44,9 +44,22 @@ std::string review_button(std::string_view name, const std::vector<std::string>&
 /// are the clips' names.
 std::string review_buttons();
 
+/// A note on a frame. The viewer goes there when the note is clicked.
+struct ReviewNote {
+  int frame = 0;
+  std::string text;
+};
+
+/// What reviewers said of a clip: verdict and note of the whole clip, and notes on frames.
+struct ReviewRemarks {
+  std::vector<std::string> texts;
+  std::vector<ReviewNote> notes;
+};
+
 /// A self-contained page for one clip. Facts are short texts about the clip.
 std::string review_page(std::string_view name, const std::vector<std::string>& facts,
                         const std::string& script, const ReportLanguage& say = {},
+                        const std::vector<ReviewNote>& notes = {},
                         std::span<const std::byte> viewer = review_viewer());
 
 }  // namespace mocapress

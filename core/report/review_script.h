@@ -8,6 +8,7 @@ inline constexpr const char* kReviewTexts[] = {
     "View", "%1 cannot be shown: %2", "%1 cannot be loaded", "Previous clip", "Next clip",
     // core/report/viewer/viewer.js
     "Loading", "Frame", "Key: %1", "Play", "Pause", "Overlay", "Side by side", "Wipe", "Swap",
+    "Original", "Compressed",
     "Colour by error", "Follow", "Worst frame before", "Next worst frame", "Reset camera",
     "Frame %1 of %2, %3 s.", "On the bones, %1 is %2 cm off.", "The lightest colour is %1 cm."};
 
@@ -44,7 +45,7 @@ function addReviewButton(name, facts) {
   document.currentScript.before(button);
 }
 let asked = 0;
-async function showClip(name, facts) {
+async function showClip(name, facts, notes) {
   const call = ++asked;
   const section = document.getElementById("review");
   section.hidden = false;
@@ -57,7 +58,7 @@ async function showClip(name, facts) {
     viewerScript = viewerScript || loadViewer();
     await viewerScript;
     if (call !== asked) return; // another clip was asked for meanwhile
-    await mocapressViewer.show(section, Object.assign({ facts, say }, mocapressClips.get(name)));
+    await mocapressViewer.show(section, Object.assign({ facts, notes, say }, mocapressClips.get(name)));
   } catch (error) {
     if (call === asked) section.textContent = say("%1 cannot be shown: %2", name, error.message);
   }
@@ -80,7 +81,10 @@ for (const row of rows) {
       const unit = head === "max" ? " cm" : "";
       return cell.textContent.length > 1 ? say(head) + " " + cell.textContent + unit : "";
     });
-    showClip(name, facts.filter(Boolean));
+    const notes = Array.from(document.querySelectorAll("#notes tbody tr"))
+      .filter(line => line.cells[0].textContent === name)
+      .map(line => ({ frame: Number(line.dataset.frame), text: line.dataset.note }));
+    showClip(name, facts.filter(Boolean), notes);
   };
   row.cells[0].append(" ", button);
 }
@@ -134,6 +138,13 @@ section.addEventListener("keydown", function (event) {
 inline constexpr const char* kReviewStyle = R"css(
 .review canvas { display: block; width: 100%; height: min(64vh, 720px); border-radius: 10px; outline: none; }
 .review canvas.strip { height: 44px; border-radius: 4px; margin-top: 8px; background: var(--page); cursor: pointer; }
+.review p { max-width: none; } .review .stage { position: relative; }
+.stage .names { position: absolute; inset: 10px 14px auto; display: flex; justify-content: space-between; pointer-events: none; font-size: 13px; }
+.stage.swapped .names { flex-direction: row-reverse; }
+.stage .names span::before { content: ""; display: inline-block; width: 26px; height: 10px; margin-right: 7px; border-radius: 3px; background: var(--colour); }
+.stage .divider { position: absolute; inset: 0 auto 0 50%; width: 17px; margin-left: -8px; cursor: ew-resize; touch-action: none;
+  background: linear-gradient(var(--accent), var(--accent)) center / 1px 100% no-repeat; }
+.review .notes { display: flex; flex-direction: column; align-items: start; gap: 6px; margin-top: 8px; } .review .notes button { text-align: left; }
 .review input { width: 100%; margin: 6px 0; accent-color: var(--accent); }
 .review .buttons { display: flex; flex-wrap: wrap; gap: 6px; }
 .review button, .neighbours button, td button, th button, figcaption button { font: inherit; font-size: 13px; padding: 2px 10px; color: var(--ink);

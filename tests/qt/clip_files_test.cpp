@@ -243,7 +243,7 @@ TEST_F(Files, ExportsAReviewPageWithTheRemarksOnItsClip) {
   openAndSettle();
   files_.setRemarks([this](const QString& path) {
     EXPECT_EQ(path, session_.document().original()->path);
-    return std::vector<std::string>{"approved by ana"};
+    return ReviewRemarks{.texts = {"approved by ana"}, .notes = {}};
   });
   QSignalSpy exported(&files_, &ClipFiles::exported);
   files_.exportReview();

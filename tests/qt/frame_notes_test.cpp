@@ -170,7 +170,7 @@ TEST_F(NotesOnAClip, IsStaleOnceItsSettingsHaveChanged) {
   session_.setOptions(finer);
   EXPECT_TRUE(settled.count() > 0 || settled.wait(kPatience));
   EXPECT_EQ(staleNote(clip, clip.review.notes.front()), "the settings changed");
-  EXPECT_NE(library_.remarksOn(clip.key()).front().find("stale: the settings changed"),
+  EXPECT_NE(library_.remarksOn(clip.key()).notes.front().text.find("stale: the settings changed"),
             std::string::npos);
 }
 

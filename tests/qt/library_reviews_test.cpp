@@ -41,16 +41,16 @@ TEST_F(InALibrary, RemarksAreTheVerdictWithWhatMakesItStaleAndTheNote) {
   Run run;
   const QString walk = clip("walk.bvh", 1);
   settleAfter(run, [&] { run.session.open(walk); });
-  EXPECT_TRUE(run.library.remarksOn(walk).empty());
+  EXPECT_TRUE(run.library.remarksOn(walk).texts.empty());
   run.library.setNote(0, QStringLiteral("look at the wrist"));
   run.library.setVerdict({0}, Verdict::Approved);
-  const std::vector<std::string> remarks = run.library.remarksOn(walk);
+  const std::vector<std::string> remarks = run.library.remarksOn(walk).texts;
   ASSERT_EQ(remarks.size(), 2u);
   EXPECT_TRUE(remarks[0].starts_with("approved by ")) << remarks[0];
   EXPECT_EQ(remarks[0].find("stale"), std::string::npos);
   EXPECT_EQ(remarks[1], "look at the wrist");
   settleAfter(run, [&] { run.session.setOptions(standardAt(50)); });
-  EXPECT_TRUE(run.library.remarksOn(walk)[0].ends_with("stale: the settings changed"));
+  EXPECT_TRUE(run.library.remarksOn(walk).texts[0].ends_with("stale: the settings changed"));
 }
 
 TEST_F(InALibrary, AVerdictDoesNotTravelWithAFileThatWasReplaced) {

@@ -182,11 +182,12 @@ TEST_F(Studio, ReadsAClipAgainByOtherOptionsAndExportsItAsItsSourceWas) {
 TEST_F(Studio, ExportsAPageOfTheClipWithWhatWasSaidAboutIt) {
   openAndSettle(writeClip("motion.bvh", 60));
   QSignalSpy exported(&session_, &Session::exported);
-  session_.exportReview(path("page.html"), {"rejected by ana", "slides"});
+  session_.exportReview(path("page.html"), {{"rejected by ana"}, {{30, "slides"}}});
   ASSERT_TRUE(waitFor(exported));
   const std::string page = read_text(path("page.html").toStdU16String());
   EXPECT_NE(page.find("mocapressReview(\"motion.bvh\", \""), page.npos);
   EXPECT_NE(page.find("<li>rejected by ana</li><li>slides</li>"), page.npos);
+  EXPECT_NE(page.find("[{\"frame\":30,\"text\":\"slides\"}]);"), page.npos);
 }
 
 TEST_F(Studio, ReadingAClipByOtherOptionsIsUndoneAmongItsOtherSteps) {

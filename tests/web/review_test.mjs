@@ -90,6 +90,17 @@ test('a page of one clip shows its worst frames, as far off as the program measu
   assert.ok((await colouredShare(page)) > 0.01, 'the body is in the middle');
   await page.keyboard.press('Home');
   await page.keyboard.press('ArrowRight');
+  const coloured = await colouredShare(page);
+  await page.keyboard.press('3');
+  const divider = await page.locator('.divider').boundingBox();
+  await page.mouse.move(divider.x + divider.width / 2, divider.y + 100);
+  await page.mouse.down();
+  await page.mouse.move(1100, divider.y + 100);
+  await page.mouse.up();
+  assert.ok((await colouredShare(page)) < coloured / 10, 'the original is left of the divider');
+  await page.keyboard.press('x');
+  assert.ok((await colouredShare(page)) > coloured / 2, 'after the swap the compressed body is');
+  await page.keyboard.press('x');
   for (const [key, name] of [['2', 'side'], ['3', 'wipe']]) {
     await page.keyboard.press(key);
     await page.waitForTimeout(300);
@@ -118,6 +129,32 @@ test('the report of a batch loads clips beside it when they are asked for', asyn
   assert.deepEqual(page.wrong, []);
   const again = spawnSync(WEB_PROGRAM, ['batch', ...clips, '-o', folder, '--target-error', '0.5', '--review', '--resume']);
   assert.equal(again.status, 0, String(again.stderr));
+});
+
+test('notes of reviewers are shown with their clip, and lead to their frames', async () => {
+  const folder = join(files, 'noted');
+  mkdirSync(folder);
+  const clips = ['human_walk', 'human_jump'].map((name) => ({ path: sample(`${name}.amc`) }));
+  clips[0].verdict = 'approved';
+  clips[1].notes = [{ frame: 30, joint: 'lfoot', text: 'lands hard', reviewer: 'ana' }, { frame: 200, text: 'late' }];
+  writeFileSync(join(folder, 'hero.mocapress'), JSON.stringify({ format: 'mocapress-project', version: 1, clips }));
+  mocapress('batch', join(folder, 'hero.mocapress'), '-o', folder, '--target-error', '0.5', '--review');
+  const page = await open(join(folder, 'report.html'));
+  const notes = page.locator('#review .notes button');
+  const view = (clip) => page.locator('#clips tbody tr', { hasText: clip }).getByRole('button', { name: 'View' }).click();
+  await view('human_jump');
+  await statusOf(page);
+  assert.deepEqual(await notes.allTextContents(), ['frame 31, lfoot: lands hard (ana)', 'frame 201: late']);
+  await notes.first().click();
+  assert.equal(frameIn(await statusOf(page)), 31);
+  await page.keyboard.press('Shift+M');
+  assert.equal(frameIn(await statusOf(page)), 201);
+  await page.screenshot({ path: join(WEB_PICTURES, 'noted.png') });
+  await view('human_walk');
+  await page.waitForFunction(() => document.querySelector('#review h2').textContent.includes('human_walk'));
+  assert.match(await page.textContent('#review p'), /verdict approved/);
+  assert.equal(await notes.count(), 0);
+  assert.deepEqual(page.wrong, []);
 });
 
 test('the report of a study shows pictured clips by each method', async () => {

@@ -86,6 +86,8 @@ struct ReportTexts {
       QT_TR_NOOP("Side by side"),
       QT_TR_NOOP("Wipe"),
       QT_TR_NOOP("Swap"),
+      QT_TR_NOOP("Original"),
+      QT_TR_NOOP("Compressed"),
       QT_TR_NOOP("Colour by error"),
       QT_TR_NOOP("Follow"),
       QT_TR_NOOP("Worst frame before"),

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/jobs/open_clip.h"
+#include "core/report/review_page.h"
 #include "core/study/row.h"
 
 class QMenu;
@@ -75,8 +76,8 @@ class ClipFiles : public QObject {
   /// Writes a page that shows the clip and its original in a browser.
   void exportReview();
 
-  /// Returns remarks for a clip's page: the library's verdict and note.
-  using Remarks = std::function<std::vector<std::string>(const QString& key)>;
+  /// Returns remarks for a clip's page: the library's verdict and notes.
+  using Remarks = std::function<ReviewRemarks(const QString& key)>;
   void setRemarks(Remarks remarks) { remarks_ = std::move(remarks); }
 
   /// Runs `then` unless unsaved work would be lost: at once, after saving, or never.
@@ -101,7 +102,7 @@ class ClipFiles : public QObject {
 
   Session* session_;
   QWidget* window_;
-  Remarks remarks_ = [](const QString&) { return std::vector<std::string>(); };
+  Remarks remarks_ = [](const QString&) { return ReviewRemarks(); };
   OpenRequest unread_;                  // request that failed last
   std::function<void()> after_saving_;  // runs after saving, see leave()
 };

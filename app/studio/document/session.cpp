@@ -445,7 +445,7 @@ void Session::exportMotion(const QString& path, const QString& onto) {
       [this](const QString& message) { emit saveFailed(message); });
 }
 
-void Session::exportReview(const QString& path, const std::vector<std::string>& remarks) {
+void Session::exportReview(const QString& path, const ReviewRemarks& remarks) {
   const DecodedPtr decoded = document_.decoded();
   const OriginalPtr original = document_.original();
   if (!decoded || !original) return;

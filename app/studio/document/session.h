@@ -16,6 +16,7 @@
 #include "app/studio/document/document.h"
 #include "app/studio/document/named_settings.h"
 #include "core/mocapress/settings.h"
+#include "core/report/review_page.h"
 #include "core/study/row.h"
 
 namespace mocapress {
@@ -123,7 +124,7 @@ class Session : public QObject {
   void exportMotion(const QString& path, const QString& onto = {});
 
   /// Writes a page that shows the clip and its original in a browser, with remarks.
-  void exportReview(const QString& path, const std::vector<std::string>& remarks);
+  void exportReview(const QString& path, const ReviewRemarks& remarks);
 
   /// Puts the character of another file on this clip and all clips of its rig. Can be undone.
   void putCharacter(const QString& path);

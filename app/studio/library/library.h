@@ -16,6 +16,7 @@
 #include "app/studio/library/kept_project.h"
 #include "app/studio/library/outline_reader.h"
 #include "core/report/notes_file.h"
+#include "core/report/review_page.h"
 #include "widgets/models/library_model.h"
 
 namespace mocapress {
@@ -133,8 +134,8 @@ class Library : public KeptProject {
   /// Verdicts and notes of all clips.
   ClipReviews reviews() const;
 
-  /// Verdict and note on a clip, as texts for a report.
-  std::vector<std::string> remarksOn(const QString& key) const;
+  /// Verdict and notes on a clip, as texts for a report.
+  ReviewRemarks remarksOn(const QString& key) const;
 
  signals:
   void currentChanged();

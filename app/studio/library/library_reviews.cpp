@@ -96,18 +96,19 @@ ClipReviews Library::reviews() const {
   return all;
 }
 
-std::vector<std::string> Library::remarksOn(const QString& key) const {
-  std::vector<std::string> remarks;
+ReviewRemarks Library::remarksOn(const QString& key) const {
+  ReviewRemarks remarks;
   for (const ProjectClip& clip : project_.clips) {
     if (clip.key() != key) continue;
     const ReportLanguage say = reportLanguage();
-    remarks = {verdict_text(clip.review,
-                            stale_reason(clip.review, clip.stamp.source, settingsHash(clip)), say),
-               clip.review.note};
+    remarks.texts = {
+        verdict_text(clip.review, stale_reason(clip.review, clip.stamp.source, settingsHash(clip)),
+                     say),
+        clip.review.note};
     for (const FrameNote& note : clip.review.notes)
-      remarks.push_back(note_text(note, staleNote(clip, note), say));
+      remarks.notes.push_back({note.frame, note_text(note, staleNote(clip, note), say)});
   }
-  std::erase(remarks, "");
+  std::erase(remarks.texts, "");
   return remarks;
 }
 

@@ -40,3 +40,6 @@ export function errorColour(share) {
   const stop = Math.min(Math.floor(at), stops.length - 2);
   return stops[stop].clone().lerp(stops[stop + 1], at - stop);
 }
+
+/** The same colours for a page's style. */
+export const errorGradient = `linear-gradient(to right, ${stops.map((stop) => stop.getStyle()).join(', ')})`;

@@ -5,12 +5,13 @@ import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { createMocapress, worldPositions } from '../../runtime/web/mocapress.js';
 import wasm from 'mocapress.wasm.gz';
-import { errorColour, findWorstFrames, measure } from './errors.js';
+import { errorColour, errorGradient, findWorstFrames, measure } from './errors.js';
 import { Figure } from './figure.js';
 
 const modes = ['Overlay', 'Side by side', 'Wipe']; // passed to say()
 const grey = new THREE.Color(0x9aa3ad);
 const accent = new THREE.Color(0xd8543f);
+const noteColour = '#2a69ad';
 
 const unpacked = (bytes) =>
   new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
@@ -62,6 +63,8 @@ class Viewer {
   #colours = true;
   #follows = true;
   #swapped = false;
+  #divider = 0.5; // share of the view's width left of the wipe's divider
+  #notes = [];
   #playing = false;
   #before = 0;
   #drawn = false;
@@ -79,7 +82,11 @@ class Viewer {
     this.facts = element('p', { className: 'muted' });
     this.status = element('p', { className: 'status' });
     this.buttons = element('div', { className: 'buttons' });
-    container.replaceChildren(this.title, this.facts, this.canvas, this.strip, this.time, this.buttons, this.status);
+    this.notes = element('div', { className: 'notes' });
+    this.names = ['Original', 'Compressed'].map((text) => element('span', { textContent: say(text) }));
+    this.divider = element('div', { className: 'divider' });
+    this.stage = element('div', { className: 'stage' }, this.canvas, this.divider, element('div', { className: 'names' }, ...this.names));
+    container.replaceChildren(this.title, this.facts, this.stage, this.strip, this.time, this.buttons, this.status, this.notes);
 
     this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, antialias: true, preserveDrawingBuffer: true });
     this.renderer.setPixelRatio(devicePixelRatio);
@@ -96,6 +103,8 @@ class Viewer {
     this.scene.add(sun, this.floor);
 
     this.#addButtons();
+    this.divider.onpointerdown = (event) => this.divider.setPointerCapture(event.pointerId);
+    this.divider.onpointermove = (event) => this.divider.hasPointerCapture(event.pointerId) && this.#drag(event.clientX);
     this.time.oninput = () => this.seek(Number(this.time.value));
     this.strip.onpointerdown = (event) =>
       this.seek(Math.round((event.offsetX / this.strip.clientWidth) * (this.#original.frames - 1)));
@@ -103,11 +112,15 @@ class Viewer {
     new ResizeObserver(() => this.#resize()).observe(this.canvas);
   }
 
-  async show({ name, original, compressed, facts = [] }) {
+  async show({ name, original, compressed, facts = [], notes = [] }) {
     this.#play(false);
     this.title.textContent = name;
     this.facts.textContent = facts.join(' · ');
     this.status.textContent = this.say('Loading');
+    this.#notes = notes;
+    this.notes.replaceChildren(
+      ...notes.map(({ frame, text }) => element('button', { textContent: text, onclick: () => this.#stopAt(frame) })),
+    );
     const loading = (this.#loading = Promise.all([load(original), load(compressed)]));
     const loaded = await loading;
     if (loading !== this.#loading) return; // another clip was asked for meanwhile
@@ -136,13 +149,19 @@ class Viewer {
     const worst = errors.indexOf(Math.max(...errors));
     const moved = this.#follow();
     this.floor.position.set(Math.round(this.#centre.x), 0, Math.round(this.#centre.z));
-    const apart = this.#mode === 1 ? 0.55 : 0;
+    const apart = this.#mode === 1 ? (this.#swapped ? -0.55 : 0.55) : 0;
     const sideways = new THREE.Vector3(1, 0, 0).applyQuaternion(this.camera.quaternion).setY(0).normalize();
     this.before.pose(this.#original.positions[whole], sideways.clone().multiplyScalar(-apart));
     this.after.pose(this.#compressed.positions[whole], sideways.clone().multiplyScalar(apart));
     this.before.colour(() => grey);
     this.after.colour((point) => (this.#colours ? errorColour(errors[point] / largest) : accent));
-    this.before.setOpacity(this.#mode === 0 ? 0.35 : 1);
+    const [behind, front] = this.#swapped ? [this.after, this.before] : [this.before, this.after];
+    behind.setOpacity(this.#mode === 0 ? 0.35 : 1);
+    front.setOpacity(1);
+    this.divider.hidden = this.#mode !== 2;
+    this.names[0].style.setProperty('--colour', grey.getStyle());
+    this.names[1].style.setProperty('--colour', this.#colours ? errorGradient : accent.getStyle());
+    this.stage.classList.toggle('swapped', this.#swapped);
     const { frames, sampleRate, points } = this.#original;
     this.status.textContent = [
       this.say('Frame %1 of %2, %3 s.', whole + 1, frames, (whole / sampleRate).toFixed(2)),
@@ -178,7 +197,7 @@ class Viewer {
     modes.forEach((text, mode) => add(text, mode + 1, () => this.#setMode(mode), () => this.#mode === mode));
     add('Swap', 'X', () => this.#swap(), () => this.#swapped);
     add('Colour by error', 'E', () => this.#toggleColours(), () => this.#colours);
-    add('Follow', 'F', () => this.#toggleFollow(), () => this.#follows);
+    add('Follow', 'Shift+F', () => this.#toggleFollow(), () => this.#follows);
     add('Worst frame before', 'Shift+N', () => this.#toWorst(-1));
     add('Next worst frame', 'N', () => this.#toWorst(1));
     add('Reset camera', 'R', () => this.resetCamera());
@@ -195,7 +214,8 @@ class Viewer {
       3: () => this.#setMode(2),
       x: () => this.#swap(),
       e: () => this.#toggleColours(),
-      f: () => this.#toggleFollow(),
+      f: () => event.shiftKey && this.#toggleFollow(),
+      m: () => event.shiftKey && this.#toNextNote(),
       n: () => this.#toWorst(event.shiftKey ? -1 : 1),
       r: () => this.resetCamera(),
       arrowleft: () => this.#stopAt(Math.round(this.#frame) - step),
@@ -229,6 +249,13 @@ class Viewer {
     this.seek(this.#frame);
   }
 
+  #drag(x) {
+    const { left, width } = this.stage.getBoundingClientRect();
+    this.#divider = Math.min(Math.max((x - left) / width, 0), 1);
+    this.divider.style.left = `${100 * this.#divider}%`;
+    this.#ask();
+  }
+
   #stopAt(frame) {
     this.#play(false);
     this.seek(frame);
@@ -239,6 +266,11 @@ class Viewer {
     this.buttons.firstChild.textContent = this.say(playing ? 'Pause' : 'Play');
     this.#before = performance.now();
     this.#ask();
+  }
+
+  #toNextNote() {
+    const frames = this.#notes.map(({ frame }) => frame).sort((a, b) => a - b);
+    if (frames.length > 0) this.#stopAt(frames.find((frame) => frame > Math.round(this.#frame)) ?? frames[0]);
   }
 
   /** Worst frames are in the order of their error. */
@@ -286,6 +318,9 @@ class Viewer {
       const height = (error / most) * (strip.height - 4);
       context.fillRect(x, strip.height - height, 1, height);
     }
+    context.fillStyle = noteColour;
+    for (const { frame } of this.#notes)
+      context.fillRect((frame / Math.max(ofFrames.length - 1, 1)) * (strip.width - 6), 0, 6, 6);
     context.fillStyle = accent.getStyle();
     context.fillRect((this.#frame / Math.max(ofFrames.length - 1, 1)) * (strip.width - 2), 0, 2, strip.height);
   }
@@ -319,7 +354,8 @@ class Viewer {
     [first, second].forEach((figure, side) => {
       first.visible = figure === first;
       second.visible = figure === second;
-      renderer.setScissor((side * width) / 2, 0, width / 2, height);
+      const at = Math.round(this.#divider * width);
+      renderer.setScissor(side * at, 0, side === 0 ? at : width - at, height);
       renderer.render(scene, camera);
     });
   }
@@ -327,7 +363,8 @@ class Viewer {
 
 let viewer;
 
-/** Shows a clip in `container`: base64 of two .mcpr files, facts about it, and say(), which translates the viewer. */
+/** Shows a clip in `container`: base64 of two .mcpr files, facts about it, notes on its
+ * frames, and say(), which translates the viewer. */
 export async function show(container, { say, ...clip }) {
   if (viewer?.title.parentNode !== container) viewer = new Viewer(container, say);
   await viewer.show(clip);

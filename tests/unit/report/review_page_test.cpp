@@ -36,7 +36,7 @@ TEST(ReviewPage, TellsItsFactsWithoutScript) {
 }
 
 TEST(ReviewPage, CarriesTheViewerAndNeedsNothingElse) {
-  const std::string page = review_page("walk", {}, "mocapressReview();", {}, kOriginal);
+  const std::string page = review_page("walk", {}, "mocapressReview();", {}, {}, kOriginal);
   EXPECT_THAT(page, HasSubstr("<script id=\"viewer\" type=\"text/plain\">Zm9v</script>"));
   EXPECT_THAT(page, HasSubstr("mocapressReview();"));
   for (const char* reference : {"src=\"", "href=\""}) EXPECT_THAT(page, Not(HasSubstr(reference)));
