@@ -1146,6 +1146,18 @@
         <source>Kept in %1.</source>
         <translation>Guardado en %1.</translation>
     </message>
+    <message>
+        <source>Use Built-in Limits</source>
+        <translation>Usar los límites incorporados</translation>
+    </message>
+    <message>
+        <source>Judge visibility as before any test</source>
+        <translation>Juzga la visibilidad como antes de toda prueba</translation>
+    </message>
+    <message>
+        <source>Visibility is judged by %1.</source>
+        <translation>La visibilidad se juzga por %1.</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ByteCostModel</name>

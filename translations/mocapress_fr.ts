@@ -1146,6 +1146,18 @@
         <source>Kept in %1.</source>
         <translation>Conservé dans %1.</translation>
     </message>
+    <message>
+        <source>Use Built-in Limits</source>
+        <translation>Prendre les limites intégrées</translation>
+    </message>
+    <message>
+        <source>Judge visibility as before any test</source>
+        <translation>Juge la visibilité comme avant tout test</translation>
+    </message>
+    <message>
+        <source>Visibility is judged by %1.</source>
+        <translation>La visibilité est jugée selon %1.</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ByteCostModel</name>

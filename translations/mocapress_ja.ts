@@ -1137,6 +1137,18 @@
         <source>Kept in %1.</source>
         <translation>%1 に保存しました。</translation>
     </message>
+    <message>
+        <source>Use Built-in Limits</source>
+        <translation>組み込みの限界値を使う</translation>
+    </message>
+    <message>
+        <source>Judge visibility as before any test</source>
+        <translation>テスト前と同じ限界値で見え方を判定します</translation>
+    </message>
+    <message>
+        <source>Visibility is judged by %1.</source>
+        <translation>見え方は%1で判定されます。</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::ByteCostModel</name>

@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
   mocapress::prepareViewport();
   const QTemporaryDir settings;
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+  qputenv("XDG_CONFIG_HOME", settings.path().toUtf8());
   qputenv("XDG_CACHE_HOME", settings.path().toUtf8());
   qputenv("XDG_DATA_HOME", settings.filePath(QStringLiteral("data")).toUtf8());
   // Tests do not depend on a desktop. Without one, libdbus would start a bus of its own, and leak

@@ -90,7 +90,7 @@ namespace {
 
 /// Adds the visibility of errors, provided the outcome is still that of the clip.
 QString withSight(const QString& state, const LibraryEntry& entry) {
-  if (!entry.outcome || !entry.outcome->sight) return state;
+  if (!entry.outcome || !entry.outcome->sight || entry.outdated != Staleness::None) return state;
   const QString sight = sightText(*entry.outcome->sight, entry.outcome->limits.distance_m);
   // A narrow list cuts the end off: a target that is met is the least of the news.
   const bool is_news = entry.review.verdict != Verdict::None || !entry.outcome->met;

@@ -26,6 +26,7 @@
 #include "core/base/error.h"
 #include "core/base/utc_time.h"
 #include "widgets/models/display_names.h"
+#include "widgets/models/report_texts.h"
 #include "widgets/models/sentence.h"
 #include "widgets/timeline/playback.h"
 #include "widgets/viewport/viewport.h"
@@ -91,6 +92,10 @@ QWidget* BlindTestWindow::makePreparation() {
   count_->setValue(BlindTest::kUsualQuestions);
   count_->setAccessibleName(tr("Questions"));
   beside_ = new QCheckBox(tr("Show A, X and B side by side"), page);
+  limits_ = new QLabel(page);
+  limits_->setWordWrap(true);
+  use_built_in_ = new QPushButton(tr("Use Built-in Limits"), page);
+  use_built_in_->setToolTip(tr("Judge visibility as before any test"));
   start_ = new QPushButton(tr("Begin"), page);
   start_->setDefault(true);
   progress_ = new QProgressBar(page);
@@ -109,6 +114,9 @@ QWidget* BlindTestWindow::makePreparation() {
   column->addWidget(start_, 0, Qt::AlignLeft);
   column->addWidget(progress_);
   column->addStretch();
+  column->addWidget(limits_);
+  column->addWidget(use_built_in_, 0, Qt::AlignLeft);
+  connect(use_built_in_, &QPushButton::clicked, this, [this] { use({}, limits_); });
   connect(start_, &QPushButton::clicked, this, &BlindTestWindow::begin);
   connect(viewer_, &QLineEdit::returnPressed, this, &BlindTestWindow::begin);
   return page;
@@ -172,17 +180,31 @@ QWidget* BlindTestWindow::makeResult() {
   column->addStretch();
   connect(again, &QPushButton::clicked, this, &BlindTestWindow::prepare);
   connect(use_, &QPushButton::clicked, this, [this] {
-    try {
-      SightLimits limits = limits_by({record()}, ownLimits().limits);
-      setOwnLimits(limits);
-      use_->setEnabled(false);
-      use_->setText(tr("In Use"));
-      emit limitsChanged();
-    } catch (const Error& error) {
-      verdict_->setText(translatedSentence(QString::fromUtf8(error.what())));
-    }
+    if (!use(limits_by({record()}, ownLimits().limits), verdict_)) return;
+    use_->setEnabled(false);
+    use_->setText(tr("In Use"));
   });
   return page;
+}
+
+/// Returns false, and says why in `trouble`, if the limits cannot be kept.
+bool BlindTestWindow::use(const SightLimits& limits, QLabel* trouble) {
+  try {
+    setOwnLimits(limits);
+  } catch (const Error& error) {
+    trouble->setText(translatedSentence(QString::fromUtf8(error.what())));
+    return false;
+  }
+  emit limitsChanged();
+  showLimits();
+  return true;
+}
+
+void BlindTestWindow::showLimits() {
+  const SightLimits& limits = session_->document().options().limits;
+  limits_->setText(tr("Visibility is judged by %1.")
+                       .arg(QString::fromStdString(reportLanguage()(limits_text(limits)))));
+  use_built_in_->setVisible(limits.of_cues != SightLimits().of_cues);
 }
 
 void BlindTestWindow::makeKeys() {
@@ -215,6 +237,7 @@ void BlindTestWindow::prepare() {
   distance_->setValue(options_.limits.distance_m);
   start_->setEnabled(possible);
   progress_->hide();
+  showLimits();
   pages_->setCurrentIndex(0);
   viewer_->setEnabled(true);
   viewer_->setFocus();

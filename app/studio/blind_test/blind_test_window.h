@@ -50,11 +50,12 @@ class BlindTestWindow : public QWidget {
   QPushButton* start() const { return start_; }
   QCheckBox* beside() const { return beside_; }
   QPushButton* useAsLimits() const { return use_; }
+  QPushButton* useBuiltInLimits() const { return use_built_in_; }
   const std::optional<BlindTest>& test() const { return test_; }
   QLabel* verdict() const { return verdict_; }
 
  signals:
-  /// The user took limits from a test.
+  /// The user took limits from a test, or the built-in ones.
   void limitsChanged();
 
  protected:
@@ -74,6 +75,8 @@ class BlindTestWindow : public QWidget {
   void ask();
   void look(Figure figure);
   void finish();
+  bool use(const SightLimits& limits, QLabel* trouble);
+  void showLimits();
   BlindTestRecord record() const;
   const DecodedClip& compressed() const;
 
@@ -91,6 +94,8 @@ class BlindTestWindow : public QWidget {
   QSpinBox* count_;
   QCheckBox* beside_;
   QLabel* about_;
+  QLabel* limits_;
+  QPushButton* use_built_in_;
   QProgressBar* progress_;
   QPushButton* start_;
   std::array<Viewport*, 3> views_{};  // by Figure; X alone shows all where they take turns

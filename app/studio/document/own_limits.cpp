@@ -2,6 +2,7 @@
 #include "app/studio/document/own_limits.h"
 
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QStandardPaths>
 
@@ -26,6 +27,10 @@ OwnLimits read() {
   }
 }
 
+bool areBuiltIn(const SightLimits& limits) {
+  return limits.of_cues == SightLimits().of_cues;
+}
+
 OwnLimits& kept() {
   static OwnLimits limits = read();
   return limits;
@@ -43,14 +48,24 @@ const OwnLimits& ownLimits() {
 }
 
 void setOwnLimits(const SightLimits& limits) {
-  QDir().mkpath(QFileInfo(ownLimitsFile()).path());
-  write_text(path(), limits_to_text(limits));
+  if (areBuiltIn(limits)) {
+    QFile file(ownLimitsFile());
+    if (file.exists() && !file.remove())
+      throw WriteError((file.fileName() + QStringLiteral(": ") + file.errorString()).toStdString());
+  } else {
+    QDir().mkpath(QFileInfo(ownLimitsFile()).path());
+    write_text(path(), limits_to_text(limits));
+  }
   kept() = {limits, {}};
 }
 
+SightLimits withOwnLimits(SightLimits limits) {
+  if (areBuiltIn(limits)) limits.of_cues = ownLimits().limits.of_cues;
+  return limits;
+}
+
 EncodeSettings withOwnLimits(EncodeSettings options) {
-  if (options.limits.of_cues == SightLimits().of_cues)
-    options.limits.of_cues = ownLimits().limits.of_cues;
+  options.limits = withOwnLimits(options.limits);
   return options;
 }
 

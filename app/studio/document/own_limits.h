@@ -18,11 +18,13 @@ struct OwnLimits {
 };
 const OwnLimits& ownLimits();
 
-/// Writes the file and uses the limits from now on. Throws WriteError.
+/// Writes the file and uses the limits from now on; of built-in limits no file is left. Throws
+/// WriteError.
 void setOwnLimits(const SightLimits& limits);
 
-/// The options with the user's limits, unless a preset or project brought some. The viewing
-/// distance stays.
+/// The user's limits in place of built-in ones: those that a preset or project brought stay, and so
+/// does the viewing distance.
+SightLimits withOwnLimits(SightLimits limits);
 EncodeSettings withOwnLimits(EncodeSettings options);
 
 }  // namespace mocapress

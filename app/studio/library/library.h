@@ -71,6 +71,9 @@ class Library : public KeptProject {
   void setVerdict(const std::vector<int>& rows, Verdict verdict);
   void setPreset(const std::vector<int>& rows, const Settings& preset);
 
+  /// Has all clips judged by the user's limits of visibility, which they keep among their settings.
+  void takeOwnLimits();
+
   /// Keeps the settings of a clip until another's are copied.
   void copySettings(int row);
   bool hasCopy() const { return copied_.has_value(); }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/jobs/batch_runner.h"
+#include "app/studio/document/own_limits.h"
 #include "app/studio/document/session.h"
 #include "app/studio/library/library.h"
 #include "core/batch/batch.h"
@@ -116,7 +117,9 @@ std::vector<TunedClip> Library::unencoded(std::size_t most, const std::vector<in
   std::vector<TunedClip> clips;
   for (const auto& [place, frames, row] : waiting) {
     clips.push_back(tunedClip(project_, project_.clips[static_cast<std::size_t>(row)]));
-    if (!clips.back().settings) clips.back().settings = NamedSettings{usualPreset(), {}};
+    if (clips.back().settings) continue;
+    clips.back().settings = NamedSettings{usualPreset(), {}};
+    clips.back().settings->preset.limits = withOwnLimits(usualPreset().limits);
   }
   return clips;
 }
@@ -148,6 +151,7 @@ void Library::noteOutcome() {
     clip->settings = settingsNow();
     touch();
   }
+  clip->settings->preset.limits = session_->document().options().limits;
   Outcome outcome =
       outcomeOf(*decoded, *session_->document().original(), session_->document().options(),
                 !session_->document().contacts().empty());

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/studio/document/edit_step.h"
+#include "app/studio/document/own_limits.h"
 #include "app/studio/document/session.h"
 #include "app/studio/document/settings_field.h"
 #include "app/studio/library/library.h"
@@ -48,6 +49,18 @@ void Library::pasteImportance(const std::vector<int>& rows) {
       [this](NamedSettings& settings) { settings.preset.importance = copied_->preset.importance; });
 }
 
+void Library::takeOwnLimits() {
+  std::vector<int> rows;
+  for (std::size_t row = 0; row < project_.clips.size(); ++row) {
+    std::optional<NamedSettings>& settings = project_.clips[row].settings;
+    if (!settings) continue;
+    settings->preset.limits.of_cues = ownLimits().limits.of_cues;
+    rows.push_back(static_cast<int>(row));
+  }
+  showRows(rows);
+  emit currentChanged();
+}
+
 /// Changes settings of several clips in one step. Clips that were never tuned begin with the usual
 /// settings.
 void Library::change(const std::vector<int>& rows, const std::function<QString()>& name,
@@ -57,6 +70,7 @@ void Library::change(const std::vector<int>& rows, const std::function<QString()
     const ProjectClip& clip = project_.clips[static_cast<std::size_t>(row)];
     NamedSettings settings = clip.settings.value_or(NamedSettings{usualPreset(), {}});
     change(settings);
+    settings.preset.limits = withOwnLimits(settings.preset.limits);
     if (clip.settings && settings.preset == clip.settings->preset &&
         settings.contacts == clip.settings->contacts)
       continue;

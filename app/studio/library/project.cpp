@@ -193,8 +193,14 @@ std::optional<std::string> staleNote(const ProjectClip& clip, const FrameNote& n
 Staleness outdated(const ProjectClip& clip) {
   if (!clip.outcome) return Staleness::None;
   if (clip.missing) return Staleness::Missing;
-  return staleness(clip.outcome->source, clip.outcome->settings, clip.stamp.source,
-                   settingsHash(clip));
+  const Staleness files_and_settings = staleness(clip.outcome->source, clip.outcome->settings,
+                                                 clip.stamp.source, settingsHash(clip));
+  // The hash leaves limits out that change no bytes.
+  const bool judged_otherwise =
+      clip.settings && clip.outcome->sight &&
+      clip.outcome->limits.of_cues != clip.settings->preset.limits.of_cues;
+  return files_and_settings == Staleness::None && judged_otherwise ? Staleness::Settings
+                                                                   : files_and_settings;
 }
 
 void bindVerdict(ProjectClip& clip) {

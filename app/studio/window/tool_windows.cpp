@@ -104,6 +104,7 @@ BlindTestWindow* ToolWindows::showBlindTest() {
   if (!blind_test_) {
     blind_test_ = new BlindTestWindow(session_, BlindTestWindow::usualFile(), window_);
     connect(blind_test_, &BlindTestWindow::limitsChanged, session_, [this] {
+      library_->takeOwnLimits();
       EncodeSettings options = session_->document().options();
       options.limits.of_cues = ownLimits().limits.of_cues;
       session_->setOptions(options);
