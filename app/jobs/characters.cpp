@@ -6,24 +6,14 @@
 #include "core/motion/rig.h"
 
 namespace mocapress {
-namespace {
-
-/// Finds the entry of the rig, else the one for all others.
-template <typename ByRig>
-auto entryOf(ByRig& characters, const std::string& rig) {
-  const auto found = characters.find(rig);
-  return found == characters.end() ? characters.find(std::string()) : found;
-}
-
-}  // namespace
 
 PutCharacter characterOn(const Characters& characters, const Skeleton& skeleton) {
-  const auto found = entryOf(characters, rig_of(skeleton));
+  const auto found = characters.find(rig_of(skeleton));
   return found == characters.end() ? PutCharacter() : found->second;
 }
 
 PutCharacter readCharacterOn(Characters& characters, const Skeleton& skeleton) {
-  const auto found = entryOf(characters, rig_of(skeleton));
+  const auto found = characters.find(rig_of(skeleton));
   if (found == characters.end()) return {};
   PutCharacter& put = found->second;
   if (put.path.isEmpty() || put.character.skin || !put.trouble.isEmpty()) return put;
@@ -43,7 +33,7 @@ CharacterFiles filesOf(const Characters& characters) {
 
 QString characterFile(const CharacterFiles& files, const std::string& rig) {
   if (rig.empty() && files.size() == 1) return files.begin()->second;
-  const auto found = entryOf(files, rig);
+  const auto found = files.find(rig);
   return found == files.end() ? QString() : found->second;
 }
 

@@ -16,8 +16,7 @@ struct PutCharacter {
   QString trouble;      // why it cannot be read; empty: no error so far
 };
 
-/// Characters by rig_of(): each is on all clips of its rig. The one under "" is on clips of all
-/// other rigs that it fits, for projects that have one character for all.
+/// Characters by rig_of(): each is on all clips of its rig.
 using Characters = std::map<std::string, PutCharacter>;
 
 /// The character for clips of this skeleton.

@@ -102,11 +102,11 @@ Lesson lesson_of(const std::vector<bool>& is_told, const CodingKnowledge& before
 
 /// The sources whose motion is a single adaptively coded piece.
 std::vector<NotedClip> noted(const std::vector<BankSource>& sources, const BankSourceReader& files,
-                             const std::function<bool()>& go_on) {
+                             const std::function<bool()>& may_go_on) {
   constexpr std::size_t kMostClips = 600;
   const std::size_t count = std::min(sources.size(), kMostClips);
   std::vector<NotedClip> clips;
-  for (std::size_t i = 0; i < count && go_on(); ++i) {
+  for (std::size_t i = 0; i < count && may_go_on(); ++i) {
     const BankSource& source = sources[i * sources.size() / count];
     try {
       const Container container = read_any_container(files.read(source).bytes);
@@ -136,15 +136,15 @@ std::vector<std::byte> learn_from(const std::vector<BankSource>& sources,
   constexpr int kMoreRounds = 4;
   constexpr std::size_t kCounts[] = {500, 1000, 2000, 4000};  // numbers of contexts to try
   bool is_stopped = false;
-  const auto go_on = [&] {
+  const auto may_go_on = [&] {
     is_stopped = is_stopped || !should_continue(observer, BankProgress{0, sources.size()});
     return !is_stopped;
   };
-  const std::vector<NotedClip> clips = noted(sources, files, go_on);
+  const std::vector<NotedClip> clips = noted(sources, files, may_go_on);
   if (clips.empty() || is_stopped) return {};
   const CodingKnowledge before = CodingKnowledge::of_all_clips(most_frequent_signals(clips));
   CodingKnowledge after = before;
-  const auto round = [&](const std::vector<double>&) { return go_on(); };
+  const auto round = [&](const std::vector<double>&) { return may_go_on(); };
   fit_contexts(clips, runtime::kLearnedTrusts, kFinest, after);
   descend(clips, {.rounds = kRounds}, round, after);
   const std::vector<LearnedContext> contexts = learned_contexts(clips, before, after);
@@ -154,7 +154,7 @@ std::vector<std::byte> learn_from(const std::vector<BankSource>& sources,
   double most_saved = 0;
   std::vector<std::byte> best;
   for (const std::size_t count : kCounts) {
-    if (!go_on()) break;
+    if (!may_go_on()) break;
     // Other contexts keep their usual values, so the chosen ones are learned beside them.
     CodingKnowledge told = before;
     std::vector<bool> is_told(before.log_odds.size());

@@ -43,10 +43,9 @@ ClipFigures figures_of(const BatchRow& row) {
   figures.weighting = row.preset.weighting;
   figures.eps_cm = row.measured->eps_cm(figures.weighting);
   figures.max_cm = row.measured->max_cm(figures.weighting);
-  if (!row.measured->seen) return figures;
-  figures.sight = row.measured->seen->sight();
-  figures.limits = row.measured->seen->limits;
-  figures.reason = row.measured->seen->reason;
+  figures.sight = row.measured->seen.sight();
+  figures.limits = row.measured->seen.limits;
+  figures.reason = row.measured->seen.reason;
   return figures;
 }
 

@@ -28,12 +28,9 @@ SignOffClip signed_off(const BatchRow& row) {
                                 .max_cm = measured.max_cm(row.preset.weighting),
                                 .worst_frame = measured.worst_frame,
                                 .worst_point = row.worst ? row.worst->landmark : "",
-                                .sight = {},
+                                .sight = measured.seen.sight(),
+                                .limits = measured.seen.limits,
                                 .stale = {}};
-  if (measured.seen) {
-    clip.figures->sight = measured.seen->sight();
-    clip.figures->limits = measured.seen->limits;
-  }
   return clip;
 }
 

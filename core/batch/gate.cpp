@@ -10,15 +10,15 @@ namespace mocapress {
 namespace {
 
 std::optional<std::string> refusal_by(const BatchRow& row, Gate gate) {
-  const std::optional<Seen> seen = row.measured ? row.measured->seen : std::nullopt;
-  const Sight sight = seen ? seen->sight() : Sight::NotVisible;
+  const Seen seen = row.measured ? row.measured->seen : Seen();
+  const Sight sight = seen.sight();
   switch (gate) {
     case Gate::Visible:
       if (sight != Sight::Visible) return std::nullopt;
-      return std::string(name(sight)) + ": " + seen->reason;
+      return std::string(name(sight)) + ": " + seen.reason;
     case Gate::Borderline:
       if (sight == Sight::NotVisible) return std::nullopt;
-      return std::string(name(sight)) + ": " + seen->reason;
+      return std::string(name(sight)) + ": " + seen.reason;
     case Gate::Rejected:
       if (const auto stale = stale_reason(row)) return "stale verdict: " + *stale;
       if (row.review.verdict == Verdict::Rejected) return "rejected";

@@ -28,8 +28,4 @@ std::optional<Gate> gate_named(std::string_view word);
 /// The reason of the first gate that refuses a clip that is done; unset if none does.
 std::optional<std::string> refusal(const BatchRow& row, const std::vector<Gate>& gates);
 
-inline bool is_refused(const BatchRow& row, const std::vector<Gate>& gates) {
-  return refusal(row, gates).has_value();
-}
-
 }  // namespace mocapress

@@ -50,11 +50,9 @@ std::size_t index_of(const Settings& settings, std::vector<Settings>& presets) {
   return index;
 }
 
-/// Characters by the rigs of clips; the one of "" is for all other rigs. An older project has one
-/// for all clips.
+/// Characters by the rigs of clips.
 std::map<std::string, std::string> characters_in(const Json& json, const fs::path& folder) {
   std::map<std::string, std::string> characters;
-  characters.emplace("", path_at(json, "character", folder));
   if (const auto by_rig = json.find("characters"); by_rig != json.end())
     for (const auto& [rig, path] : by_rig->items())
       characters[rig] = path_at(*by_rig, rig.c_str(), folder);
@@ -65,10 +63,9 @@ std::map<std::string, std::string> characters_in(const Json& json, const fs::pat
 /// the only character there is; if that does not fit, the clip keeps its own, with a warning.
 std::string character_on(const Json& clip, const std::map<std::string, std::string>& characters) {
   const std::string rig = clip.value("rig", "");
-  if (rig.empty() && characters.size() == 2 && characters.at("").empty())
-    return characters.rbegin()->second;
+  if (rig.empty() && characters.size() == 1) return characters.begin()->second;
   const auto found = characters.find(rig);
-  return found == characters.end() ? characters.at("") : found->second;
+  return found == characters.end() ? "" : found->second;
 }
 
 void add_clip(Batch& batch, const Json& json, const fs::path& folder,

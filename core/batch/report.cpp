@@ -57,7 +57,7 @@ constexpr std::size_t kPictures = 6;
 constexpr std::size_t kSightCharts = 24;
 
 double times_noticed(const BatchRow& row) {
-  return row.measured->seen ? row.measured->seen->times_noticed : 0;
+  return row.measured->seen.times_noticed;
 }
 
 /// Orders rows by the visibility of their error, then by the largest distance; the worst first.
@@ -108,7 +108,7 @@ struct Totals {
     }
     ++done;
     shown += std::ranges::find(row.formats, OutputFormat::Review) != row.formats.end();
-    if (row.measured->seen) count(row);
+    count_sight(row);
     raw_bytes += static_cast<double>(row.measured->raw_bytes);
     motion_bytes += static_cast<double>(row.measured->motion_bytes);
     const Spread spread = row.measured->spread(row.preset.weighting);
@@ -118,9 +118,9 @@ struct Totals {
   }
 
  private:
-  void count(const BatchRow& row) {
-    const Sight sight = row.measured->seen->sight();
-    limits.insert(say(limits_text(row.measured->seen->limits)));
+  void count_sight(const BatchRow& row) {
+    const Sight sight = row.measured->seen.sight();
+    limits.insert(say(limits_text(row.measured->seen.limits)));
     visible += sight == Sight::Visible;
     borderline += sight == Sight::Borderline;
     not_visible += sight == Sight::NotVisible;
@@ -222,13 +222,12 @@ std::string text_cell(std::string_view text, std::string_view css) {
 }
 
 /// A table cell with the verdict on visibility, and its reason.
-std::string seen_cell(const ReportLanguage& say, const std::optional<Seen>& seen) {
-  if (!seen) return cell(kNothing, "name");
-  std::string text = sight_phrase(say, seen->sight(), seen->limits.distance_m);
-  if (!seen->reason.empty()) text += ": " + escaped(say(seen->reason));
+std::string seen_cell(const ReportLanguage& say, const Seen& seen) {
+  std::string text = sight_phrase(say, seen.sight(), seen.limits.distance_m);
+  if (!seen.reason.empty()) text += ": " + escaped(say(seen.reason));
   return element("td",
-                 attribute("class", "wrap") + attribute("data-key", fixed(seen->times_noticed, 3)) +
-                     attribute("data-sight", sight_phrase({}, seen->sight())),
+                 attribute("class", "wrap") + attribute("data-key", fixed(seen.times_noticed, 3)) +
+                     attribute("data-sight", sight_phrase({}, seen.sight())),
                  text);
 }
 
@@ -340,7 +339,7 @@ void write_sights(std::ostream& out, const ReportLanguage& say, const Totals& to
                         say("%1: visible errors over time", {row.output}), say) +
                        element("figcaption", "",
                                element("b", "", escaped(row.output)) + ": " +
-                                   escaped(say(m.seen->reason))))
+                                   escaped(say(m.seen.reason))))
         << '\n';
   }
   out << "</div></section>\n";

@@ -236,13 +236,10 @@ BatchRow row_from(const Json& json) {
   json.at("stamp").at("bytes").get_to(row.stamp.bytes);
   json.at("stamp").at("newest_ns").get_to(row.stamp.newest_ns);
   json.at("stamp").at("hash").get_to(row.stamp.hash);
-  row.stamp.source = json.at("stamp").value("source", row.stamp.hash);
+  json.at("stamp").at("source").get_to(row.stamp.source);
   if (!json.at("frames").is_null()) {
     row.measured = measurement_of(json);
     row.measured->ik_ratio_used = optional_at<double>(json, "ik_ratio_used");
-    // Older rows state the limits among their settings only.
-    if (row.measured->seen && !json.contains("distance_m"))
-      row.measured->seen->limits = row.preset.limits;
     json.at("joints").get_to(row.joints);
     json.at("verified_by").get_to(row.verified_by);
   }
@@ -252,7 +249,7 @@ BatchRow row_from(const Json& json) {
   json.at("warnings").get_to(row.warnings);
   row.review = review_from(json);
   row.error = optional_at<std::string>(json, "error").value_or("");
-  for (const Json& line : json.value("sights", Json::array()))
+  for (const Json& line : json.at("sights"))
     row.sights.push_back({line.at(0).get<std::string>(), line.at(1).get<std::string>()});
   if (!json.at("worst").is_null()) row.worst = pose_from(json.at("worst"));
   return row;

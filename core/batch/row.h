@@ -72,7 +72,7 @@ struct BatchRow {
   std::vector<WrittenFile> files;
   std::vector<std::string> warnings;  // the reader's repairs and guesses
   std::optional<WorstPose> worst;
-  SightChart sights;  // empty in old rows, which lack it
+  SightChart sights;
   std::string error;  // reason for failing; empty: it is done
 
   bool done() const { return error.empty(); }

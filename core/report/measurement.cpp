@@ -26,7 +26,7 @@ double Measurement::quantity(Target::Kind kind, Weighting weighting) const {
     case Target::Kind::MaxError:
       return max_cm(weighting);
     case Target::Kind::Visibility:
-      return seen ? seen->times_noticed : 0;
+      return seen.times_noticed;
   }
   return 0;
 }

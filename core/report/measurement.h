@@ -27,8 +27,8 @@ struct Measurement {
   double p95_error_cm = 0;
   double p99_error_cm = 0;
   BodyFigures body;
-  std::optional<Seen> seen;  // unset in older rows without it
-  int worst_frame = 0;  // of the weighting that the clip was encoded with
+  Seen seen;
+  int worst_frame = 0;                   // in the weighting that the clip was encoded with
   int contacts = 0;                      // number of foot contacts in the original
   std::optional<double> footskate_cm;    // over all contacts; unset without contacts
   std::optional<SlidePerContact> slide;  // the same footskate for each contact

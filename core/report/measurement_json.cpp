@@ -16,24 +16,14 @@ Json own_limits_json(const SightLimits& limits) {
 
 namespace {
 
-/// Rows of before limits were stated have the built-in ones, from kUsualDistance.
-SightLimits limits_of(const Json& json) {
-  const Json own = json.value("own_limits", Json());
-  SightLimits limits = own.is_object() ? limits_from(own) : SightLimits();
-  const Json distance = json.value("distance_m", Json());
-  if (distance.is_number()) limits.distance_m = distance.get<double>();
-  return limits;
-}
-
-/// Reads the keys of add_seen(); unset if there are none. Throws the JSON library's exceptions.
-std::optional<Seen> seen_of(const Json& json) {
-  if (!json.contains("times_noticed") || json.at("times_noticed").is_null()) return std::nullopt;
-  return Seen{json.at("times_noticed").get<double>(), json.at("visible_frames_share").get<double>(),
-              optional_at<std::string>(json, "visibility_reason").value_or(""),
-              json.value("unnoticed_from_m", Json()).is_number()
-                  ? json.at("unnoticed_from_m").get<double>()
-                  : 0,
-              limits_of(json)};
+/// Reads the keys of add_seen(). Throws the JSON library's exceptions.
+Seen seen_of(const Json& json) {
+  const Json& own = json.at("own_limits");
+  SightLimits limits = own.is_null() ? SightLimits() : limits_from(own);
+  json.at("distance_m").get_to(limits.distance_m);
+  return {json.at("times_noticed").get<double>(), json.at("visible_frames_share").get<double>(),
+          optional_at<std::string>(json, "visibility_reason").value_or(""),
+          json.at("unnoticed_from_m").get<double>(), limits};
 }
 
 /// Reads the keys of add_body_figures(), except the places of the worst points. Throws the JSON
@@ -52,7 +42,7 @@ BodyFigures body_figures_of(const Json& json) {
     if (!rms) return std::nullopt;
     return PartTurn{*rms, json.at(of + "_worst_degrees").get<double>()};
   };
-  const bool has_skin = json.contains("skin_rms_cm") && !json.at("skin_rms_cm").is_null();
+  const bool has_skin = !json.at("skin_rms_cm").is_null();
   return {.surface = spread("surface"),
           .shell = spread("shell"),
           .skin = has_skin ? std::optional(spread("skin")) : std::nullopt,
@@ -112,12 +102,9 @@ Measurement measurement_of(const Json& json) {
   m.coefficient_ratio = optional_at<double>(json, "coefficient_ratio");
   json.at("eps_x_bone_ends_cm").get_to(m.eps_bone_ends_cm);
   json.at("eps_x_joint_origins_cm").get_to(m.eps_joint_origins_cm);
-  const auto on_bones = [&](const char* key, const char* of_older_rows) {
-    return json.at(json.contains(key) ? key : of_older_rows).get<double>();
-  };
-  m.max_error_cm = on_bones("bone_ends_max_cm", "max_error_cm");
-  m.p95_error_cm = on_bones("bone_ends_p95_cm", "p95_error_cm");
-  m.p99_error_cm = on_bones("bone_ends_p99_cm", "p99_error_cm");
+  json.at("bone_ends_max_cm").get_to(m.max_error_cm);
+  json.at("bone_ends_p95_cm").get_to(m.p95_error_cm);
+  json.at("bone_ends_p99_cm").get_to(m.p99_error_cm);
   m.body = body_figures_of(json);
   m.seen = seen_of(json);
   json.at("worst_frame").get_to(m.worst_frame);
@@ -125,8 +112,8 @@ Measurement measurement_of(const Json& json) {
   m.footskate_cm = optional_at<double>(json, "footskate_cm");
   if (const auto mean_cm = optional_at<double>(json, "footskate_mean_cm"))
     m.slide = {*mean_cm, json.at("footskate_worst_cm").get<double>(),
-               optional_at<double>(json, "footskate_drift_mean_cm").value_or(0),
-               optional_at<double>(json, "footskate_drift_worst_cm").value_or(0)};
+               json.at("footskate_drift_mean_cm").get<double>(),
+               json.at("footskate_drift_worst_cm").get<double>()};
   m.ik_bytes = optional_at<std::size_t>(json, "ik_bytes");
   m.knee_speed_ratio = optional_at<double>(json, "knee_speed_ratio");
   m.iterations = optional_at<int>(json, "iterations");

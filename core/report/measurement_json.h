@@ -52,14 +52,14 @@ void add_body_figures(const BodyFigures& figures, const Add& add) {
 
 /// The same for visibility. "own_limits" is null where all limits are the built-in ones.
 template <typename Add>
-void add_seen(const std::optional<Seen>& seen, const Add& add) {
-  add("visibility", seen ? Json(name(seen->sight())) : Json());
-  add("visibility_reason", seen ? text_or_null(seen->reason) : Json());
-  add("times_noticed", seen ? Json(seen->times_noticed) : Json());
-  add("unnoticed_from_m", seen ? Json(seen->unnoticed_from_m) : Json());
-  add("visible_frames_share", seen ? Json(seen->visible_share) : Json());
-  add("distance_m", seen ? Json(seen->limits.distance_m) : Json());
-  add("own_limits", seen ? own_limits_json(seen->limits) : Json());
+void add_seen(const Seen& seen, const Add& add) {
+  add("visibility", Json(name(seen.sight())));
+  add("visibility_reason", text_or_null(seen.reason));
+  add("times_noticed", Json(seen.times_noticed));
+  add("unnoticed_from_m", Json(seen.unnoticed_from_m));
+  add("visible_frames_share", Json(seen.visible_share));
+  add("distance_m", Json(seen.limits.distance_m));
+  add("own_limits", own_limits_json(seen.limits));
 }
 
 /// Calls `add` for a measurement's errors, from the coefficient ratio to the worst frame.

@@ -75,10 +75,10 @@ class Allocation {
 }  // namespace
 
 AnnealingReport anneal(const RankedCoefficients& ranked, const ErrorModel& model, const Kept& start,
-                       const AnnealingOptions& options,
-                       const Observer<AnnealingProgress>& observer) {
+                       std::uint64_t seed, const Observer<AnnealingProgress>& observer) {
+  constexpr int kFailuresPerStep = 10;  // failures in a row before the step is halved
   Allocation allocation(ranked, model, start);
-  Random random(options.seed);
+  Random random(seed);
   AnnealingReport report;
   report.first_eps_cm = allocation.eps();
   const int most = start.empty() ? 0 : *std::ranges::max_element(start);
@@ -95,7 +95,7 @@ AnnealingReport anneal(const RankedCoefficients& ranked, const ErrorModel& model
       allocation.move(j, moved);
     }
     failures = j == i ? failures + 1 : 0;
-    if (failures == options.failures_per_step) {
+    if (failures == kFailuresPerStep) {
       step /= 2;
       failures = 0;
     }

@@ -11,11 +11,6 @@
 
 namespace mocapress {
 
-struct AnnealingOptions {
-  std::uint64_t seed = 1;
-  int failures_per_step = 10;  // failures in a row before the step is halved
-};
-
 struct AnnealingProgress {
   int iteration = 0;
   int step = 0;        // s: coefficients moved at a time
@@ -35,7 +30,6 @@ struct AnnealingReport {
 /// on one thread: its steps are so short that waiting for other threads on a busy machine would
 /// cost more than all steps together.
 AnnealingReport anneal(const RankedCoefficients& ranked, const ErrorModel& model, const Kept& start,
-                       const AnnealingOptions& options = {},
-                       const Observer<AnnealingProgress>& observer = {});
+                       std::uint64_t seed = 1, const Observer<AnnealingProgress>& observer = {});
 
 }  // namespace mocapress

@@ -227,9 +227,9 @@ std::string measuring_notes(const ReportLanguage& say, const Results& results) {
           {say(std::string(name(results.weighting()))),
            say(std::string(name(Weighting::JointOrigins)))}));
   if (const auto judged = std::ranges::find_if(
-          results.rows(), [](const StudyRow& one) { return one.measured && one.measured->seen; });
+          results.rows(), [](const StudyRow& one) { return one.measured.has_value(); });
       judged != results.rows().end()) {
-    const SightLimits& limits = judged->measured->seen->limits;
+    const SightLimits& limits = judged->measured->seen.limits;
     add(say("Visibility"), say("Judged from %1 m, by %2.", {format_shortest(limits.distance_m),
                                                             escaped(say(limits_text(limits)))}));
   }

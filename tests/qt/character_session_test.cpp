@@ -10,6 +10,7 @@
 #include "app/studio/document/session.h"
 #include "app/studio/library/library.h"
 #include "core/formats/motion_file.h"
+#include "core/motion/rig.h"
 #include "tests/qt/patience.h"
 #include "tests/support/test_motion.h"
 
@@ -350,34 +351,13 @@ TEST_F(CharacterSession, IsPutOnTheRigsOfSelectedClipsInOneStepOfTheLibrary) {
 }
 
 /// As of a project that was saved when all its clips had one character.
-TEST_F(CharacterSession, OfAnOlderProjectIsOnTheClipsItFits) {
-  const QString project = folder_.filePath(QStringLiteral("walkers.mocapress"));
-  Project kept;
-  kept.characters = {{"", sample("character.glb")}};
-  kept.clips = {{.path = sample("human_walk.amc")}};
-  kept.current = kept.clips[0].path;
-  writeProject(project, kept);
-  LibraryModel model;
-  Library library(&session_, &model);
-  QSignalSpy settled(&session_, &Session::settled);
-  ASSERT_TRUE(library.open(project));
-  ASSERT_TRUE(settled.wait(kPatience));
-  EXPECT_TRUE(document_.skin());
-  const QString other = folder_.filePath(QStringLiteral("other.bvh"));
-  write_motion(other.toStdU16String(), test::smooth_motion(40));
-  open(other);
-  EXPECT_FALSE(document_.skin());
-  ASSERT_EQ(document_.original()->of_character.size(), 1u);
-  EXPECT_NE(document_.original()->of_character[0].message.find("is not put on: the clip has no"),
-            std::string::npos);
-}
-
 TEST_F(CharacterSession, AMissingFileIsReportedOnceAndStaysInTheProject) {
   const QString project = folder_.filePath(QStringLiteral("walkers.mocapress"));
   Project kept;
-  kept.characters = {{"", folder_.filePath(QStringLiteral("gone.glb"))}};
   kept.clips = {{.path = sample("human_walk.amc")}};
   kept.current = kept.clips[0].path;
+  const MotionFile walk = read_motion(kept.current.toStdU16String());
+  kept.characters = {{rig_of(walk.motion.skeleton), folder_.filePath(QStringLiteral("gone.glb"))}};
   writeProject(project, kept);
   LibraryModel model;
   Library library(&session_, &model);

@@ -73,13 +73,6 @@ TEST(ProjectFile, RemembersTheCharacterOfEachRigAndWhetherItIsShown) {
   EXPECT_FALSE(moved.shows_skin);
 }
 
-TEST(ProjectFile, WithOneCharacterForAllClipsStillOpens) {
-  const Project project = parseProject(
-      R"({"format": "mocapress-project", "version": 1, "character": "knight.fbx", "clips": []})",
-      QDir(QStringLiteral("/motions")));
-  EXPECT_EQ(characterFile(project.characters, "aa"), QStringLiteral("/motions/knight.fbx"));
-}
-
 TEST(ProjectFile, AProjectWithoutPinsStillOpens) {
   const Project project = parseProject(
       R"({"format": "mocapress-project", "version": 1, "clips": [{"path": "walk.bvh"}]})",

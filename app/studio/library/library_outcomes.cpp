@@ -62,10 +62,8 @@ Outcome outcomeOf(const BatchStep& step, const Settings& settings) {
                   measured.max_cm(settings.weighting), measured.motion_bytes,
                   keeps_promise(settings, measured)};
   outcome.slide_cm = measured.footskate_cm;
-  if (measured.seen) {
-    outcome.sight = measured.seen->sight();
-    outcome.limits = measured.seen->limits;
-  }
+  outcome.sight = measured.seen.sight();
+  outcome.limits = measured.seen.limits;
   for (const std::string& warning : step.warnings)
     outcome.warnings << QString::fromStdString(warning);
   outcome.worst_frame = measured.worst_frame;

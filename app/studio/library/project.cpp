@@ -145,11 +145,8 @@ ProjectClip clipFrom(const Json& json, const QDir& folder) {
   return clip;
 }
 
-/// Older projects had one character for all clips.
 CharacterFiles charactersFrom(const Json& json, const QDir& folder) {
   CharacterFiles characters;
-  if (const QString all = absoluteAt(json, "character", folder); !all.isEmpty())
-    characters.emplace(std::string(), all);
   const auto by_rig = valueAt<Json>(json, "characters");
   for (const auto& [rig, path] : by_rig.items())
     characters.emplace(rig, absoluteAt(by_rig, rig.c_str(), folder));

@@ -80,7 +80,7 @@ AnnealingReport PaperEncode::best_annealing(const Kept& standard) {
     };
     AnnealingReport report =
         anneal(basis().ranked, coder_.model(), standard,
-               {.seed = coder_.settings().seed + static_cast<std::uint64_t>(i)}, observe);
+               coder_.settings().seed + static_cast<std::uint64_t>(i), observe);
     if (i > 0 && report.eps_cm >= best.eps_cm)
       best.complete = report.complete;
     else

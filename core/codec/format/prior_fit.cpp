@@ -316,7 +316,8 @@ void fit_contexts(std::span<const NotedClip> clips, std::span<const std::uint16_
 }
 
 void descend(std::span<const NotedClip> clips, const DescentPlan& plan,
-             const std::function<bool(const std::vector<double>&)>& go_on, CodingKnowledge& known) {
+             const std::function<bool(const std::vector<double>&)>& should_continue,
+             CodingKnowledge& known) {
   constexpr std::size_t kBatch = 64;
   constexpr double kFirstStep = 0.01;
   constexpr float kUsualBits = 3000;  // bits of a typical clip
@@ -328,7 +329,7 @@ void descend(std::span<const NotedClip> clips, const DescentPlan& plan,
   const double steps = plan.rounds * static_cast<double>(batches);
   double step = 0;
   std::vector<double> bits(clips.size());
-  for (int round = 0; round < plan.rounds && go_on(bits); ++round) {
+  for (int round = 0; round < plan.rounds && should_continue(bits); ++round) {
     for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
     for (std::size_t first = 0; first < clips.size(); first += kBatch) {
       const std::size_t count = std::min(kBatch, clips.size() - first);

@@ -68,9 +68,10 @@ struct DescentPlan {
   bool clips_count_alike = false;  // each clip counts the same, whatever its bits
 };
 
-/// Improves the priors along the gradient of the coded bits. Before each round, `go_on` receives
-/// the bits of each clip in the round before; if it returns false, the descent ends.
+/// Improves the priors along the gradient of the coded bits. Before each round, `should_continue`
+/// receives the bits of each clip in the round before; if it returns false, the descent ends.
 void descend(std::span<const NotedClip> clips, const DescentPlan& plan,
-             const std::function<bool(const std::vector<double>&)>& go_on, CodingKnowledge& known);
+             const std::function<bool(const std::vector<double>&)>& should_continue,
+             CodingKnowledge& known);
 
 }  // namespace mocapress

@@ -15,6 +15,10 @@ BatchRow seen_row(double times_noticed) {
   return row;
 }
 
+bool is_refused(const BatchRow& row, const std::vector<Gate>& gates) {
+  return refusal(row, gates).has_value();
+}
+
 /// A row whose review is of the same bytes and settings.
 BatchRow reviewed_row(Verdict verdict) {
   BatchRow row = seen_row(0);

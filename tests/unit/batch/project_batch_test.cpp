@@ -19,7 +19,8 @@ Batch batch_of(const std::string& text) {
 }
 
 std::string project(const std::string& clips) {
-  return R"({"format": "mocapress-project", "version": 1, "character": "hero.glb", "clips": [)" +
+  return R"({"format": "mocapress-project", "version": 1, "characters": {"aa": "hero.glb"},
+             "clips": [)" +
          clips + "]}";
 }
 
@@ -64,13 +65,13 @@ TEST(ProjectBatch, GivesEachClipItsOwnSettingsAndTheOthersThePreset) {
 TEST(ProjectBatch, PutsCharactersOnTheClipsOfTheirRigs) {
   const Batch batch = batch_of(
       R"({"format": "mocapress-project", "version": 1,
-          "characters": {"aa": "xbot.glb", "bb": "", "": "all.glb"},
+          "characters": {"aa": "xbot.glb", "bb": ""},
           "clips": [{"path": "a.bvh", "rig": "aa"}, {"path": "b.bvh", "rig": "bb"},
                     {"path": "c.bvh", "rig": "cc"}, {"path": "d.bvh"}]})");
   EXPECT_EQ(batch.items[0].reading->character, preferred("work/xbot.glb"));
   EXPECT_EQ(batch.items[1].reading, std::nullopt);
-  EXPECT_EQ(batch.items[2].reading->character, preferred("work/all.glb"));
-  EXPECT_EQ(batch.items[3].reading->character, preferred("work/all.glb"));
+  EXPECT_EQ(batch.items[2].reading, std::nullopt);
+  EXPECT_EQ(batch.items[3].reading, std::nullopt);
 }
 
 TEST(ProjectBatch, PutsTheOnlyCharacterOnClipsWhoseRigIsNotKnownYet) {

@@ -431,13 +431,13 @@ TEST_F(BatchRun, ResumedJudgesFilesByOtherLimitsAndLeavesThemAsTheyAre) {
   for (std::size_t i = 0; i < after.size(); ++i) {
     EXPECT_EQ(after[i].files, before[i].files);
     EXPECT_EQ(after[i].measured->encode_seconds, before[i].measured->encode_seconds);
-    EXPECT_EQ(after[i].measured->seen->limits, asked.presets[0].limits);
-    EXPECT_LT(after[i].measured->seen->times_noticed, before[i].measured->seen->times_noticed);
+    EXPECT_EQ(after[i].measured->seen.limits, asked.presets[0].limits);
+    EXPECT_LT(after[i].measured->seen.times_noticed, before[i].measured->seen.times_noticed);
   }
   EXPECT_THAT(read_text(out() / "report.html"), HasSubstr("from 40 m"));
   asked.presets[0].limits.of(Cue::Place).least = 3;
   run(asked, {.resumed = true});
-  EXPECT_EQ(rows()[0].measured->seen->limits, asked.presets[0].limits);
+  EXPECT_EQ(rows()[0].measured->seen.limits, asked.presets[0].limits);
   EXPECT_THAT(read_text(out() / "report.html"), HasSubstr("own limits: place 3 cm or 3 %"));
 }
 
@@ -616,7 +616,7 @@ TEST_F(BatchRun, TheReportDrawsVisibilityByJointAndTime) {
   int seen = 0;
   for (const BatchRow& row : rows()) {
     ASSERT_FALSE(row.sights.empty());
-    const Seen& worst = *row.measured->seen;
+    const Seen& worst = row.measured->seen;
     const bool is_seen = worst.sight() != Sight::NotVisible;
     seen += is_seen;
     EXPECT_EQ(row.sights.size() > 1, is_seen);

@@ -55,7 +55,7 @@ TEST_F(Annealing, ReportsTheErrorThatForwardKinematicsFinds) {
 
 TEST_F(Annealing, ErrorNeverRisesFromOneIterationToTheNext) {
   double last = 1e300;
-  anneal(ranked_, model_, start_, {}, [&](const AnnealingProgress& progress) {
+  anneal(ranked_, model_, start_, 1, [&](const AnnealingProgress& progress) {
     EXPECT_LE(progress.eps_cm, last * (1 + 4e-6));  // the model computes in floats
     last = progress.eps_cm;
     return true;
@@ -67,9 +67,8 @@ TEST_F(Annealing, EveryMoveIsTheBestThatExactEvaluationFinds) {
   // lowest.
   Kept before = start_;
   for (int seed = 1; seed <= 8; ++seed) {
-    const AnnealingReport report =
-        anneal(ranked_, model_, before, {.seed = static_cast<std::uint64_t>(seed)},
-               [](const AnnealingProgress&) { return false; });
+    const AnnealingReport report = anneal(ranked_, model_, before, static_cast<std::uint64_t>(seed),
+                                          [](const AnnealingProgress&) { return false; });
     int from = -1;
     int moved = 0;
     for (std::size_t c = 0; c < before.size(); ++c)
@@ -91,16 +90,16 @@ TEST_F(Annealing, EveryMoveIsTheBestThatExactEvaluationFinds) {
 }
 
 TEST_F(Annealing, IsTheSameForTheSameSeedOnAnyNumberOfThreads) {
-  const AnnealingReport many = anneal(ranked_, model_, start_, {.seed = 5});
+  const AnnealingReport many = anneal(ranked_, model_, start_, 5);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  const AnnealingReport single = anneal(ranked_, model_, start_, {.seed = 5});
+  const AnnealingReport single = anneal(ranked_, model_, start_, 5);
   EXPECT_EQ(many.kept, single.kept);
   EXPECT_EQ(many.iterations, single.iterations);
   EXPECT_EQ(many.eps_cm, single.eps_cm);
 }
 
 TEST_F(Annealing, StopsWhenToldAndSaysSo) {
-  const AnnealingReport report = anneal(ranked_, model_, start_, {},
+  const AnnealingReport report = anneal(ranked_, model_, start_, 1,
                                         [](const AnnealingProgress& p) { return p.iteration < 7; });
   EXPECT_EQ(report.iterations, 7);
   EXPECT_FALSE(report.complete);

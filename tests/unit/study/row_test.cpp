@@ -42,17 +42,6 @@ TEST(StudyRow, SurvivesALineOfJson) {
   EXPECT_EQ(to_json_line(*again), to_json_line(row));
 }
 
-TEST(StudyRow, ARowWithoutVisibilityIsRead) {
-  StudyRow row = full_row();
-  std::string line = to_json_line(row);
-  const std::size_t first = line.find("\"visibility\"");
-  line.erase(first, line.find("\"worst_frame\"") - first);
-  row.measured->seen.reset();
-  const auto again = parse_row(line);
-  ASSERT_TRUE(again);
-  EXPECT_EQ(again->measured, row.measured);
-}
-
 TEST(StudyRow, WithoutAMeasurementSurvivesToo) {
   StudyRow row{.clip = "x.bvh", .fingerprint = "", .settings = {.method = "pca"}};
   row.error = "x.bvh: line\nbreak, \xff and \"quotes\"";

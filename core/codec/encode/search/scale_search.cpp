@@ -11,11 +11,6 @@
 namespace mocapress {
 namespace {
 
-bool is_by_error(const Target& target) {
-  return target.kind == Target::Kind::Error || target.kind == Target::Kind::MaxError ||
-         target.kind == Target::Kind::Visibility;
-}
-
 /// The trials of one search. Keeps the best: the cheapest that meets the target, or else the
 /// nearest to it.
 class ScaleSearch {
@@ -67,8 +62,7 @@ class ScaleSearch {
 
   /// The price of a trial: the quantity that the target leaves free.
   double price(const Trial& trial) const {
-    return is_by_error(target_) ? static_cast<double>(trial.compressed.motion_bytes())
-                                : trial.eps_cm;
+    return is_error(target_) ? static_cast<double>(trial.compressed.motion_bytes()) : trial.eps_cm;
   }
 
   const Goal& goal_;
@@ -89,7 +83,7 @@ constexpr double kPowerOfScale = 1.35;  // the scale grows with the error to thi
 
 /// The power with which the scale follows the target.
 double power_of_scale(const Target& target) {
-  return is_by_error(target) ? kPowerOfScale : 1.7;
+  return is_error(target) ? kPowerOfScale : 1.7;
 }
 
 /// Predicts, from a rough trial's excess, how much coarser the scale is at which `work` meets the
@@ -97,7 +91,7 @@ double power_of_scale(const Target& target) {
 /// to clip (measured on corpus/train).
 double coarser_after_rough_trial(double excess, const Target& target, ClosedLoopWork work,
                                  bool corrected) {
-  const bool by_error = is_by_error(target);
+  const bool by_error = is_error(target);
   const bool swept = work == ClosedLoopWork::Sweeps;
   const double more = by_error ? (swept ? -0.575 : -0.32) : (swept ? 0.17 : 0.06);  // logarithms
   const double unmended = by_error && corrected ? 0.12 : 0;
