@@ -1545,8 +1545,8 @@
         <translation>El bucle cerrado da con diferencia los archivos más pequeños: redondea cada coeficiente según su efecto en el error en el espacio. Los demás son los métodos del artículo, que eligen qué coeficientes se conservan. Recocidas busca los canales donde los coeficientes reducen más el error, Estándar conserva los mayores de todos los canales, Por canal conserva el mismo número en cada uno.</translation>
     </message>
     <message>
-        <source>Best searches longer for a smaller result: it saves a few per cent and takes some ten times as long.</source>
-        <translation>Mejor busca más tiempo un resultado más pequeño: ahorra un pequeño porcentaje y tarda unas diez veces más.</translation>
+        <source>Best searches longer for a smaller result: it saves about 1 % and takes some three times as long.</source>
+        <translation>Mejor busca más tiempo un resultado más pequeño: ahorra alrededor del 1 % y tarda unas tres veces más.</translation>
     </message>
     <message>
         <source>Effort applies only to the closed loop; the paper&apos;s methods have one result.</source>

@@ -1545,8 +1545,8 @@
         <translation>La boucle fermée arrondit chaque coefficient selon son effet sur l&apos;erreur dans le monde, et donne de loin les plus petits fichiers. Les autres sont celles de l&apos;article, qui choisissent les coefficients à garder : le recuit les déplace vers les canaux où ils réduisent le plus l&apos;erreur, standard garde les plus grands de tous, par canal en garde autant de chacun.</translation>
     </message>
     <message>
-        <source>Best searches longer for a smaller result: it saves a few per cent and takes some ten times as long.</source>
-        <translation>Le meilleur cherche plus longtemps plus petit : quelques pour cent, pour une dizaine de fois le temps.</translation>
+        <source>Best searches longer for a smaller result: it saves about 1 % and takes some three times as long.</source>
+        <translation>Le meilleur cherche plus longtemps un résultat plus petit : environ 1 % de moins, pour trois fois le temps.</translation>
     </message>
     <message>
         <source>Effort applies only to the closed loop; the paper&apos;s methods have one result.</source>

@@ -1536,8 +1536,8 @@
         <translation>閉ループは、ワールドでの誤差への影響を見ながら各係数を丸め、群を抜いて小さくなります。ほかは論文の手法で、残す係数を選びます。焼きなましは誤差が最も減るチャンネルへ係数を移し、標準は全体で大きいものを、チャンネル別は各チャンネルから同じ数だけ残します。</translation>
     </message>
     <message>
-        <source>Best searches longer for a smaller result: it saves a few per cent and takes some ten times as long.</source>
-        <translation>「最良」はより小さくなるものを長く探します。10 倍ほどの時間で数パーセント小さくなります。</translation>
+        <source>Best searches longer for a smaller result: it saves about 1 % and takes some three times as long.</source>
+        <translation>「最良」はより小さくなるものを長く探します。3 倍ほどの時間で約 1 % 小さくなります。</translation>
     </message>
     <message>
         <source>Effort applies only to the closed loop; the paper&apos;s methods have one result.</source>

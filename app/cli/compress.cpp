@@ -269,7 +269,7 @@ struct Compress {
 }  // namespace
 
 void add_compress(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("compress", "Compress a clip and measure what it cost");
+  CLI::App* command = app.add_subcommand("compress", "Compress a clip and measure its errors");
   const auto call = std::make_shared<Compress>();
   command
       ->add_option("input", call->input,

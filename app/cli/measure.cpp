@@ -76,7 +76,7 @@ void add_measure(CLI::App& app) {
   call->source.add_character_option(*command);
   call->source.add_tracks_option(*command);
   call->contact_input.add_options(*command);
-  call->sight.add_options(*command);
+  call->sight.add_options(*command, "else 5");
   command->add_flag("--json", call->json, "Print one JSON object");
   command->callback([call] { call->run(); });
 }

@@ -7,7 +7,7 @@
 
 namespace mocapress::cli {
 
-void SightArguments::add_options(CLI::App& command) {
+void SightArguments::add_options(CLI::App& command, const std::string& otherwise) {
   command
       .add_option("--limits", limits_file,
                   "Limits above which errors are noticed, as a blind test in the studio writes "
@@ -15,7 +15,8 @@ void SightArguments::add_options(CLI::App& command) {
       ->type_name("FILE");
   command
       .add_option("--distance", distance_m,
-                  "Viewing distance for visibility in metres, 0.5 to 100 [the preset's, else 5]")
+                  "Viewing distance for visibility in metres, 0.5 to 100 [that of --limits, " +
+                      otherwise + "]")
       ->type_name("M")
       ->check(CLI::Range(kLeastDistance, kMostDistance));
 }

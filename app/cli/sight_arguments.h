@@ -14,7 +14,8 @@ struct SightArguments {
   std::string limits_file;  // empty: the limits given to read()
   std::optional<double> distance_m;
 
-  void add_options(CLI::App& command);
+  /// `otherwise` ends the help of --distance: the distance if neither option states one.
+  void add_options(CLI::App& command, const std::string& otherwise);
 
   /// The limits of the file, else `otherwise`, at the distance that was asked for, else the file's,
   /// else that of `otherwise`. Throws InputError.

@@ -207,8 +207,8 @@ void CompressionPanel::showWhatApplies() {
   const bool closed = options_.method == Method::ClosedLoop;
   effort_->setEnabled(closed);
   effort_->setToolTip(
-      closed ? tr("Best searches longer for a smaller result: it saves a few per cent and takes "
-                  "some ten times as long.")
+      closed ? tr("Best searches longer for a smaller result: it saves about 1 % and takes some "
+                  "three times as long.")
              : tr("Effort applies only to the closed loop; the paper's methods have one result."));
   ends_->setEnabled(closed);
   ends_->setToolTip(

@@ -9,7 +9,7 @@ namespace mocapress {
 enum class Effort {
   Draft,    // while a slider moves: near the target, which is not promised
   Default,  // meets the target
-  Best,     // sometimes a little smaller, in about four times the time
+  Best,     // about 1 % smaller, in about three times the time
 };
 
 /// "draft", "default", "best".
@@ -18,7 +18,7 @@ std::string_view name(Effort effort);
 /// The state of a running encode. A target other than the coefficient ratio takes several passes.
 struct EncodeProgress {
   int pass = 0;       // from 0
-  int iteration = 0;  // of this pass's annealing, or sweeps of a closed loop
+  int iteration = 0;  // in this pass: of annealing, or sweeps of a closed loop
   int step = 0;  // coefficients moved at a time, halved until it is 0; always 0 in a closed loop
   int first_step = 0;  // the step the pass began with
   double eps_cm = 0;   // by the quadratic model, in the chosen weighting
