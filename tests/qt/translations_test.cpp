@@ -28,6 +28,7 @@
 #include "app/studio/window/main_window.h"
 #include "app/studio/window/tabs_below.h"
 #include "tests/qt/patience.h"
+#include "tests/qt/untranslated.h"
 #include "translations/languages.h"
 #include "widgets/viewport/viewport.h"
 
@@ -89,6 +90,7 @@ QStringList placesIn(const QString& text) {
 }
 
 TEST(Translations, LeaveNoTextOfTheSourcesOut) {
+  QStringList untranslated;
   for (const QString& language : translated()) {
     const QTemporaryDir directory;
     const QString copy = directory.filePath(QStringLiteral("texts.ts"));
@@ -105,18 +107,17 @@ TEST(Translations, LeaveNoTextOfTheSourcesOut) {
     ASSERT_TRUE(lupdate.waitForFinished(120'000));
     const std::vector<Text> texts = textsOf(copy);
     EXPECT_GT(texts.size(), 400u);
-    for (const Text& text : texts) {
-      EXPECT_TRUE(text.finished) << qPrintable(language) << ": " << qPrintable(text.source);
-      for (const QString& translation : text.translations)
-        EXPECT_FALSE(translation.isEmpty()) << qPrintable(text.source);
-    }
+    for (const Text& text : texts)
+      if (!text.finished || text.translations.contains(QString()))
+        untranslated << language + QStringLiteral(": ") + text.source;
   }
+  endWithUntranslated(untranslated);
 }
 
 TEST(Translations, KeepThePlacesOfNumbersAndNames) {
   for (const QString& language : translated())
     for (const Text& text : textsOf(fileOf(language)))
-      for (const QString& translation : text.translations)
+      for (const QString& translation : text.finished ? text.translations : QStringList())
         EXPECT_EQ(placesIn(translation), placesIn(text.source))
             << qPrintable(language) << ": " << qPrintable(text.source);
 }
