@@ -189,7 +189,7 @@ TEST_F(Pinning, AreEncodedAgainWhenTheirClipIsOpenedAgain) {
   EXPECT_EQ(model_.entries()[0].name, before[1].name);
 }
 
-TEST_F(Pinning, WhatAnEngineWouldDoComesBackWithTheClip) {
+TEST_F(Pinning, AnEnginesResultComesBackWithTheClip) {
   std::map<QString, std::vector<Pin>> kept;
   results_.setMemory([&](const QString& path) { return kept[path]; });
   QObject::connect(&results_, &PinnedResults::edited, &results_,

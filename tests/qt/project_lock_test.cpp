@@ -111,7 +111,7 @@ TEST_F(AProjectLock, ThatWasTakenOverIsLostAndLeftToItsNewOwner) {
   EXPECT_EQ(foreignLock(project_)->host, QStringLiteral("elsewhere"));
 }
 
-TEST_F(AProjectLock, WhoseFolderIsAwayIsNotLost) {
+TEST_F(AProjectLock, IsNotLostWhileItsFolderIsAway) {
   const QString folder = directory_.filePath(QStringLiteral("share"));
   QDir().mkpath(folder);
   const ProjectLock lock(folder + QStringLiteral("/knights.mocapress"));

@@ -87,7 +87,7 @@ TEST(ByteCosts, FallOnTheJointAndTheTimeThatMove) {
   }
 }
 
-TEST(ByteCosts, OfSegmentsAddUp) {
+TEST(ByteCosts, AddUpOverSegments) {
   EncodeSettings settings = closed_loop();
   settings.segments = {.longest = 256, .overlap = 16};
   const std::vector<std::byte> file = compressed(test::smooth_motion(700), settings);
@@ -97,7 +97,7 @@ TEST(ByteCosts, OfSegmentsAddUp) {
   EXPECT_GT(costs.by_slice().minCoeff(), 0);
 }
 
-TEST(ByteCosts, OfACorrectionFallOnItsEffectors) {
+TEST(ByteCosts, FallOnTheEffectorsOfACorrection) {
   const Motion motion = test::smooth_motion(120);
   const int effector = motion.skeleton.joint_count() - 1;
   EncodeSettings settings = closed_loop(0.5);
@@ -109,7 +109,7 @@ TEST(ByteCosts, OfACorrectionFallOnItsEffectors) {
   EXPECT_GT(with.by_joint()(effector), without.by_joint()(effector));
 }
 
-TEST(ByteCosts, OfWordsAreOnePart) {
+TEST(ByteCosts, AreOnePartInWordCodings) {
   const std::vector<std::byte> file =
       compressed(test::smooth_motion(60), {.method = Method::Standard,
                                            .weighting = Weighting::BoneEnds,

@@ -18,7 +18,7 @@ TEST(ConstantValue, IsTheNearestWhereAllItsDigitsFit) {
   EXPECT_EQ(steps_of_constant(0, 0x1p-8), 0);
 }
 
-TEST(ConstantValue, OfAHugeValueIsStillAWholeNumber) {
+TEST(ConstantValue, IsAWholeNumberForAHugeValueToo) {
   EXPECT_GT(steps_of_constant(1e30, 1), 1 << 27);
   EXPECT_LT(steps_of_constant(-1e30, 1), -(1 << 27));
 }
