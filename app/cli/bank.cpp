@@ -260,7 +260,7 @@ void list_bank(const std::string& path, bool json) {
       std::string tags;
       for (const std::string& tag : described.tags) tags += "  " + printable(tag);
       const std::string name = printable(described.name);
-      const auto inner_bytes =  // of letters of several bytes, which take one place
+      const auto inner_bytes =  // bytes after a letter's first: they take no place of their own
           std::ranges::count_if(name, [](char byte) { return (byte & 0xC0) == 0x80; });
       std::printf("%-*s %9llu bytes %7d frames at %s Hz, skeleton %u%s\n",
                   32 + static_cast<int>(inner_bytes), name.c_str(),

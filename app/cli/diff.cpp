@@ -42,7 +42,8 @@ struct Diff {
                    "compared there\n",
                    counted(difference.judged_otherwise, "clip").c_str());
     refuse(difference);
-    if (waiting > 0) throw EndedWith{kSomeFailed};  // of the later batch, which was read last
+    if (waiting > 0)
+      throw EndedWith{kSomeFailed};  // `waiting` is the later batch's, which was read last
   }
 
   /// Throws EndedWith if a clip changed in a way that --fail-on names, or if nobody can tell.

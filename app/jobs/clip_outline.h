@@ -21,7 +21,7 @@ struct ClipOutline {
   std::string rig;      // rig_of() its skeleton
   QList<QLineF> bones;  // lines of a pose in a square from 0 to 1, y down
   QImage skin;          // picture of the same pose; null: no skin
-  QStringList notes;    // what the reader repaired or guessed
+  QStringList notes;    // repairs and guesses of the reader
   Loop loop = Loop::None;
   Takes takes;
 };

@@ -81,7 +81,7 @@ struct DecodedClip {
   std::optional<Footskate> uncorrected_footskate;
   std::optional<CorrectionResult> correction;  // set for a clip encoded here
   std::optional<double> coefficient_ratio;     // set for a clip encoded here
-  std::optional<int> iterations;               // of the annealing
+  std::optional<int> iterations;               // in the annealing
   double encode_seconds = 0;
   bool complete = true;             // false: encoding was stopped early
   Effort effort = Effort::Default;  // Draft: the target may be missed

@@ -76,9 +76,9 @@ class Compressor : public QObject {
   bool out_of_reach_ = false;   // the newest job found the target out of reach
   bool coded_will_do_ = false;  // no refinement is wanted any more
   DecodedPtr quick_answer_;     // null: these settings have none
-  std::string content_;         // of the encoder, see setEncoder()
+  std::string content_;         // the encoder's, see setEncoder()
   int unlike_others_ = 0;       // encoders without content so far
-  ResultCache results_;         // of this encoder and earlier ones
+  ResultCache results_;         // results of this encoder and earlier ones
 };
 
 }  // namespace mocapress

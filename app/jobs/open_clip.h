@@ -23,7 +23,7 @@ struct OpenRequest {
 
   /// Options to compress with; unset: those of the last clip.
   std::optional<EncodeSettings> options;
-  SightLimits limits;                  // of visibility, for clips that are not compressed here
+  SightLimits limits;                  // for the visibility of clips that are not compressed here
   Characters characters;               // choices; one that fits is put on
   std::optional<ReadOptions> reading;  // for a motion; unset: as it was read last
   std::string comparison;  // for a motion: comparison method to show with `options`, or empty

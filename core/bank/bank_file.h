@@ -19,7 +19,7 @@ namespace mocapress {
 struct BankClip {
   std::string name;
   std::vector<std::string> tags;
-  std::uint64_t bytes = 0;  // of all tiers, without data that clips share
+  std::uint64_t bytes = 0;  // size of all tiers, without data that clips share
   double sample_rate_hz = 0;
   int frames = 0;
   int joints = 0;

@@ -93,8 +93,8 @@ class BankWriter {
       clips_;  // begin of each clip: cooked ones later get the place of the tables
   std::uint32_t count_ = 0;
   struct TierPieces {
-    std::vector<std::byte> bytes;       // of all clips, one after the other
-    std::vector<std::uint32_t> begins;  // of each clip
+    std::vector<std::byte> bytes;       // pieces of all clips, one after the other
+    std::vector<std::uint32_t> begins;  // one for each clip
   };
   std::vector<TierPieces> tiers_;
 };

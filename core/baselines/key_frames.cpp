@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kMostGap = 255;           // frames between keys, in a byte
 constexpr double kSteps16 = 65535;      // between the least and the greatest value
-constexpr std::size_t kHeadBytes = 12;  // of a channel
+constexpr std::size_t kHeadBytes = 12;  // for each channel
 
 /// The distance in cm by which a radian (or a cm) of each channel moves the body on average.
 Eigen::VectorXd moved_by_channels(const Motion& motion, Weighting weighting) {

@@ -40,13 +40,13 @@ std::optional<ClipChange> clip_change_named(std::string_view word);
 /// Measurements of a clip in a batch.
 struct ClipFigures {
   bool done = false;
-  std::size_t bytes = 0;  // of motion
+  std::size_t bytes = 0;  // the motion's
   double eps_cm = 0;      // in the weighting it was compressed by
   Weighting weighting = {};
   double max_cm = 0;
   std::optional<Sight> sight;
-  SightLimits limits;  // that `sight` was judged by
-  std::string reason;  // of what is seen, or of the failure
+  SightLimits limits;  // limits by which `sight` was judged
+  std::string reason;  // the worst visible error, or why the clip failed
 };
 
 /// The figures in a row.
@@ -69,7 +69,7 @@ struct ClipDifference {
 
 struct BatchDifference {
   std::size_t clips = 0;         // done in both
-  std::size_t bytes_before = 0;  // of these
+  std::size_t bytes_before = 0;  // bytes of motion of these clips
   std::size_t bytes_after = 0;
   std::size_t judged_otherwise = 0;     // by other limits: their visibility is not compared
   std::vector<ClipDifference> changed;  // the gravest change first, then by output

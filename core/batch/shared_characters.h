@@ -21,7 +21,7 @@ class SharedCharacters {
  private:
   struct Parsed {
     std::shared_ptr<const Character> character;
-    std::uint64_t bytes = 0;  // of the file
+    std::uint64_t bytes = 0;  // the file's
     std::int64_t written_ns = 0;
   };
 

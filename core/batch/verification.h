@@ -29,7 +29,7 @@ struct VerificationRequest {
   std::vector<ContactSpan> contacts;  // contacts of the original's feet
   bool motion = false;                // true: return the decoded clip
   int tiers = 0;                      // measures the first tiers of an adaptive file; 0: all
-  SightLimits limits;                 // what is noticed
+  SightLimits limits;                 // thresholds of what people notice
 };
 
 /// Reads, decodes and measures a file. If a clip in segments is verified without its motion, it is

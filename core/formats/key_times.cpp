@@ -16,7 +16,7 @@ constexpr double kSameInstant = 1e-5;    // s
 constexpr double kOnFrame = 0.01;        // frames, as keys are floats
 constexpr double kNearFrame = 0.15;      // frames: half a millisecond at up to 300 Hz
 constexpr double kSameRate = 0.005;      // share of the rate
-constexpr double kDensestUnasked = 120;  // Hz; above, keys must be as dense
+constexpr double kDensestUnasked = 120;  // Hz; a higher rate needs keys that are as dense
 constexpr double kMostFramesPerKey = 4;
 
 // Round rates come first, since a short clip may fit several.

@@ -10,7 +10,7 @@
 
 namespace mocapress {
 
-/// The inheritance of a parent's scale. It always scales the node's translation.
+/// Ways in which a node inherits its parent's scale. The node's translation is scaled in any case.
 enum class ScaleOfParent : std::uint8_t {
   Whole,   // as glTF, and FBX where it says RSrs: a turned node is sheared
   ByAxis,  // RrSs: scales are multiplied axis by axis, below all turns

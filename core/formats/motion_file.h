@@ -33,7 +33,7 @@ struct ReadOptions {
   // A table of curves that read_motion() adds to the clip's: read_csv_tracks(). Unset: the one that
   // find_tracks() finds.
   std::optional<std::string> tracks;
-  std::optional<int> fbx_version;  // of an FBX to be written: 7400 or 7700; unset: 7400
+  std::optional<int> fbx_version;  // version of a written FBX: 7400 or 7700; unset: 7400
 
   bool operator==(const ReadOptions&) const = default;
 };

@@ -126,7 +126,7 @@ void NodeTree::find_movement() {
 /// Finds joints: nodes that begin a skeleton, and those between or above them.
 void NodeTree::find_joints() {
   const std::size_t count = nodes_.size();
-  // Whether a node that begins a skeleton is above or below each node.
+  // For each node: a node that begins a skeleton is above it, or below it.
   std::vector<bool> above(count);
   std::vector<bool> below(count);
   const auto begins = [&](std::size_t i) { return are_marked_ ? nodes_[i].joint : moves_[i]; };

@@ -144,8 +144,8 @@ class SourceTracks {
 
   const std::string& file_;
   const NodeTake& take_;
-  std::vector<int> joint_of_node_;  // -1: it does not follow
-  std::vector<NodeTrack> tracks_;   // of every node
+  std::vector<int> joint_of_node_;  // -1: the node follows no joint
+  std::vector<NodeTrack> tracks_;   // one for each node
   std::vector<NodePlacement> placements_;
   NodePlacement above_all_;
 };

@@ -9,7 +9,7 @@
 namespace mocapress {
 namespace {
 
-constexpr double kBeyond = 4;  // how far the grid reaches beyond the levels
+constexpr double kBeyond = 4;  // factor by which the grid reaches beyond the levels
 
 }  // namespace
 

@@ -19,7 +19,7 @@ class LoadedClip;
 /// A compressed motion.
 struct Encoded {
   std::vector<std::byte> file;  // all of a .mcpr
-  Measurement measurement;      // what it decodes to, against its original
+  Measurement measurement;      // the decoded file's, against its original
   bool complete = true;         // false: stopped early; the file is the best there was till then,
                                 // and need not meet its target
 };

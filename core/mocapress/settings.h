@@ -47,19 +47,19 @@ struct ContactSetting {
 
 /// Settings to compress any clip. EncodeSettings are the same for one clip, joints by index.
 struct Settings {
-  std::string name;  // of a preset; empty: none
+  std::string name;  // a preset's; empty: none
   // "closed-loop", the best there is; "annealed", "standard", "per-channel", "haar", "linear"; or a
   // comparison method, which no engine plays: see `mocapress compress --help`.
   std::string method = "closed-loop";
   std::optional<Coding> coding;              // unset: the method's usual one
-  Weighting weighting = Weighting::Surface;  // what errors are measured on
+  Weighting weighting = Weighting::Surface;  // points on which errors are measured
   Target target{Target::Kind::Error, 0.5};   // cm
-  std::uint64_t seed = 1;                    // of the annealing; the same seed gives the same bytes
+  std::uint64_t seed = 1;                    // for annealing; the same seed gives the same bytes
   Effort effort = Effort::Default;           // not Draft, which promises nothing
   NamedImportance importance;                // parts of the body that get more weight
   Promises promises;                         // further bounds, if the target is an error
-  SightLimits limits;                        // what is noticed, and from what distance
-  Ends ends = Ends::Even;                    // what is promised of the first and the last pose
+  SightLimits limits;                        // thresholds of what people notice, and the distance
+  Ends ends = Ends::Even;                    // bounds on the first and the last pose
   std::optional<Loop> loop;                  // unset: the encoder finds whether the clip is one
   double track_error = kUsualTrackError;     // largest error of any value of a track
   std::optional<CorrectionSettings> correction;         // unset: without IK correction

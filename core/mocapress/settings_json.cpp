@@ -322,7 +322,7 @@ Settings settings_from_json(const std::string& text) {
   try {
     return settings_from(json);
   } catch (const Error& error) {
-    constexpr std::string_view kPrefix = "settings: ";  // which InputError writes again
+    constexpr std::string_view kPrefix = "settings: ";  // InputError writes it again
     std::string_view why = error.what();
     if (why.starts_with(kPrefix)) why.remove_prefix(kPrefix.size());
     throw InputError("settings", 0, 0, std::string(why));

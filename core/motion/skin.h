@@ -37,7 +37,7 @@ struct OwnLengths {
     int above;               // the joint at which the bone begins; -1: none
     Eigen::Vector3d longer;  // cm, in the frame of `above`
   };
-  double scale = 1;  // of the world: length of its legs / length of the clip's legs
+  double scale = 1;  // factor on the world: length of its legs / length of the clip's legs
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // cm, on the floor: the world grows around it
   std::vector<Bone> bones;                           // parents first; empty: the clip's lengths
 };

@@ -37,7 +37,7 @@ struct PicturedMethod {
   std::string method;
   double ratio = 0;
   double eps_cm = 0;
-  double max_error_cm = 0;  // of the weighting, as eps_cm
+  double max_error_cm = 0;  // in the weighting of eps_cm
   SightChart sights;
   std::string review;  // the script of review_clip() for review_name(); empty: without the viewer
 };

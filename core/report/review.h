@@ -37,7 +37,7 @@ constexpr Verdict verdict_named(std::string_view word) {
 /// them.
 struct FrameNote {
   int frame = 0;                       // the first is 0
-  std::optional<int> last_frame = {};  // of a range that starts at `frame`; unset: one frame
+  std::optional<int> last_frame = {};  // end of a range that starts at `frame`; unset: one frame
   std::string joint = {};              // by name; empty: the whole figure
   std::string text = {};
   std::string reviewer = {};

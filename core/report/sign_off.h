@@ -24,7 +24,7 @@ struct SignOffFigures {
   std::optional<int> worst_frame;  // where max_cm is
   std::string worst_point;         // likewise; empty: unknown
   std::optional<Sight> sight;
-  SightLimits limits;                // that `sight` was judged by
+  SightLimits limits;                // limits by which `sight` was judged
   std::optional<std::string> stale;  // why the figures are not those of the clip today
 };
 

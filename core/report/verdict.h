@@ -41,7 +41,7 @@ std::string note_text(const FrameNote& note, const std::optional<std::string>& s
 std::optional<std::string> stale_reason(const ClipReview& review, std::string_view source_hash,
                                         std::string_view settings_hash);
 
-/// The same for a note. One without hashes says of no file that it changed.
+/// The same for a note. Without hashes a note is never stale.
 std::optional<std::string> stale_reason(const FrameNote& note, std::string_view source_hash,
                                         std::string_view settings_hash);
 

@@ -199,7 +199,7 @@ mcpr_status mcpk_joint(const mcpk_bank* bank, uint32_t clip, uint32_t joint, mcp
   if (joint >= skeleton.joints() || out == nullptr)
     return runtime::tell(report, runtime::no_such("no such joint, or no place was given for it"));
   *out = skeleton.described(joint);
-  if (out->name == nullptr) out->name = "";  // of a bank that was not checked
+  if (out->name == nullptr) out->name = "";  // in a bank that was not checked
   return runtime::tell(report, runtime::kOk);
 }
 

@@ -36,7 +36,7 @@ class ClipJoints {
       mcpr_clip_joint(clip_, number, &joint, nullptr);
     else
       joint = skeleton_.described(number);
-    if (joint.name == nullptr) joint.name = "";  // of a bank that was not checked
+    if (joint.name == nullptr) joint.name = "";  // in a bank that was not checked
     return joint;
   }
 

@@ -51,7 +51,7 @@ struct Cold {
   std::size_t pieces = 250;
   std::size_t copies = 10000;  // clips in memory
   int rounds = 15;
-  std::uint32_t detail_bands = 0;  // of ours, as in mcpr_cook_options
+  std::uint32_t detail_bands = 0;  // in ours, as in mcpr_cook_options
 
   void run() const;
 };

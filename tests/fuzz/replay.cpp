@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fuzz_targets.inc"  // which CMake writes: kTargets
+#include "fuzz_targets.inc"  // written by CMake: kTargets
 
 int main(int argc, char** argv) {
   if (argc != 3) return 2;

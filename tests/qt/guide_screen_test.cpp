@@ -21,7 +21,7 @@ namespace {
 using namespace test;
 
 constexpr int kPanelHeight = 260;              // as if drawn higher: the plots are read
-constexpr std::size_t kCurvePoints = 12;       // of all curves: they have shapes
+constexpr std::size_t kCurvePoints = 12;       // on all curves together: they have shapes
 constexpr int kCurvePatience = 5 * kPatience;  // many encodings, while nothing else is to be done
 
 TEST_F(StudioTour, DoesWhatTheGuideTells) {

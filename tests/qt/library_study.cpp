@@ -129,7 +129,7 @@ class Watch : public QObject {
   std::vector<qint64> pauses_;  // ms from one beat to the next
   double worked_ = 0;           // ms of processor time at the last beat
   double longest_work_ = 0;     // ms of processor time between two beats
-  int long_works_ = 0;          // of more than 50 ms
+  int long_works_ = 0;          // beats with more than 50 ms of work
   int read_ = 0;
   int troubled_ = 0;
   double listed_ = 0;  // seconds

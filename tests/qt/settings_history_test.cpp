@@ -146,7 +146,7 @@ TEST_F(History, ADragOfTheSliderIsOneStep) {
 TEST_F(History, FiguresOfASlotAreNotThoseOfTheOther) {
   settleAfter([&] { session_.setOptions(standard(20)); });
   settleAfter([&] { session_.switchSlot(); });
-  session_.setOptions(standard(30));  // of B, and left before there is an answer
+  session_.setOptions(standard(30));  // B's, and left before there is an answer
   settleAfter([&] { session_.switchSlot(); });
   ASSERT_TRUE(session_.slotFigures(0));
   EXPECT_NEAR(session_.slotFigures(0)->ratio, 20, 1);

@@ -61,7 +61,7 @@ TEST_F(Assimp, PutsEveryJointOfOursInItsPlace) {
 }
 
 struct Cost {
-  double seconds = 0;  // of a processor
+  double seconds = 0;  // processor time
   double megabytes = 0;
 };
 

@@ -216,7 +216,7 @@ TEST_F(BlenderFbx, OpensACharacterWithOurMotionAndItsSkin) {
                                              wanted["points"][i][a].get<double>()));
   std::cout << farthest << " cm on the skin\n";
   EXPECT_GT(farthest, 0);    // the motion is that of the clip,
-  EXPECT_LT(farthest, 0.2);  // which was compressed to an error of 0.01 cm (RMS)
+  EXPECT_LT(farthest, 0.2);  // it was compressed to an error of 0.01 cm (RMS)
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ struct RangeErrors {
   double rms = 0;
   double p95 = 0;
   double max = 0;
-  int frame = 0;     // of the maximum
+  int frame = 0;     // where the maximum is
   int landmark = 0;  // likewise
 };
 

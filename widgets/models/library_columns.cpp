@@ -275,7 +275,7 @@ bool isBefore(const LibraryEntry& a, const LibraryEntry& b, LibraryColumn column
     if (order != 0) return order < 0;
     return std::pair(a.path, a.take) < std::pair(b.path, b.take);
   }
-  return numberOf(a, column) < numberOf(b, column);  // what is unset is less than all else
+  return numberOf(a, column) < numberOf(b, column);  // unset values are less than all others
 }
 
 }  // namespace mocapress

@@ -30,7 +30,7 @@ QString displayName(Grouping grouping);
 
 /// A group of clips. Numbers are grouped by their size, as in "20 to 50".
 struct LibraryGroup {
-  QString name;     // of Grouping::Folder: the path of the folder; empty: clips have no groups
+  QString name;     // Grouping::Folder: the path of the folder; empty: clips have no groups
   double rank = 0;  // groups stand in this order, and by name where it is the same
 };
 

@@ -39,8 +39,8 @@ struct Outcome {
   std::size_t motion_bytes = 0;
   bool met = true;                 // the result met its target
   std::optional<Sight> sight;      // unset: not judged
-  std::optional<double> slide_cm;  // of the feet, over all contacts; unset: there are none
-  QStringList warnings;            // of the reader, and on its character
+  std::optional<double> slide_cm;  // the feet's, over all contacts; unset: there are none
+  QStringList warnings;            // the reader's, and on its character
   std::string source;              // hash of the bytes it was made from
   std::string settings;            // settings_hash() of the settings it was made with
   std::optional<int> worst_frame;  // where max_cm is; unset: an older project does not say
@@ -63,7 +63,7 @@ struct LibraryEntry {
   QList<QLineF> outline;  // a pose in a square from 0 to 1, y down
   QImage skin;            // the same pose, where the clip has a skin
   QString trouble;        // why it could not be read; empty: it could, or was not tried
-  QStringList notes;      // what its reader repaired or guessed
+  QStringList notes;      // repairs and guesses of its reader
   bool missing = false;   // its file is gone
   Loop loop = Loop::None;
   QString preset;  // preset that the settings came from; empty: none

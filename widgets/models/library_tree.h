@@ -75,7 +75,7 @@ class LibraryTree : public QAbstractItemModel {
     QString group;      // name of its group
     int in_folder = 0;  // among its clips
   };
-  std::vector<Place> places_;  // of each clip
+  std::vector<Place> places_;  // one for each clip
 };
 
 }  // namespace mocapress

@@ -19,8 +19,8 @@ class ByteCostModel;
 struct SlopeRow {
   QString change;         // "Fingers at twice the error"
   double bytes = 0;       // added to the motion
-  double error_cm = 0;    // of what the change is about, before
-  double becomes_cm = 0;  // and after
+  double error_cm = 0;    // error of the part that the change is about, before
+  double becomes_cm = 0;  // the same, after
 };
 
 /// Bytes by joint in a sortable list with bars, and beside it what other settings would bring.

@@ -122,7 +122,7 @@ class LibraryPanel : public QWidget {
   void fitColumns();
   bool isSortedByComparison() const;
   void noteArrangement();
-  int columnsWidth() const;  // of all but the clips' own
+  int columnsWidth() const;  // without the clips' own
   void addOrders(QMenu* menu);
   void noteSelection();
   QSet<QString> keysOf(const std::vector<int>& rows) const;

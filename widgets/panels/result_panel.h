@@ -24,7 +24,7 @@ struct SeenFigures {
   double seconds = 0;
   double times_noticed = 0;
   double unnoticed_from_m = 0;         // distance from which nothing is noticed
-  double distance_m = kUsualDistance;  // of the viewer, for whom `sight` is
+  double distance_m = kUsualDistance;  // the viewer's, for whom `sight` is
 };
 
 /// Figures of one compressed clip. Unset ones are unknown.
@@ -77,7 +77,7 @@ class ResultPanel : public QWidget {
 
   QLabel* seen_;
   QLabel* reason_;
-  QGridLayout* grid_;  // of the details
+  QGridLayout* grid_;  // for the details
   QLabel* ratio_;
   QLabel* eps_;
   QLabel* eps_name_;

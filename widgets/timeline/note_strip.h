@@ -14,7 +14,7 @@ struct TimeNote {
   int frame = 0;
   QString text;        // beside the mark
   QString details;     // the tooltip
-  bool stale = false;  // what it is about has changed
+  bool stale = false;  // clip or settings have changed since
   std::optional<int> last_frame = {};
 };
 

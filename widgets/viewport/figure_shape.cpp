@@ -16,11 +16,11 @@ namespace {
 
 // Thickness of anything but a human. It grows with the root of the length, so that neither fingers
 // vanish nor thighs swell.
-constexpr float kRadiusPerRoot = 0.034f;  // of length x size of the figure
+constexpr float kRadiusPerRoot = 0.034f;  // radius / root of (length x size of the figure)
 constexpr float kThinnest = 0.003f;       // radius per size of the figure
 constexpr float kTaper = 0.6f;            // a bone's end radius, per start radius
 constexpr float kRingPerBall = 1.5f;      // radii
-constexpr float kRingPerDepth = 1.3f;     // per depth of the joint below the skin
+constexpr float kRingPerDepth = 1.3f;     // radius / depth of the joint below the skin
 constexpr float kMostThickness = 0.4f;    // radius per length of a bone
 
 // Proportions of a human, per stature.

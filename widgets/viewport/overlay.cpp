@@ -147,7 +147,7 @@ void Overlay::show(const OverlayContent& content) {
   if (content.exaggeration == 1) return exaggeration_->hide();
   showNote(exaggeration_, Texts::tr("Difference × %L1").arg(content.exaggeration),
            content.arrangement.quartered
-               ? QPointF(content.view.width() / 2.0 - kMargin, kMargin)  // of the first view
+               ? QPointF(content.view.width() / 2.0 - kMargin, kMargin)  // in the first view
                : QPointF(content.view.width() - kMargin, kMargin),
            true, content);
 }

@@ -46,7 +46,7 @@ class PictureSpace {
     int joint;
     QVector3D place;     // in the clip's world
     QPointF in_pane;     // the pixel, in the joint's pane
-    OrbitCamera camera;  // that sees it, in the clip's world
+    OrbitCamera camera;  // the joint's pane's, in the clip's world
   };
 
   /// The nearest joint within `reach` pixels.

@@ -231,7 +231,8 @@ void Viewport::setOptions(const ViewOptions& options) {
   arrangeFigures();
 }
 
-/// The camera may see another part of the window then.
+/// Arranges the figures by the options. With other panes, the camera fills another part of the
+/// window.
 void Viewport::arrangeFigures() {
   const std::pair parts(arrangement_.panes, arrangement_.quartered);
   arrangement_ =

@@ -200,7 +200,7 @@ class Viewport : public QWidget {
   void drag(const QMouseEvent& event);
   void release(const QMouseEvent& event);
 
-  /// The figure the camera looks at: the original, or the compressed one without it.
+  /// The figure that the camera looks at: the original, or without one the compressed figure.
   const Eigen::MatrixXd* leadingTracks() const;
   int frameOf(const Eigen::MatrixXd& tracks) const;
   FigureMarks compressedMarks() const;
@@ -220,7 +220,7 @@ class Viewport : public QWidget {
   Tracks compressed_;  // likewise
   Poses original_poses_;
   Poses compressed_poses_;
-  Poses seen_poses_;  // of the compressed figure
+  Poses seen_poses_;  // the compressed figure's
   std::shared_ptr<const Skin> skin_;
   std::vector<PinnedFigure> pinned_;
   std::vector<PinnedFigure> seen_pinned_;

@@ -36,7 +36,7 @@ namespace {
 
 const std::vector<double> kAskedLevels = {0.5, 0.7, 1, 1.4, 2, 2.8, 4, 5.7, 8};
 constexpr double kNear = 1.05;      // levels nearer than this factor are one
-constexpr double kLoopSeconds = 3;  // about the worst moment
+constexpr double kLoopSeconds = 3;  // length of the loop around the worst moment
 constexpr std::size_t kLeastLevels = 3;
 constexpr float kRoom = 1.25;
 

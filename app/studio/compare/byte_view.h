@@ -43,7 +43,7 @@ class ByteView : public QObject {
   SlopeFinder finder_;
   DecodedPtr shown_;             // the clip whose bytes are shown or being divided
   SlopeTask task_;               // the last one started
-  std::vector<QString> titles_;  // of its changes
+  std::vector<QString> titles_;  // one for each of its changes
   std::vector<Slope> slopes_;
   std::vector<SlopeRow> rows_;
 };

@@ -82,7 +82,7 @@ class PinnedResults : public QObject {
   QPointer<PinnedPanel> panel_;
   QPointer<Viewport> viewport_;
   Memory memory_;
-  OriginalPtr clip_;  // that they are of
+  OriginalPtr clip_;  // the clip whose results are pinned
   std::vector<Result> pins_;
   std::deque<Pin> unmade_;  // pins still to be encoded
   JobRunner making_{Workers::LongRunning};

@@ -227,8 +227,8 @@ void Session::leave() {
   past_->joints = motion.skeleton.joint_count();
 }
 
-/// Restores the settings of a clip opened again `by_itself`, if its settings have not changed
-/// since.
+/// Restores the settings that the clip had when it was open before. `by_itself`: neither a
+/// compressed form nor options were opened with it. Settings changed elsewhere since come first.
 void Session::takeUp(const QString& key, bool by_itself) {
   past_ = &pasts_[key];
   emit historyChanged();

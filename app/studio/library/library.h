@@ -234,7 +234,7 @@ class Library : public KeptProject {
   JobRunner reading_new_notes_{Workers::LongRunning};
   std::vector<QString> new_;  // files whose notes will be read next
   std::optional<NamedSettings> copied_;
-  EarlierClips earlier_;  // of the batch that is compared; empty: none is
+  EarlierClips earlier_;  // the batch that is compared; empty: none is
 };
 
 }  // namespace mocapress

@@ -158,7 +158,7 @@ QString studyCache() {
 namespace {
 
 constexpr QSize kFirstSize(1180, 820);
-constexpr QSize kFrame(10, 40);  // of a window, and its title
+constexpr QSize kFrame(10, 40);  // a window's frame, with its title
 constexpr int kPanelWidth = 310;
 const QString kGeometry = QStringLiteral("study/geometry");
 

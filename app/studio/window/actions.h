@@ -26,7 +26,7 @@ struct Actions {
   QAction* save_as = nullptr;
   QAction* export_motion = nullptr;
   QAction* export_review = nullptr;  // hidden in a build without the viewer
-  QAction* copy_picture = nullptr;   // of the 3D view
+  QAction* copy_picture = nullptr;   // copies the 3D view
   QAction* save_picture = nullptr;
   QAction* film = nullptr;       // the chosen range, or the clip
   QAction* turntable = nullptr;  // the frame that is shown, from all sides

@@ -82,7 +82,7 @@ bool Leaving::mayClose() {
 namespace {
 
 constexpr QSize kFirstSize(1440, 900);
-constexpr QSize kFrame(10, 40);  // of a window, and its title
+constexpr QSize kFrame(10, 40);  // a window's frame, with its title
 
 }  // namespace
 
@@ -117,7 +117,7 @@ MainWindow::MainWindow(Work* work) : work_(work ? work : new Work(this)) {
   new ByteView(session_, playback_, panels_.inspection.timeline->bytes(), byte_model, panels_.bytes,
                this);
   recent_.play->addActions(inspector_->rangeActions()->actions());
-  recent_.play->setToolTipsVisible(true);  // what is grey says why
+  recent_.play->setToolTipsVisible(true);  // they say why an entry is grey
   new RangeComparison(playback_, panels_.inspection.timeline, panels_.views.graph,
                       actions_.compare_range,
                       {.overlay = actions_.view.mode[0],

@@ -16,7 +16,7 @@
 namespace mocapress {
 namespace {
 
-constexpr double kViewShare = 0.46;  // of the window's height
+constexpr double kViewShare = 0.46;  // share of the window's height
 constexpr int kUsualHeight = 240;
 constexpr int kLeastHeight = 120;  // with less a list or plot is of no use
 const QString kHeight = QStringLiteral("window/below");

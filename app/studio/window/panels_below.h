@@ -51,7 +51,7 @@ class PanelsBelow : public QObject {
   int chosen_;            // height, by the user if they have chosen one
   int chosen_at_ = 0;     // height of the window then
   int unfolded_height_;   // the last one chosen that is of use
-  int pressed_tab_ = -1;  // of the bar that the mouse is pressed on; -1: none
+  int pressed_tab_ = -1;  // tab that the mouse is pressed on; -1: none
   bool pressed_in_front_ = false;
 };
 

@@ -23,8 +23,8 @@ class Trace : public QObject {
   /// While writing, it also measures how long the GUI thread is blocked.
   void setWriting(bool writing);
 
-  /// The longest block and the most work at a time (ms) since writing began or this was last
-  /// called.
+  /// The longest pause of the GUI thread and its longest work without a pause, in ms, since writing
+  /// began or since the last call.
   struct Block {
     double away;
     double worked;

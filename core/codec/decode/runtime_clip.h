@@ -34,7 +34,7 @@ class RuntimeClip {
 
  private:
   mcpr::Owned<const mcpr_clip> clip_;
-  std::optional<AlignedBytes> scratch_;  // of frames()
+  std::optional<AlignedBytes> scratch_;  // for frames()
 };
 
 }  // namespace mocapress

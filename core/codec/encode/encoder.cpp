@@ -112,7 +112,7 @@ class Outcome {
   const bool keeps_all_;
   const CompressedClip& compressed_;
   const std::optional<RotationForms>& source_;
-  const Eigen::Index landmark_columns_;  // of body_tracks()
+  const Eigen::Index landmark_columns_;  // columns of body_tracks() that are landmarks
   const Finish finish_;
   DistortionMeter distortion_;
   FootskateMeter footskate_;

@@ -21,7 +21,7 @@ struct CorrectionResult {
   double ratio = 0;  // r_IK, asked for or found
   std::optional<double>
       slide_without_cm;   // footskate without a correction, where the encoder chose the ratio
-  std::size_t bytes = 0;  // of the motion's bytes
+  std::size_t bytes = 0;  // part of the motion's bytes
   CorrectionReport report;
   Clip uncorrected;         // in the coded channels; empty with figures_only
   double fastest_knee = 0;  // radians/s, with the correction
@@ -42,7 +42,7 @@ struct Encoding : Comparison {
   Eigen::MatrixXd tracks;  // landmark_tracks() of it
   std::optional<CorrectionResult> correction;
   std::optional<double> coefficient_ratio;  // the paper's r, of wavelets
-  std::optional<int> iterations;            // of the last annealing
+  std::optional<int> iterations;            // the last annealing's
   double seconds = 0;
   bool complete = true;  // false: the observer ended it early
 };

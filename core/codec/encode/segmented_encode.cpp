@@ -224,14 +224,14 @@ class SegmentedEncode {
 
   const Motion& motion_;
   const RotationForms& forms_;
-  const std::vector<Eigen::Matrix3Xd> first_angles_;  // of each segment
+  const std::vector<Eigen::Matrix3Xd> first_angles_;  // one for each segment
   const std::vector<ContactSpan> contacts_;
   EncodeSettings settings_;
   const SegmentLayout layout_;
   const Observer<EncodeProgress>& observer_;
   const Goal goal_;
   double share_of_size_ = 1;
-  double finest_scale_ = 0;  // of the segments so far
+  double finest_scale_ = 0;  // largest finest_scale() of the segments so far
   int pass_ = 0;
 };
 

@@ -92,7 +92,8 @@ Slope relax(const Encoder& encoder, const EncodeSettings& settings, const Standi
   for (const int joint : joints) weights[joint] /= times * times;
   raise_promises(skeleton, joints, times, slope.settings.promises);
 
-  // At the same eps_x the others gain what these joints lose. Then the target is raised by that.
+  // First at the same eps_x, where the other joints gain what these lose. Then the target is raised
+  // by that gain, so that the others stay as they were.
   slope.settings.target = {Target::Kind::Error, now.eps_cm};
   const std::vector<int> others = rest_of(skeleton, joints);
   slope.standing = encoded(encoder, slope.settings, observer);

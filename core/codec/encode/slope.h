@@ -11,7 +11,7 @@ namespace mocapress {
 
 /// The figures of a clip as it is compressed.
 struct Standing {
-  double bytes = 0;          // of the motion
+  double bytes = 0;          // the motion's
   double eps_cm = 0;         // in the settings' weighting
   Eigen::ArrayXd joints_cm;  // RMS distance of each joint's points, over the frames
 

@@ -78,7 +78,8 @@ struct ContextPrior {
 /// The beta distribution that most likely produced the shares of set bits in all clips.
 ContextPrior most_likely(const std::vector<ContextTally>& tallies,
                          std::span<const std::uint16_t> trusts, double finest) {
-  constexpr double kMostSeen = 60;  // observations counted of one clip, because its bits are alike
+  constexpr double kMostSeen =
+      60;  // most observations that one clip counts for, because its bits are alike
   ContextPrior best;
   double highest = -std::numeric_limits<double>::infinity();
   const auto likelihood = [&](double log_odds, double trust) {

@@ -23,7 +23,7 @@ namespace {
 /// A tier before the file is written.
 struct CutTier {
   int bands_left_out = 0;
-  std::vector<std::size_t> end;  // of each segment's bytes in this tier
+  std::vector<std::size_t> end;  // end of each segment's bytes in this tier
   TierError error;
 };
 
@@ -87,9 +87,9 @@ struct Piece {
 
 std::vector<Piece> pieces_of(const CompressedClip& clip, const std::vector<CutTier>& tiers) {
   std::vector<Piece> pieces(tiers.size());
-  std::size_t first = 0;  // of the segment
+  std::size_t first = 0;  // where the segment begins
   for (std::size_t k = 0; k < tiers.front().end.size(); ++k) {
-    std::size_t begin = 0;  // of the piece, in the segment
+    std::size_t begin = 0;  // where the piece begins in the segment
     for (std::size_t t = 0; t < tiers.size(); ++t) {
       const auto bytes = std::span(clip.motion).subspan(first + begin, tiers[t].end[k] - begin);
       pieces[t].bytes.insert(pieces[t].bytes.end(), bytes.begin(), bytes.end());

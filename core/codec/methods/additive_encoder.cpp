@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kTries = 8;        // at a target error, where the base is not a single pose
 constexpr double kShrink = 0.9;  // each try's target at most, beside the last one's
-constexpr double kSafe = 0.995;  // of the error that the last try leads to expect
+constexpr double kSafe = 0.995;  // share of the error that the last try leads to expect
 
 // Share of a target that is left to the rounding of an engine's floats.
 constexpr double kRounding = 1e-5;

@@ -137,7 +137,7 @@ class EditedTake {
   std::vector<std::int64_t> ticks_;
   FbxCurveOutput out_;
   FbxTakeInfo take_;
-  std::int64_t layer_ = 0;  // of the take, the first
+  std::int64_t layer_ = 0;  // the take's first layer
   bool keeps_rate_ = true;
   std::unordered_map<std::int64_t, std::vector<const FbxRecord*>> by_child_;  // by child
 };

@@ -99,7 +99,7 @@ class FbxDocument {
     std::int64_t shapes = 0;  // the deformer that holds them
     // Channels by the name of their shape, and by how many of that name the take had before.
     std::map<std::pair<std::string, int>, std::int64_t> channels;
-    std::map<std::string, int> of_name;  // how often a name was in the take that is added
+    std::map<std::string, int> of_name;  // number of shapes of each name in the take that is added
   };
 
   Node add_node(const std::string& name, std::string_view kind, std::int64_t parent);
@@ -119,8 +119,8 @@ class FbxDocument {
   const Skeleton& skeleton_;
   const SourceFormat& format_;
   double rate_hz_;
-  std::int64_t layer_ = 0;      // of the take that is added
-  std::int64_t last_tick_ = 0;  // of all takes
+  std::int64_t layer_ = 0;      // the layer of the take that is added
+  std::int64_t last_tick_ = 0;  // the latest in any take
   FbxOutRecord objects_{.name = "Objects"};
   FbxOutRecord connections_{.name = "Connections"};
   FbxOutRecord pose_{.name = "Objects"};  // record for the bind pose
@@ -128,7 +128,7 @@ class FbxDocument {
   std::vector<Node> joints_;
   std::map<std::string, Node> nodes_;                          // by name
   std::map<std::string, MorphedMesh> morphed_meshes_;          // by name
-  std::set<std::pair<std::int64_t, std::string>> properties_;  // of nodes, by their numbers
+  std::set<std::pair<std::int64_t, std::string>> properties_;  // each with the number of its node
   int bound_ = 0;
 };
 

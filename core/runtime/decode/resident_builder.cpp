@@ -17,7 +17,7 @@ constexpr int kEntriesOfBlock = 12;  // fewest per block, on average; smaller bl
                                      // large
 constexpr int kMostLog2Rows = 15;
 constexpr std::uint64_t kDenseIsWorth =
-    4;  // how many times larger a dense band may be than a sparse one, for its speed
+    4;  // factor by which a dense band may be larger than a sparse one, for its speed
 
 /// Width in bits of a dense value, as a two's complement number with a bias.
 int width_of(std::int32_t least, std::int32_t most) {

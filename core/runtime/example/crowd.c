@@ -19,7 +19,7 @@ typedef struct character {
   mcpr_transform* pose;    /* one per joint */
 } character;
 
-static mcpr_result report; /* of the last call */
+static mcpr_result report; /* from the last call */
 
 static void check(mcpr_status status) {
   if (status == MCPR_OK) return;

@@ -13,7 +13,7 @@
 enum { COLUMNS = 64, ROWS = 30 };
 static const float kCmPerRow = 7;
 
-static mcpr_result report; /* of the last call */
+static mcpr_result report; /* from the last call */
 
 static void check(mcpr_status status) {
   if (status == MCPR_OK) return;

@@ -52,7 +52,7 @@ struct BankRegion {
 struct BankEntry {
   char name[kMostNameOfClip + 1] = {};  // zero-terminated
   std::uint8_t name_length = 0;
-  std::uint32_t number = 0;  // of the clip
+  std::uint32_t number = 0;  // the clip's
   std::uint32_t kind = 0;    // packed: item number of its outline; cooked: of its skeleton
   std::uint32_t tag_set = 0;
   BankRegion place;
@@ -129,7 +129,7 @@ class EntryWalk {
   Cursor cursor_;
   std::uint64_t data_ = 0;
   std::uint32_t checksum_ = 0;
-  std::uint32_t number_ = 0;  // of the next entry's clip
+  std::uint32_t number_ = 0;  // the next entry's clip
   std::uint32_t left_ = 0;    // entries left in the block
   bool is_first_ = true;
 };

@@ -24,7 +24,7 @@ inline constexpr int kMostStepExponent = 127;
 inline constexpr int kMostSteps = 1 << 28;      // no value is larger
 inline constexpr int kMostMagnitude = 255;      // larger ones count as this in sums
 inline constexpr int kLeastDeviation = 26;      // 256ths
-inline constexpr int kLeastExpected = 6 << 10;  // of a magnitude, 64 * 1024ths
+inline constexpr int kLeastExpected = 6 << 10;  // a magnitude, 64 * 1024ths
 inline constexpr double kLargestStep = 0x1p64;  // no step is larger, so that every sample is finite
 
 /// Quantised coefficients of some signals, in memory of whoever made it.
@@ -136,7 +136,7 @@ class CoefficientCoder {
     int signal;
     int level;
     int density;  // degree of the band above
-    int first;    // of the band's values, in the signal
+    int first;    // place of the band's values in the signal
     int size;
     int parent_size;  // size of the band above; 0 in the first band of details
     std::int32_t* own;
@@ -178,12 +178,12 @@ class CoefficientCoder {
     std::int32_t inverse = 0;  // 65536 / scale
   };
 
-  /// A value's prediction from others, which are its taps.
+  /// The prediction of a value from other values, its taps.
   struct Predicted {
     RestPrediction::Taps taps;
-    int by_squares;  // in normal values: 64ths of the scale
+    int by_squares;  // by least squares, in 64ths of the expected scale
     int rest;
-    int mean;  // of both, in 64ths of a step
+    int mean;  // by squares and rest together, in 64ths of a step
   };
 
   template <std::size_t count, std::size_t opinion_count = 0>
@@ -305,7 +305,7 @@ class CoefficientCoder {
   const PredictionKernels& kernels_ = best_prediction();
   QuantisedView coded_;
   CoderNotes notes_;
-  int coarse_depth_;  // of coarse samples whose step_exponent is 0, in half octaves
+  int coarse_depth_;  // depth of coarse samples whose step_exponent is 0, in half octaves
   int recent_ = 0;    // running mean of the magnitudes of the band in hand, 64ths
   std::array<std::int32_t, kScales> deviations_;  // mean distances from predictions, 256ths
 };
@@ -599,7 +599,7 @@ int CoefficientCoder<Bits>::code_magnitude(int magnitude, const Columns& band,
   return made;
 }
 
-/// Everything that learns from a value once it is known.
+/// Updates all that learns from values, once this value is known.
 template <typename Bits>
 void CoefficientCoder<Bits>::follow(int value, const Columns& band, int i,
                                     const ExpectedScale& scale, const Predicted& predicted) {
@@ -609,7 +609,7 @@ void CoefficientCoder<Bits>::follow(int value, const Columns& band, int i,
   constexpr int kRestlessRateOfSignal = 15;
   constexpr int kMostRestless = 2048;
   constexpr int kRecentMemory = 8;  // length of the running mean in values
-  constexpr int kMostActivity = 8;  // of one value
+  constexpr int kMostActivity = 8;  // for one value
   const int s = band.signal;
   const std::int64_t distance = std::min<std::int64_t>(
       std::abs((static_cast<std::int64_t>(value) << 6) - predicted.mean), kMostDistance);

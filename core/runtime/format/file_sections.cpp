@@ -360,8 +360,9 @@ class SectionsReader {
   std::size_t known_bytes_ = 0;
   bool is_skipped_ = false;  // the section taken last
   bool is_packed_ = false;
-  int tiers_present_ = kMostTiers;  // packed: in the bank
-  Bytes tracks_;                    // kept until CLIP is read, which may come later
+  int tiers_present_ =
+      kMostTiers;  // tiers that may be read: those that the bank of a packed clip has
+  Bytes tracks_;   // kept until CLIP is read, which may come later
   Expected next_ = Expected::Joints;
 };
 
@@ -389,7 +390,7 @@ std::size_t FileSections::offset_of(int segment, std::size_t byte) const {
 }
 
 void FileSections::copy_coded(std::uint8_t* out) const {
-  std::size_t first[kMostTiers] = {};  // of the next segment in each piece
+  std::size_t first[kMostTiers] = {};  // where the next segment begins in each piece
   for (int k = 0; k < segments.count(); ++k)
     for (int p = 0; p < pieces(); ++p) {
       const std::size_t size = segment_size(p, k);

@@ -47,8 +47,8 @@ struct FileSections {
   Bytes learned;                  // PRIO, packed clips only: learned_priors.h
   Bytes motion;                   // payload of MOTN or COMP; the first tier, if there are several
   TierTable tiers;                // from TIER
-  int tiers_read = 0;          // of a file with tiers: MOTN and the pieces behind it that were read
-  Bytes fine[kMostTiers - 1];  // what each tier but the first adds to MOTN
+  int tiers_read = 0;          // in a file with tiers: MOTN and the pieces behind it that were read
+  Bytes fine[kMostTiers - 1];  // addition to MOTN by each tier but the first
   SegmentLayout segments;      // from SEGS; one segment without it
   Bytes segment_sizes;         // u32 sizes of the segments in MOTN, then in each finer tier
   std::size_t segments_bytes = 0;  // size of SEGS

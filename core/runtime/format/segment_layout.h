@@ -33,7 +33,7 @@ struct SegmentLayout {
   /// Consecutive frames that come from the same one or two segments.
   struct Stretch {
     int segment;  // the later one
-    int frames;   // number, from the frame asked for
+    int frames;   // number, beginning with the frame asked for
     int shared;   // position in the overlap with the previous segment, from 0; -1: past it
   };
   constexpr Stretch stretch_at(int frame) const {

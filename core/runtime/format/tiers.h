@@ -17,14 +17,14 @@ struct Tier {
                                // of TIER on. 0 in a packed bank, which has them elsewhere
   std::uint32_t checksum = 0;  // CRC-32 of these bytes; 0 in the first, and in a packed bank
   int bands_left_out = 0;      // finest bands that this tier lacks
-  float eps_cm = 0;            // as in CLIP, of this tier; in the last, CLIP has them
+  float eps_cm = 0;            // this tier's; CLIP has those of the last tier
   float max_error_cm = 0;
 };
 
 /// The section TIER.
 struct TierTable {
   int count = 0;        // 0: the file has no tiers
-  std::size_t end = 0;  // of the section in the file
+  std::size_t end = 0;  // where the section ends in the file
   Tier tier[kMostTiers] = {};
 
   /// The file's first bytes, which are enough for a tier.

@@ -57,7 +57,7 @@ class LimbPlanner {
   int joint_count_;
   std::uint32_t* path_;   // for each joint: effectors at or below it
   std::uint32_t* chain_;  // for each joint: effectors that it may turn for
-  int* link_of_;          // for each joint, while a limb is laid out
+  int* link_of_;          // for each joint: its link in the limb that is laid out
   const JointModel* joints_ = nullptr;
   const EffectorEnds* effectors_ = nullptr;
   int effector_count_ = 0;

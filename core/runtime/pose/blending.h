@@ -9,7 +9,8 @@
 
 namespace mocapress::runtime {
 
-/// The parts of a convention that a blend needs.
+/// A convention as far as blends depend on it: where quaternions have their w, and which axis is
+/// up.
 struct PoseSpace {
   bool w_last = false;
   int up = 1;  // the axis that points up, or down

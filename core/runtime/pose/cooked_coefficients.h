@@ -33,7 +33,7 @@ class CookedCoefficients {
 
   // The following refer to the loaded segment.
   const Bands& bands() const { return bands_; }
-  double step(int channel) const { return steps_[channel]; }  // of coefficients at depth 0
+  double step(int channel) const { return steps_[channel]; }  // at depth 0
   std::int32_t value(int channel, int band, int row) const {
     return values_[std::ptrdiff_t{channel} * bands_.length(bands_.count - 1) + bands_[band].first +
                    row];
@@ -66,7 +66,7 @@ class CookedCoefficients {
   double* samples_;
   float* corrected_ = nullptr;    // frames x channels
   float* fitted_ = nullptr;       // the same of one segment, as cooked
-  JointPlace* places_ = nullptr;  // of the corrected pose, then of the fitted one
+  JointPlace* places_ = nullptr;  // the corrected pose's, then the fitted one's
   std::byte* decoding_ = nullptr;
   std::uint64_t decoding_bytes_ = 0;
 };

@@ -291,7 +291,7 @@ void InstantWeights::set(const PoseKernels& kernels, Wavelet wavelet, int length
   row.weight[1] = share;
   RowWeights details[kMostKeptBands];
   int rows[kMostKeptBands];
-  int inside = 0;  // number of levels away from the borders
+  int inside = 0;  // levels, from the finest on, whose rows are away from the borders
   for (levels = 0;; ++levels, length = evens_in(length)) {
     const bool is_last = levels == kept || length < kCoarsest;
     const bool goes_on_inside =

@@ -124,7 +124,7 @@ void mcpr_cursor::keep_run(const runtime::PoseKernels& kernels, int from, int fr
 void mcpr_cursor::fill(const runtime::PoseKernels& kernels, int segment,
                        std::span<std::int16_t> work) {
   using namespace runtime;
-  constexpr std::size_t kMostWork = std::size_t{1} << 30;  // entries that an int counts
+  constexpr std::size_t kMostWork = std::size_t{1} << 30;  // most entries: an int counts them
   const SegmentLayout layout = clip->layout();
   LiftLevel levels[kMostKeptBands];
   int length = layout.frames_of(segment);

@@ -34,7 +34,7 @@ struct PartRows {
   const BandWeights* weights_of_bands;  // in the same order
   int first_band;                       // finer bands are left out
   int kept_bands;
-  const std::byte* samples;  // of the first group in the first of kSampleWindow rows
+  const std::byte* samples;  // first group in the first of kSampleWindow rows
   std::ptrdiff_t row_bytes;  // from one of these rows to the next
   const float* weights;      // weights of these rows
   int groups_of_part;
@@ -42,7 +42,7 @@ struct PartRows {
   int groups;
   int narrow;                   // the first of them, whose samples have four bits less
   bool wide;                    // samples have 24 bits instead of 16
-  float unit;                   // multiplied to all steps
+  float unit;                   // factor on all steps
   const std::int32_t* entries;  // sums of the entries, for the columns from the first group on
   const std::byte* scales;      // CookedRows::scales
   float* columns;               // output, from the first group on
@@ -73,7 +73,7 @@ struct RowRange {
 /// details.
 struct LiftLevel {
   Wavelet wavelet = Wavelet::Haar;
-  int even_count = 0;  // in the whole signal
+  int even_count = 0;  // number of even samples in the whole signal
   int odd_count = 0;
   bool only_evens = false;   // make even samples only
   bool is_left_out = false;  // treat details as zero
@@ -91,11 +91,11 @@ struct LiftPart {
   int level_count;
   const CookedBand* bands;   // one per level
   const std::byte* clip;     // base of the bands' offsets
-  const std::byte* samples;  // of the first group in the first wanted row
+  const std::byte* samples;  // first group in the first wanted row
   std::ptrdiff_t row_bytes;  // from one row to the next
   int sample_count;          // rows up to the last wanted one
   int sample_step;           // distance between wanted sample rows
-  float unit;                // multiplied to all steps
+  float unit;                // factor on all steps
   const std::byte* scales;   // CookedRows::scales
   int groups_of_part;
   int first_group;  // within the part

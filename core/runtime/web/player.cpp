@@ -39,7 +39,7 @@ void set_error(const char* message) {
   std::strncpy(last_error, message, sizeof last_error - 1);
 }
 
-mcpr_result report;  // of the last call
+mcpr_result report;  // from the last call
 
 bool succeeded(mcpr_status status) {
   if (status == MCPR_OK) return true;

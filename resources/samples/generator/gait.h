@@ -22,11 +22,11 @@ struct Gait {
   double curvature;   // 1/cm, above 0 to the left
   double arc_middle;  // distance gone where it heads straight along z
 
-  double first_liftoff;  // of the right foot; then the sides take turns
+  double first_liftoff;  // the right foot's; then the sides take turns
   double step_duration;
   double swing_duration;
   int steps;
-  double print_behind;  // of the ankle, behind the body in the middle of its stance
+  double print_behind;  // distance of the ankle behind the body in the middle of its stance
   double half_step_width;
   double half_standing_width;
   double toe_out;
@@ -39,9 +39,9 @@ struct Gait {
 
   /// An instant of the swing in a full stride; shorter strides lift the foot less.
   struct SwingPoint {
-    double share;   // of its duration
+    double share;   // share of the swing's duration
     double way;     // share of the way that the ankle goes, seen from the body
-    double height;  // of the ankle, above where it stands
+    double height;  // the ankle's, above where it stands
     double pitch;
     double toe_pitch;
   };
@@ -51,9 +51,9 @@ struct Gait {
   Centre centre_of;
   double centre_height;
   double sway;         // share of the way to the loaded foot that the body goes sideways
-  double lean;         // of the trunk
+  double lean;         // the trunk's
   double pelvis_turn;  // with a foot ahead
-  double pelvis_drop;  // of the unloaded side
+  double pelvis_drop;  // on the unloaded side
   double chest_turn;   // against the pelvis
   double arm_swing;
   double elbow;

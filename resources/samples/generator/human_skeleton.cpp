@@ -18,7 +18,7 @@ struct Bone {
   Eigen::Vector3d end;  // shares of stature; the left one of a pair
   std::string dof;      // axes, the one turned about first in front
   Axes axes = Axes::AsFrame;
-  bool last = false;  // of its chain
+  bool last = false;  // ends its chain
 };
 
 const std::vector<Bone> kLeg = {

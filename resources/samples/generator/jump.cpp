@@ -26,9 +26,9 @@ struct Leap {
   double start;  // s
   double from;   // cm along z, of the prints
   double to;
-  double depth;          // of the countermovement
+  double depth;          // distance that the countermovement goes down
   double takeoff_speed;  // cm/s, upwards
-  double give;           // of the landing
+  double give;           // distance that the body sinks when it lands
 
   static constexpr double kTakeoffRise = 11;
   static constexpr double kTouchdownRise = -5;
@@ -103,7 +103,7 @@ Stance stance_of(Side side, double along, Random& random) {
 /// The legs go with the body, a little drawn up.
 std::vector<Waypoint> swing(const Leap& leap, const Stance& from, const Stance& to) {
   struct Tuck {
-    double share;  // of the flight
+    double share;  // share of the flight
     double ankle;  // cm, higher than under a standing body
     double pitch;  // degrees
   };

@@ -146,7 +146,9 @@ TEST(ReportTables, TellByHowManyDegreesJointsHeadAndHandsAreTurned) {
     row.measured->body.hand = PartTurn{7.25, 9};
   }
   const std::string table = angle_table({}, Results(rows));
-  EXPECT_THAT(table, HasSubstr("Measured at 40:1"));  // of 10 and 40, the nearer to the paper's 30
+  EXPECT_THAT(
+      table,
+      HasSubstr("Measured at 40:1"));  // 10 and 40 were measured; 40 is nearer to the paper's 30
   EXPECT_THAT(table, HasSubstr("<td>4.00&#176;<small> (&#8211;, 7.25&#176;)</small></td>"));
   EXPECT_THAT(report_html(Results(rows), {}), HasSubstr(table));
 }

@@ -49,7 +49,7 @@ class ClipAnalysis {
 
   const Eigen::MatrixXd& original_tracks() const;       // landmark_tracks()
   const Eigen::MatrixXd& original_body() const;         // body_tracks()
-  const Coefficients& coefficients(Basis basis) const;  // what a closed loop needs of a basis
+  const Coefficients& coefficients(Basis basis) const;  // for the closed loop
   const BasisAnalysis& in(Basis basis) const;
   const ErrorModel& model(Weighting weighting) const;
   const ClosedLoop& closed_loop(Basis basis, Weighting weighting) const;

@@ -204,7 +204,7 @@ class Turns {
   struct OfJoint {
     std::vector<Eigen::Matrix3d> rotations;  // about its own axes
     std::vector<Eigen::Matrix3d>
-        inertias;  // of what hangs on the joint, in the axes of its zero rotation
+        inertias;  // the limb's beyond the joint, in the axes of its zero rotation
   };
 
   int step_;

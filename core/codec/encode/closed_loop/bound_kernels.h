@@ -10,7 +10,7 @@ namespace mocapress {
 template <typename Number>
 struct Columns3 {
   Number* x;
-  Eigen::Index stride;  // to y, and from there to z
+  Eigen::Index stride;  // numbers from x to y, and from y to z
 };
 
 /// A point that a channel moves, in cm. A rotation by `turn` moves it by sin(turn) * along + (1 -
@@ -19,7 +19,7 @@ struct MovedFrames {
   Columns3<double> error;
   Columns3<double> along;
   Columns3<double> across;  // x: null where the channel translates
-  double* squared;          // of the error
+  double* squared;          // squared length of `error`
 };
 
 /// Movement by the channel: the factors of along and across, one pair for each frame.

@@ -44,7 +44,7 @@ class ClosedLoop {
     // settle() also sets growth, the logarithm by which that sweep changed eps_x.
     double bit_price = 0;
     double growth = 0;
-    Eigen::MatrixXf errors;  // of quantise(): decoded minus original, frames x channels
+    Eigen::MatrixXf errors;  // set by quantise(): decoded minus original, frames x channels
   };
 
   /// Quantises in steps that move the landmarks by about `scale` cm. Each frame's errors count by

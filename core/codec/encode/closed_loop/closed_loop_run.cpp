@@ -300,7 +300,7 @@ int ClosedLoopRun::step_exponent_of_still(int j) const {
   const double value = std::abs(loop_.original_.channels(0, j));
   int finer = kFinest;
   while (value > kMostSteps / 2 * step_of(finer, coded_.scale)) finer -= 2;
-  const int depth = static_cast<int>(bands_.size()) - 1;  // of the coarse samples
+  const int depth = static_cast<int>(bands_.size()) - 1;  // the coarse samples'
   return std::clamp(finer - depth, kLeastStepExponent, kMostStepExponent);
 }
 

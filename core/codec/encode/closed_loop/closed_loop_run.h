@@ -173,7 +173,7 @@ class ClosedLoopRun {
     double with(int value) const;
 
    private:
-    std::optional<RateTable::Around> around_;  // of details
+    std::optional<RateTable::Around> around_;  // for details
     double waking_ = 0;
     int before_ = 0;  // coarse samples beside it
     std::optional<int> after_;
@@ -208,7 +208,7 @@ class ClosedLoopRun {
   Eigen::MatrixXf weighted_coefficient_curvature_;
   RateTable rates_;
   QuantisedSignals coded_;
-  std::vector<Magnitudes> magnitudes_;  // of each channel's values
+  std::vector<Magnitudes> magnitudes_;  // one for each channel
   std::vector<Significant> significant_;
   Eigen::MatrixXf errors_;  // frames x channels: decoded minus original
   double energy_ = 0;       // sum of squared errors, frames weighted
@@ -216,10 +216,10 @@ class ClosedLoopRun {
   int settling_ = 0;        // number of settling sweeps done
   double growth_ = 0;       // logarithm by which the last settling sweep changed eps_x
   std::optional<EndPrices> end_prices_;
-  std::vector<EndPrices::Reach> reaches_;  // of each coefficient, for the prices at the ends
+  std::vector<EndPrices::Reach> reaches_;  // one for each coefficient, for the prices at the ends
   ErrorBound* bound_ = nullptr;            // the bound to keep, if any
   std::optional<ErrorSweep> under_way_;    // the pass under way
-  Eigen::ArrayXf gradient_;  // of the channel visited, frames weighted; zeros beyond the last frame
+  Eigen::ArrayXf gradient_;  // the visited channel's, frames weighted; zeros beyond the last frame
   // Buffers of sweeps: the change of a channel, and the slopes of its coefficients.
   Eigen::ArrayXf delta_;  // zeros beyond the last frame
   Eigen::ArrayXf slopes_;

@@ -58,7 +58,8 @@ class EndPrices {
 
  private:
   Eigen::Index frames_;
-  std::array<double, 2> shares_ = {0.5, 0.5};  // of prices elsewhere, at the first and last frame
+  std::array<double, 2> shares_ = {
+      0.5, 0.5};  // prices at the first and last frame, as shares of those elsewhere
 };
 
 }  // namespace mocapress

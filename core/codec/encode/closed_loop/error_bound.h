@@ -41,7 +41,8 @@ class ErrorBound {
     Eigen::MatrixX3d across;
   };
 
-  /// The factors of Moved's along and across for some `delta`. `across` is empty for a translation.
+  /// Factors of Moved::along and Moved::across, one pair a frame, by which a change moves a
+  /// landmark. `across` is empty for a translation.
   struct Step {
     Eigen::ArrayXd along;
     Eigen::ArrayXd across;
@@ -58,15 +59,15 @@ class ErrorBound {
   MovedFrames frames_of(Moved& moved, Eigen::Index first_frame);
 
   const Skeleton& skeleton_;
-  const Eigen::ArrayXd squared_bound_;     // of each frame
+  const Eigen::ArrayXd squared_bound_;     // one for each frame
   const std::vector<Landmark> points_;     // joints' origins first
-  const Eigen::MatrixXd original_tracks_;  // of them
+  const Eigen::MatrixXd original_tracks_;  // tracks of points_
   Eigen::MatrixXd channels_;               // frames x channels
   Eigen::MatrixXd errors_;                 // frames x 3 * landmarks, cm
   Eigen::MatrixXd squared_;                // squared lengths of errors_: frames x landmarks
   int channel_ = -1;
   int joint_ = -1;                           // joint of the current channel
-  std::vector<Rotations> world_from_joint_;  // of the joints before joint_
+  std::vector<Rotations> world_from_joint_;  // one for each joint before joint_
   Rotations world_from_axes_;                // before the channel's own turn
   std::vector<Moved> moved_;                 // one for each landmark, kept to reuse their memory
   std::size_t moved_count_ = 0;

@@ -32,7 +32,7 @@ class PriceControl {
 
  private:
   // Response of eps_x, in logarithms: typical of corpus/train from 0.1 to 0.5 cm.
-  static constexpr double kKept = 0.35;  // of a sweep's growth in the next at the same price
+  static constexpr double kKept = 0.35;  // share of a sweep's growth that recurs at the same price
   static constexpr double kWithPrice = 0.15;
   static constexpr double kLeastWithPrice = 0.06;
   static constexpr double kMostWithPrice = 0.25;

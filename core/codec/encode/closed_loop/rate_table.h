@@ -36,7 +36,7 @@ class Magnitudes {
     return static_cast<std::uint8_t>(magnitude < 255 ? magnitude : 255);
   }
 
-  std::vector<std::size_t> places_;  // of bands
+  std::vector<std::size_t> places_;  // where each band begins
   std::vector<std::uint8_t> bytes_;
 };
 
@@ -69,7 +69,7 @@ class RateTable {
     };
     int before_ = 0;
     int above_ = 0;
-    int count_ = 0;           // of followers
+    int count_ = 0;           // number of followers
     bool is_lonely_ = false;  // all neighbours are zero and no end of a band is near
     std::array<Follower, 6> followers_;
   };

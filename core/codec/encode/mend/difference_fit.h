@@ -20,7 +20,7 @@ struct FitWeights {
 /// step is divided by Lifting::gains() in every band.
 struct DifferenceFit {
   Eigen::ArrayXX<bool> kept;  // coefficients x signals, coarse to fine
-  Eigen::VectorXd steps;      // of each signal, cm
+  Eigen::VectorXd steps;      // one for each signal, cm
   Eigen::MatrixXi values;     // zero where not kept
 };
 

@@ -26,7 +26,7 @@ struct Tolerance {
   bool at_most;  // true: no point may be further off; false: the RMS may not
 };
 
-constexpr double kEven = 0.9;  // of the target
+constexpr double kEven = 0.9;  // share of the target
 constexpr double kExact = 0.1;
 
 Tolerance tolerance_of(const EncodeSettings& settings, double share, double eps_cm) {

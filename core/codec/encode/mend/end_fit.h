@@ -6,8 +6,9 @@
 
 namespace mocapress {
 
-/// Returns whether an encoding gets ENDS. Closed loops do, with two exceptions: a hard maximum
-/// already holds at the ends, and a draft promises nothing and must be quick.
+/// Returns whether an encoding gets ENDS: closed loops do, unless ends are free. A hard maximum
+/// already holds at the ends, so under one only loops and exact ends do. Drafts must be quick: they
+/// get exact ends only.
 bool codes_ends(const EncodeSettings& settings);
 
 /// Number of frames at either end from which the fit tells how far an end's error reaches.

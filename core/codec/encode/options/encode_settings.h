@@ -44,16 +44,16 @@ struct EncodeSettings {
   Basis basis = Basis::Cubic;
   Weighting weighting = Weighting::Surface;
   Target target{Target::Kind::Error, 0.5};  // cm
-  std::uint64_t seed = 1;                   // of the annealing; the same seed gives the same bytes
+  std::uint64_t seed = 1;                   // for annealing; the same seed gives the same bytes
   Effort effort = Effort::Default;
-  Importance importance;                             // used by annealing and the closed loop
-  std::vector<ImportantRange> ranges;                // heeded by the closed loop
-  Promises promises;                                 // kept beside a target that is an error
-  SightLimits limits;                                // what is noticed, and from what distance
-  std::optional<EncodeCorrection> correction;        // its size counts in ratio and size
+  Importance importance;                       // used by annealing and the closed loop
+  std::vector<ImportantRange> ranges;          // heeded by the closed loop
+  Promises promises;                           // kept beside a target that is an error
+  SightLimits limits;                          // thresholds of what people notice, and the distance
+  std::optional<EncodeCorrection> correction;  // its size counts in ratio and size
   std::optional<std::vector<ContactSpan>> contacts;  // edited ones; unset: Encoder::contacts()
-  SegmentPlan segments;                              // of a closed loop
-  Ends ends = Ends::Even;                            // of a closed loop; their bytes count
+  SegmentPlan segments;                              // for a closed loop
+  Ends ends = Ends::Even;                            // for a closed loop; their bytes count
   std::optional<Loop> loop;                          // unset: find_loop() decides
   bool figures_only = false;                         // without the decoded clip: see Encoding
 

@@ -127,7 +127,7 @@ void Goal::require_met(double excess, double achieved, bool everything_kept) con
 
 void Goal::raise_where_exceeded(const CompressedClip& compressed, Eigen::VectorXd& weights) const {
   constexpr double kMostWeight = 1e4;
-  constexpr double kNear = 0.9;  // of the target
+  constexpr double kNear = 0.9;  // share of the target
   constexpr double kPower = 4;   // exponent on the excess; the square alone takes many more rounds
   const auto raise = [&](Eigen::Index frame, double excess) {
     if (excess > 1)

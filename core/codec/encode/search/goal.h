@@ -48,12 +48,12 @@ class Original {
 /// draft may have quantised values but no coded motion yet.
 struct Trial {
   CompressedClip compressed;
-  int count = 0;         // of the coefficients kept
-  double scale = 0;      // of a closed loop
-  double eps_cm = 0;     // of a closed loop, by the quadratic model
-  double bit_price = 0;  // of a closed loop: see ClosedLoop::Result
+  int count = 0;         // number of coefficients kept
+  double scale = 0;      // closed loop
+  double eps_cm = 0;     // closed loop, by the quadratic model
+  double bit_price = 0;  // closed loop: see ClosedLoop::Result
   double growth = 0;
-  int iterations = 0;                      // of the last annealing, or sweeps of the closed loop
+  int iterations = 0;                      // in the last annealing, or sweeps of the closed loop
   bool complete = true;                    // false: the observer stopped it
   double achieved = 0;                     // the quantity of the target
   double excess = 0;                       // see Goal

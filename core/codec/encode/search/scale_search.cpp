@@ -145,7 +145,7 @@ void settle(const ScaleTrials& trials, const Target& target, double first_scale,
   constexpr double kFar = 0.05;  // a logarithm
   const bool by_error = target.kind == Target::Kind::Error;
   const double near = by_error ? 0.01 : 0.02;  // close enough; bytes differ more by chance
-  double middle = 0;                           // of the range that is close enough
+  double middle = 0;                           // middle of the range that is close enough
   if (by_error) middle = near / 4;
   if (target.kind == Target::Kind::Size) middle = -near / 2;
   const double power = power_of_scale(target) / kPowerOfScale;
@@ -225,7 +225,7 @@ void approach_bound(const Goal& goal, const Target& target, int frames, const Co
   constexpr int kMost = 24;
   constexpr int kMostInVain = 6;
   constexpr double kNear = 0.01;
-  constexpr double kAlike = 0.005;    // of the bytes, by which a nearer trial may be larger
+  constexpr double kAlike = 0.005;    // share of the bytes by which a nearer trial may be larger
   constexpr double kRounding = 1e-4;  // between the coarsened and the decoded motion
   constexpr double kMostWider = 1.1;  // limit of widening a frame's bound in one round
   constexpr double kTighter = 0.6;    // exponent on the excess when tightening every bound

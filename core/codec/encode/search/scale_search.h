@@ -32,7 +32,7 @@ struct ScaleGuess {
 struct ScaleTrials {
   AttemptScale attempt;
   CoarsenTrial coarsen;
-  SettleTrial settle = {};  // where trials can be settled
+  SettleTrial settle = {};  // empty: trials cannot be settled
 };
 
 /// Searches the closed loop's scale and returns the best trial, with its bytes coded. It meets the

@@ -11,7 +11,7 @@ struct Split {
   double ratio;     // r_IK
   double price;     // the quantity that the target leaves free: bytes, or eps_x in cm
   double slide_cm;  // footskate
-  double worst_cm;  // of the worst contact
+  double worst_cm;  // the worst contact's
 };
 
 /// Finds the cheapest r_IK that removes nine tenths of the slide, or leaves no contact more than a
@@ -22,7 +22,7 @@ struct Split {
 /// the first that does not hold.
 class SplitSearch {
  public:
-  static constexpr double kFirst = 16;  // of the paper's video
+  static constexpr double kFirst = 16;  // as in the paper's video
   static constexpr double kMost = 64;
   static constexpr double kLeast = 1;
 

@@ -70,7 +70,7 @@ TEST(CodedEnds, ImpossibleStepsAndReachesAreRefused) {
     bytes[byte] = std::byte{0};
     EXPECT_THROW(read_back(bytes, kFramesOfClip), FormatError);
   }
-  for (const int reach : {0, 101, 128, 255}) {  // of the velocity
+  for (const int reach : {0, 101, 128, 255}) {  // the velocity's
     std::vector<std::byte> bytes = ends_with_velocity().write();
     bytes[4] = static_cast<std::byte>(reach);
     EXPECT_THROW(read_back(bytes, kFramesOfClip), FormatError);

@@ -104,7 +104,7 @@ TEST(SourceSection, SurvivesCutsAndMutations) {
     for (int i = 0; i < 2; ++i)
       bytes[random.below(bytes.size())] = static_cast<std::byte>(random.below(256));
     const Bytes mutated = with_payload(bytes);
-    EXPECT_NO_THROW(read_container(mutated));  // which knows nothing of it
+    EXPECT_NO_THROW(read_container(mutated));  // it knows nothing of the section
     try {
       // Reading and writing again gives the same section.
       EXPECT_EQ(with_source(mutated, source_of(mutated)), mutated);

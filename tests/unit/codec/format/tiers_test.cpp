@@ -174,7 +174,7 @@ std::vector<std::byte> with_byte(std::vector<std::byte> file, std::size_t start,
   return file;
 }
 
-constexpr std::size_t kStart = runtime::kFileHead;  // of TIER
+constexpr std::size_t kStart = runtime::kFileHead;  // where TIER begins
 
 TEST(Tiers, AreRefusedWhereTheyDoNotFitTheFile) {
   for (const auto& file : files()) {

@@ -142,7 +142,7 @@ TEST_F(FbxJudged, SkinsAsTheProgramDidThatWroteTheFile) {
     const std::string base = parts[1].str() + parts[4].str();
     const std::string bytes = read_text(path);
     int frames = 0;
-    double worst = 0;  // of the height
+    double worst = 0;  // as a share of the height
     double worst_cm = 0;
     for (const fs::path& picture_path : pictures_) {
       const std::string of = picture_path.stem().string();

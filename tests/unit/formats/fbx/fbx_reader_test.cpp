@@ -152,7 +152,7 @@ Eigen::RowVector3d place(const MotionFile& file, const std::string& joint, int f
   return tracks.block<1, 3>(frame, 3 * file.motion.skeleton.find(joint));
 }
 
-double angle(int frame) {  // of the usual take, radians
+double angle(int frame) {  // in the usual take, radians
   return frame * 9 * std::numbers::pi / 180;
 }
 

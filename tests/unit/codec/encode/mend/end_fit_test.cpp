@@ -83,7 +83,7 @@ TEST(EndFit, AnEvenEndIsNotMendedByAllChannels) {
     const CompressedClip compressed = Encoder(motion).encode(with_ends(Ends::Even)).compressed;
     ASSERT_TRUE(compressed.ends);
     mended += (compressed.ends->steps.array() != 0).count();
-    channels += 2 * motion.clip.channels.cols();  // of both ends
+    channels += 2 * motion.clip.channels.cols();  // at both ends
   }
   EXPECT_GT(mended, 0);
   EXPECT_LE(4 * mended, 3 * channels);
