@@ -90,15 +90,15 @@ MCPR_API const char* mcpr_status_message(mcpr_status status);
 typedef struct mcpr_limits {
   uint32_t frames;
   uint32_t joints;
-  uint32_t channels;    /* of all joints together */
+  uint32_t channels;    /* those of all joints together */
   uint64_t values;      /* frames * (channels + 3 * effectors + curve tracks). A frame shared
                            by two segments of a long clip counts twice */
   size_t scratch_bytes; /* limit for mcpr_info.read_bytes */
   size_t resident_bytes;
   uint32_t solver_iterations; /* cap on the IK solver's iterations per limb and frame; the format's
                                  solvers take up to 60 or 12. Fewer are faster and less exact */
-  uint32_t tiers;             /* of a file with tiers: how many to read, after which it may end; see
-                                 mcpr_tier_of. 0: all */
+  uint32_t tiers;             /* number of tiers to read of a file that has some, and may end after
+                                 them: see mcpr_tier_of. 0: all */
 } mcpr_limits;
 
 /* Sets *out to the limits of the format. Every valid file is within them: 2^22 frames, 4096 joints,
@@ -119,9 +119,9 @@ typedef struct mcpr_info {
                           correction, clip ends, turned axes */
   size_t read_bytes;   /* scratch memory that mcpr_read needs. For a segmented clip: one decoded
                           segment plus motion_bytes */
-  float error;         /* cm, RMS against the original when encoded; 0: not known. Informative. Of
-                          the tiers that the limits ask for */
-  uint32_t tiers;      /* of the whole file; 1: it can be read only as a whole */
+  float error;         /* cm, RMS against the original when encoded, with the tiers that the limits
+                          ask for; 0: not known. Informative */
+  uint32_t tiers;      /* number in the whole file; 1: it can be read only as a whole */
 } mcpr_info;
 
 /* Reads the headers of a file into *info, and checks all checksums of what the limits ask for. Null
@@ -766,7 +766,7 @@ MCPR_API mcpr_status mcpr_track_moment(const mcpr_tracks* tracks, const mcpr_tra
 typedef struct mcpr_change {
   double time;    /* a frame, in the unit of the request; beyond the clip it is in another cycle */
   uint32_t track; /* its place in the request, or its number if all were asked for */
-  float value;    /* what it is after the change, on the way from `from` to `to` */
+  float value;    /* the value after the change, on the way from `from` to `to` */
 } mcpr_change;
 
 /* Lists what changed of the tracks that step on the way from one instant to another, for events:
