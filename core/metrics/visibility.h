@@ -77,7 +77,7 @@ struct SightTable {
 /// Visible differences of a decoded clip from its original. Worst values are the largest of any
 /// joint and window.
 struct Visibility {
-  SightLimits limits;                        // that it was judged by
+  SightLimits limits;                        // limits by which it was judged
   std::array<WorstSight, kCues> worst_of{};  // one for each cue
   double velocity_error = 0;                 // cm/s, RMS over joints and windows
   double worst_velocity_error = 0;
@@ -107,7 +107,7 @@ struct Seen {
   double visible_share = 0;     // share of the frames
   std::string reason;           // the text from reason()
   double unnoticed_from_m = 0;  // distance from which nothing is noticed
-  SightLimits limits;           // that it was judged by
+  SightLimits limits;           // limits by which it was judged
 
   Sight sight() const { return sight_of(times_noticed); }
   bool operator==(const Seen&) const = default;

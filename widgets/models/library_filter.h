@@ -31,7 +31,7 @@ QString displayName(LibraryShow show);
 struct ColumnBound {
   LibraryColumn column = LibraryColumn::Error;
   bool is_above = true;           // larger numbers match; false: smaller ones
-  bool is_met_by_equals = false;  // so does the bound itself
+  bool is_met_by_equals = false;  // the bound itself matches, too
   double value = 0;
 
   bool matches(const LibraryEntry& entry) const;

@@ -45,7 +45,7 @@ struct Outcome {
   std::string settings;            // settings_hash() of the settings it was made with
   std::optional<int> worst_frame;  // where max_cm is; unset: an older project does not say
   std::string worst_point;         // likewise
-  SightLimits limits;              // that `sight` was judged by
+  SightLimits limits;              // limits by which `sight` was judged
 
   bool operator==(const Outcome&) const = default;
 };

@@ -216,7 +216,7 @@ class Viewport : public QWidget {
   std::optional<FigureShape> shape_;
   Tracks original_of_clip_;
   Tracks compressed_of_clip_;
-  Tracks original_;    // as it is seen; all that is drawn follows from it
+  Tracks original_;    // the original as it is shown; all that is drawn follows from it
   Tracks compressed_;  // likewise
   Poses original_poses_;
   Poses compressed_poses_;

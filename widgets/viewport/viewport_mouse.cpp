@@ -97,7 +97,7 @@ void Viewport::release(const QMouseEvent& event) {
     return;
   }
   if (on) return emit placePointed(on->joint, on->place);
-  // As deep in the picture as the body is there.
+  // No joint is near: the place is as deep in the picture as the nearest part of the body.
   if (const auto body = pointedAt(event.position(), std::numeric_limits<double>::max()))
     emit placePointed(-1, body->camera.beside(body->place, body->in_pane));
 }

@@ -78,7 +78,7 @@ void RangeActions::fillContacts() {
   const Document& document = session_->document();
   const std::vector<ContactSpan> contacts = document.contacts();
   const std::vector<QString> names = document.landmarkNames();
-  std::vector<int> feet;  // that stand at any time, now or as found
+  std::vector<int> feet;  // feet that stand at any time, as edited or as found
   for (const auto* spans : {&contacts, &document.original()->encoder->contacts()})
     for (const ContactSpan& span : *spans) feet.push_back(span.landmark);
   std::sort(feet.begin(), feet.end());

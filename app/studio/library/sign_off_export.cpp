@@ -49,7 +49,7 @@ SignOffFigures figuresIn(const ProjectClip& clip) {
                          .worst_point = outcome.worst_point,
                          .sight = outcome.sight,
                          .limits = outcome.limits};
-  // As a verdict on that outcome would be.
+  // Figures are stale as a verdict on that outcome would be.
   figures.stale = stale_reason({.verdict = Verdict::Approved,
                                 .source_hash = outcome.source,
                                 .settings_hash = outcome.settings},

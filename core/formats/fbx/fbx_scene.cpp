@@ -385,7 +385,7 @@ void FbxTakeReader::sample_node(std::size_t node, const std::vector<FbxMovement*
   AnimatedNode& of = result_.take.nodes[node];
   const FbxTransform& rest = result_.transforms[node];
   FbxTransform transform = rest;
-  std::vector<Vector3d*> parts;  // that the movements move
+  std::vector<Vector3d*> parts;  // parts of the transform that the movements move
   for (const FbxMovement* const movement : movements)
     parts.push_back(transform.part(movement->property));
   const bool is_turned_by_curves = std::ranges::any_of(parts, [&](const Vector3d* part) {

@@ -13,8 +13,8 @@ inline constexpr int kMostTiers = 8;
 inline constexpr std::size_t kMostTierBytes = 5 + 5 + 4;
 
 struct Tier {
-  std::uint32_t bytes = 0;     // that this tier adds to the one before; in the first, from the end
-                               // of TIER on. 0 in a packed bank, which has them elsewhere
+  std::uint32_t bytes = 0;  // size of what this tier adds to the one before; for the first tier, of
+                            // all that follows TIER. 0 in a packed bank, which has it elsewhere
   std::uint32_t checksum = 0;  // CRC-32 of these bytes; 0 in the first, and in a packed bank
   int bands_left_out = 0;      // finest bands that this tier lacks
   float eps_cm = 0;            // this tier's; CLIP has those of the last tier

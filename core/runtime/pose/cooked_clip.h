@@ -34,7 +34,7 @@ inline constexpr int kMostKeptBands = 5;      // detail bands of a part
 inline constexpr int kColumnBits = 7;
 inline constexpr int kRowBits = 4;              // row number modulo 16
 inline constexpr int kEntriesBeyond = 7;        // entries that may be read after a band's last one
-inline constexpr int kSampleBytesBeyond = 4;    // that may be read after the last samples
+inline constexpr int kSampleBytesBeyond = 4;    // bytes that may be read after the last samples
 inline constexpr int kMostLog2RowsOfBlock = 3;  // the blocks that contribute to an instant span at
                                                 // most 16 rows
 
@@ -80,7 +80,7 @@ struct CookedBand {
 /// has 16 bits, from the lowest: column, row modulo 16, signed value.
 struct CookedEntries {
   std::uint32_t begins = 0;    // offset from the clip: u16 start of each block's entries, u16 end
-                               // of the last, then the entries
+                               // after the last one's, then the entries
   std::uint16_t blocks = 0;    // 0: no entries
   std::uint8_t log2_rows = 0;  // rows of a block
   std::uint8_t padding = 0;
