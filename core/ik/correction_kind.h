@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <string_view>
+
+#include "core/runtime/format/kinds.h"
 
 namespace mocapress {
 
-/// The solver that turns the joints of a limb. The values are part of the file format.
-enum class IkSolver : std::uint8_t {
-  CyclicDescent = 1,  // the paper's: one joint after the other, repeatedly
-  NearestPose = 2,    // moves the limb least: two bones in closed form, else damped steps
-};
+/// The solver that turns the joints of a limb.
+using IkSolver = runtime::Solver;
 
 /// "cyclic-descent", "nearest-pose".
 std::string_view name(IkSolver solver);

@@ -21,8 +21,7 @@ IkOutcome solve(IkSolver solver, Limb& limb, std::span<const Eigen::Vector3d> ta
   std::array<runtime::Vector3, runtime::kMostEffectorsOfLimb> points;
   for (std::size_t e = 0; e < targets.size(); ++e)
     points[e] = {{targets[e].x(), targets[e].y(), targets[e].z()}};
-  const runtime::SolveOutcome outcome =
-      runtime::solve(static_cast<runtime::Solver>(solver), limb.of_decoder(), points.data());
+  const runtime::SolveOutcome outcome = runtime::solve(solver, limb.of_decoder(), points.data());
   return {outcome.miss_cm, outcome.iterations, outcome.miss_cm <= kReachedCm};
 }
 

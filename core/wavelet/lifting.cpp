@@ -42,10 +42,9 @@ int odds_in(int length) {
 /// Calls visit(even sample, weight) for the even samples that predict odd sample `i`.
 template <typename Visit>
 void visit_neighbours(Basis basis, int i, int evens, const Visit& visit) {
-  const auto wavelet = static_cast<runtime::Wavelet>(basis);
-  const runtime::Neighbours neighbours = runtime::neighbours_of(wavelet, i, evens);
+  const runtime::Neighbours neighbours = runtime::neighbours_of(basis, i, evens);
   double weights[runtime::kMostNeighbours];
-  runtime::weights_of(wavelet, i, neighbours, weights);
+  runtime::weights_of(basis, i, neighbours, weights);
   for (int k = 0; k < neighbours.count; ++k) visit(neighbours.first + k, weights[k]);
 }
 
@@ -91,8 +90,7 @@ void predict(Basis basis, const Real* even, int evens, Real* odd, int odds, Real
     });
     odd[i] += sign * static_cast<Real>(prediction);
   });
-  const runtime::InnerWeights weights =
-      runtime::inner_weights(static_cast<runtime::Wavelet>(basis));
+  const runtime::InnerWeights weights = runtime::inner_weights(basis);
   const Real near = sign * static_cast<Real>(weights.near);
   const Real far = sign * static_cast<Real>(weights.far);
   const Real* const e = even + inner.first;
@@ -134,8 +132,7 @@ void predict_transposed(Basis basis, const Real* odd, int odds, Real* even, int 
   const Inner inner(basis, evens, odds);
   std::fill_n(around, evens + 4, Real(0));
   std::copy(odd + inner.first, odd + inner.end, around + 2 + inner.first);
-  const runtime::InnerWeights weights =
-      runtime::inner_weights(static_cast<runtime::Wavelet>(basis));
+  const runtime::InnerWeights weights = runtime::inner_weights(basis);
   const auto near = static_cast<Real>(weights.near);
   const auto far = static_cast<Real>(weights.far);
   if (basis == Basis::Cubic)

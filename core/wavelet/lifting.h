@@ -3,22 +3,16 @@
 // W. Sweldens, "The lifting scheme: a construction of second generation wavelets", 1998.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include "core/wavelet/lifting.h"
+#include "core/runtime/format/kinds.h"
 
 namespace mocapress {
 
-/// The interpolating wavelet bases, by the even neighbours that predict an odd sample. The values
-/// are part of the file format.
-enum class Basis : std::uint8_t {
-  Haar = 0,    // the even sample before it
-  Linear = 1,  // 2 neighbours
-  Cubic = 2,   // 4 neighbours, as in the paper
-};
+/// The interpolating wavelet bases.
+using Basis = runtime::Wavelet;
 
 /// "haar", "linear", "cubic".
 std::string_view name(Basis basis);

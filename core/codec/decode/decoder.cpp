@@ -47,7 +47,7 @@ Eigen::MatrixXd decode_signals(const Eigen::MatrixXi& values, const std::vector<
   const OwnResidentSignals resident(
       runtime::QuantisedSource{.length = length,
                                .signal_count = count,
-                               .wavelet = static_cast<runtime::Wavelet>(basis),
+                               .wavelet = basis,
                                .steps = steps.data(),
                                .double_precision_limits = limits.data(),
                                .values = values.data(),

@@ -52,7 +52,7 @@ std::vector<std::byte> write_correction(const CodedCorrection& correction) {
 }
 
 CodedCorrection read_correction(const runtime::FileSections& sections, const Skeleton& skeleton) {
-  CodedCorrection correction{static_cast<IkSolver>(sections.solver), {}};
+  CodedCorrection correction{sections.solver, {}};
   try {
     for (std::uint32_t e = 0; e < sections.effectors; ++e)
       correction.effectors.push_back(
@@ -177,7 +177,7 @@ void read_description(const runtime::FileSections& sections, Container& containe
   clip.frames = static_cast<int>(sections.frames);
   container.of_comparison = sections.coding == runtime::kComparison;
   if (!container.of_comparison) {
-    clip.basis = static_cast<Basis>(sections.wavelet);
+    clip.basis = sections.wavelet;
     clip.coding = static_cast<Coding>(sections.coding);
     clip.provenance.method = static_cast<Method>(sections.method);
   }

@@ -150,7 +150,7 @@ CodedTracks coded_tracks_of(std::span<const std::byte> mcpr) {
   const OwnMemory<runtime::JointByteCoder> memory;
   runtime::TrackByteCoder coder((*memory).slots());
   require(runtime::decode_tracks(head, sections.frames, coder, records.data(), runs.data()));
-  coded.basis = static_cast<Basis>(head.wavelet);
+  coded.basis = head.wavelet;
   if (head.curves > 0)
     coded.curves =
         adaptive_decode({reinterpret_cast<const std::byte*>(head.stream.data), head.stream.size},

@@ -6,8 +6,12 @@
 
 namespace mocapress::runtime {
 
-/// Prediction of odd samples.
-enum class Wavelet : std::uint8_t { Haar = 0, Linear = 1, Cubic = 2 };
+/// The interpolating wavelet bases, by the even neighbours that predict an odd sample.
+enum class Wavelet : std::uint8_t {
+  Haar = 0,    // the even sample before it
+  Linear = 1,  // 2 neighbours
+  Cubic = 2,   // 4 neighbours, as in the paper
+};
 
 /// Continuation of a clip after its last frame: FORMAT.md, loop.
 enum class LoopKind : std::uint8_t {
@@ -20,7 +24,7 @@ enum class LoopKind : std::uint8_t {
 inline constexpr std::uint8_t kComparison = 0;  // the file of a comparison method, without wavelets
 inline constexpr std::uint8_t kAdaptive = 3;
 
-/// The solver of an IK correction.
+/// The solver of an IK correction, which turns the joints of a limb.
 enum class Solver : std::uint8_t {
   CyclicDescent = 1,  // the paper's: one joint after the other, repeatedly
   NearestPose = 2,    // moves the limb least: two bones in closed form, else damped steps

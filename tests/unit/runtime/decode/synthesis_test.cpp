@@ -50,7 +50,7 @@ struct Resident {
     for (std::size_t s = 0; s < steps.size(); ++s) steps[s] = 0.01F * static_cast<float>(s % 7 + 1);
     const runtime::QuantisedSource source{static_cast<int>(values.rows()),
                                           static_cast<int>(values.cols()),
-                                          static_cast<runtime::Wavelet>(basis),
+                                          basis,
                                           steps.data(),
                                           double_precision_limits.data(),
                                           values.data(),
