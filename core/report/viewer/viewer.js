@@ -103,6 +103,11 @@ class Viewer {
     this.scene.add(sun, this.floor);
 
     this.#addButtons();
+    for (const part of [this.divider, this.strip])
+      part.onmousedown = (event) => {
+        event.preventDefault();
+        this.canvas.focus({ preventScroll: true }); // keys go on where the mouse was used
+      };
     this.divider.onpointerdown = (event) => this.divider.setPointerCapture(event.pointerId);
     this.divider.onpointermove = (event) => this.divider.hasPointerCapture(event.pointerId) && this.#drag(event.clientX);
     this.time.oninput = () => this.seek(Number(this.time.value));
