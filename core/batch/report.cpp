@@ -218,7 +218,7 @@ std::string turn_cell(const std::optional<PartTurn>& turn) {
 }
 
 std::string text_cell(std::string_view text, std::string_view css) {
-  return text.empty() ? cell(kNothing, css) : cell(escaped(text), css);
+  return text.empty() ? cell(kNothing, "name") : cell(escaped(text), css);
 }
 
 /// A table cell with the verdict on visibility, and its reason.
@@ -236,10 +236,10 @@ std::string review_cells(const ReportLanguage& say, const BatchRow& row) {
   const std::optional<std::string> stale = stale_reason(row);
   const std::string verdict = verdict_text(row.review, stale, say);
   const std::string words = std::string(name(row.review.verdict)) + (stale ? " stale" : "");
-  return element(
-             "td",
-             attribute("class", "wrap") + attribute("data-verdict", words.empty() ? "none" : words),
-             verdict.empty() ? kNothing : escaped(verdict)) +
+  return element("td",
+                 attribute("class", verdict.empty() ? "name" : "wrap") +
+                     attribute("data-verdict", words.empty() ? "none" : words),
+                 verdict.empty() ? kNothing : escaped(verdict)) +
          text_cell(row.review.note, "wrap");
 }
 

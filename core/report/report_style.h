@@ -65,9 +65,10 @@ td small { font-size: 12px; } td.wrap { white-space: normal; text-align: left; }
 .signed th[scope=row] { white-space: normal; min-width: 11em; }
 .signed :is(th[scope=row], td.wrap) { overflow-wrap: anywhere; }
 section + p { margin-top: 16px; }
-#clips :is(th, td) { vertical-align: top; } #clips td.wrap { min-width: 8em; }
-#clips td[data-key] { min-width: 16em; }
-@media screen { section:has(#clips) {
+#clips :is(th, td) { vertical-align: top; padding-inline: 4px; font-size: 12px; }
+#clips td.wrap { min-width: 6em; } #clips td[data-key] { min-width: 12em; }
+#clips :is(th[scope=row], td.name) { white-space: normal; }
+@media screen { section:has(#clips) { padding-inline: 14px;
   margin-inline: min(0px, (1072px - min(100vw - 48px, 1800px)) / 2); } }
 .filters { display: flex; flex-wrap: wrap; align-items: center; gap: 6px 8px; max-width: none; }
 .filters :is(select, input, button) { font: inherit; font-size: 13px; padding: 3px 8px; color: var(--ink);
