@@ -10,6 +10,13 @@
             <numerusform>✓ Verified, %Ln warnings</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln care range(s)</source>
+        <translation>
+            <numerusform>%Ln care range</numerusform>
+            <numerusform>%Ln care ranges</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>mocapress::BatchStatus</name>

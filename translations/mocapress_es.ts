@@ -731,6 +731,13 @@
         <source>The clip&apos;s verdict in the library. Rejected clips are exported only if they are ticked. A verdict is stale if files or settings have changed since.</source>
         <translation>El veredicto del clip en la biblioteca. Los clips rechazados se exportan solo si están marcados. Un veredicto ha caducado si los archivos o los ajustes han cambiado desde entonces.</translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln care range(s)</source>
+        <translation>
+            <numerusform>%Ln intervalo cuidado</numerusform>
+            <numerusform>%Ln intervalos cuidados</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>mocapress::BatchQueueView</name>

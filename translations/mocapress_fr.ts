@@ -731,6 +731,13 @@
         <source>The clip&apos;s verdict in the library. Rejected clips are exported only if they are ticked. A verdict is stale if files or settings have changed since.</source>
         <translation>Ce que la bibliothèque dit du clip. Un clip rejeté reste à l&apos;écart tant qu&apos;il n&apos;est pas coché. Périmé : ce n&apos;est pas à propos de ces fichiers et réglages.</translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln care range(s)</source>
+        <translation>
+            <numerusform>%Ln plage soignée</numerusform>
+            <numerusform>%Ln plages soignées</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>mocapress::BatchQueueView</name>

@@ -730,6 +730,12 @@
         <source>The clip&apos;s verdict in the library. Rejected clips are exported only if they are ticked. A verdict is stale if files or settings have changed since.</source>
         <translation>ライブラリでのクリップの判定です。却下したクリップは、チェックを入れるまで除かれます。無効：このファイルと設定についての判定ではありません。</translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln care range(s)</source>
+        <translation>
+            <numerusform>重視 %Ln 範囲</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>mocapress::BatchQueueView</name>

@@ -45,6 +45,24 @@ TEST_F(BatchQueue, HasEveryClipOnce) {
   EXPECT_EQ(text(1, BatchQueueModel::Clip), QStringLiteral("new"));
 }
 
+TEST_F(BatchQueue, FilesOfOneNameAreToldApartByTheirFoldersWhileThereAreSeveral) {
+  EXPECT_EQ(text(0, BatchQueueModel::Clip), QStringLiteral("walk"));
+  model_.add({{.source = {"/b/walk.bvh", "b", {}}}});
+  EXPECT_EQ(text(0, BatchQueueModel::Clip), QStringLiteral("a/walk.bvh"));
+  EXPECT_EQ(text(1, BatchQueueModel::Clip), QStringLiteral("run"));
+  EXPECT_EQ(text(3, BatchQueueModel::Clip), QStringLiteral("b/walk.bvh"));
+  model_.remove({0});
+  EXPECT_EQ(text(2, BatchQueueModel::Clip), QStringLiteral("walk"));
+}
+
+TEST_F(BatchQueue, SettingsNameRangesWithMoreCare) {
+  Settings careful = model_.presetOf(1);
+  careful.ranges = {{20, 60, 3}, {80, 90, 2}};
+  model_.setOwn({1}, careful);
+  EXPECT_TRUE(text(1, BatchQueueModel::Preset).startsWith(text(0, BatchQueueModel::Preset)));
+  EXPECT_TRUE(text(1, BatchQueueModel::Preset).contains(QStringLiteral("2 care range")));
+}
+
 TEST_F(BatchQueue, ALockedClipKeepsItsSettingsWhenThoseOfAllChange) {
   const Settings crowd = built_in_presets()[2];
   const Settings archive = built_in_presets()[3];

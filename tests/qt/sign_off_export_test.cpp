@@ -22,6 +22,19 @@
 namespace mocapress {
 namespace {
 
+TEST(SignOffExport, TellsClipsOfOneNameApartByTheirFolders) {
+  Session session;
+  LibraryModel model;
+  Library library(&session, &model);
+  library.add({QStringLiteral("/x/old/walk.bvh"), QStringLiteral("/x/new/walk.bvh"),
+               QStringLiteral("/x/new/run.bvh")});
+  const SignOff report = signOffOf(library, model);
+  ASSERT_EQ(report.clips.size(), 3u);
+  EXPECT_EQ(report.clips[0].name, "old/walk.bvh");
+  EXPECT_EQ(report.clips[1].name, "new/walk.bvh");
+  EXPECT_EQ(report.clips[2].name, "run.bvh");
+}
+
 TEST(SignOffExport, WritesTheLibraryInEachFormat) {
   const QTemporaryDir directory;
   const auto path = [&](const char* name) {

@@ -69,6 +69,7 @@ void BatchQueueModel::replace(const Settings& common, const std::vector<QueuedCl
   common_ = common;
   clips_ = clips;
   translated_.clear();
+  files_of_name_.clear();
   endResetModel();
 }
 
@@ -140,6 +141,7 @@ void BatchQueueModel::add(const std::vector<QueuedClip>& clips) {
   if (fresh.empty()) return;
   beginInsertRows({}, rowCount(), rowCount() + static_cast<int>(fresh.size()) - 1);
   clips_.insert(clips_.end(), fresh.begin(), fresh.end());
+  files_of_name_.clear();
   endInsertRows();
   emit edited();
 }
@@ -148,6 +150,7 @@ void BatchQueueModel::insert(const std::map<int, QueuedClip>& clips) {
   for (const auto& [row, clip] : clips) {
     beginInsertRows({}, row, row);
     clips_.insert(clips_.begin() + row, clip);
+    files_of_name_.clear();
     endInsertRows();
   }
   if (!clips.empty()) emit edited();
@@ -158,6 +161,7 @@ void BatchQueueModel::remove(std::vector<int> rows) {
   for (const int row : rows) {
     beginRemoveRows({}, row, row);
     clips_.erase(clips_.begin() + row);
+    files_of_name_.clear();
     endRemoveRows();
   }
   if (!rows.empty()) emit edited();
@@ -228,6 +232,20 @@ QString BatchQueueModel::translated(const QString& sentence) const {
   if (found == translated_.end())
     found = translated_.insert(sentence, translatedSentence(sentence));
   return *found;
+}
+
+/// The file's name, with that of its folder where several files share the name.
+QString BatchQueueModel::nameOf(const QueuedClip& clip) const {
+  const auto base = [](const QueuedClip& one) {
+    return QFileInfo(QString::fromStdString(one.source.path)).completeBaseName();
+  };
+  if (files_of_name_.isEmpty())
+    for (const QueuedClip& one : clips_)
+      files_of_name_[base(one)].insert(QString::fromStdString(one.source.path));
+  const QString name = base(clip);
+  if (files_of_name_.value(name).size() < 2) return name;
+  const QFileInfo file(QString::fromStdString(clip.source.path));
+  return file.dir().dirName() + QLatin1Char('/') + file.fileName();
 }
 
 QString BatchQueueModel::stateText(const QueuedClip& clip) const {
@@ -303,6 +321,10 @@ QString BatchQueueModel::toolTip(int row, int column) const {
       lines << translatedSentence(QString::fromStdString(warning));
     return lines.join(QLatin1Char('\n'));
   }
+  if (column == Preset) {
+    const QString details = detailsOf(presetOf(row));
+    if (!details.isEmpty()) return details;
+  }
   if (column == Review && clip.review != ClipReview()) {
     QStringList lines{verdictText(clip.review.verdict, staleVerdict(row)),
                       reviewerText(clip.review), QString::fromStdString(clip.review.note)};
@@ -320,16 +342,18 @@ QVariant BatchQueueModel::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
       switch (index.column()) {
         case Clip:
-          return clip.reading.take
-                     ? QFileInfo(QString::fromStdString(clip.source.path)).completeBaseName() +
-                           QStringLiteral(": ") + QString::fromStdString(*clip.reading.take)
-                     : QFileInfo(QString::fromStdString(clip.source.path)).completeBaseName();
+          return clip.reading.take ? nameOf(clip) + QStringLiteral(": ") +
+                                         QString::fromStdString(*clip.reading.take)
+                                   : nameOf(clip);
         case Lock:
           return {};
         case Preset: {
           const Settings& preset = presetOf(row);
-          const QString target = batchTargetText(preset.target);
-          return tr("%1 · %2").arg(displayName(preset), target);
+          const QString text =
+              tr("%1 · %2").arg(displayName(preset), batchTargetText(preset.target));
+          if (preset.ranges.empty()) return text;
+          return tr("%1 · %2").arg(
+              text, tr("%Ln care range(s)", nullptr, static_cast<int>(preset.ranges.size())));
         }
         case Review:
           return reviewText(row);

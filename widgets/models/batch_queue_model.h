@@ -3,6 +3,7 @@
 
 #include <QAbstractTableModel>
 #include <QHash>
+#include <QSet>
 #include <QString>
 #include <map>
 #include <optional>
@@ -125,6 +126,7 @@ class BatchQueueModel : public QAbstractTableModel {
  private:
   void wait(int row);
   void changed(int row);
+  QString nameOf(const QueuedClip& clip) const;
   QString stateText(const QueuedClip& clip) const;
   QString translated(const QString& sentence) const;
   Staleness staleVerdict(int row) const;
@@ -134,7 +136,8 @@ class BatchQueueModel : public QAbstractTableModel {
 
   Settings common_ = built_in_presets()[1];
   std::vector<QueuedClip> clips_;
-  mutable QHash<QString, QString> translated_;  // by English sentence
+  mutable QHash<QString, QString> translated_;           // by English sentence
+  mutable QHash<QString, QSet<QString>> files_of_name_;  // paths; empty: not gathered yet
 };
 
 /// Formats a target as "eps_x 0.5 cm", in the user's language and with its decimal sign.

@@ -96,7 +96,7 @@ BatchQueueView::BatchQueueView(BatchQueueModel* model, QWidget* parent) : QTreeV
   QHeaderView* heads = header();
   heads->setStretchLastSection(false);
   heads->setMinimumSectionSize(30);
-  constexpr int kWidths[] = {160, 32, 190, 100, 200, 76, 80, 76};
+  constexpr int kWidths[] = {160, 32, 280, 100, 200, 76, 80, 76};
   for (int column = 0; column < BatchQueueModel::Columns; ++column)
     heads->resizeSection(column, kWidths[column]);
   heads->setSectionResizeMode(BatchQueueModel::State, QHeaderView::Stretch);

@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QHash>
 #include <QPageLayout>
 #include <QPageSize>
 #include <QPdfWriter>
@@ -54,6 +55,9 @@ SignOffFigures figuresIn(const ProjectClip& clip) {
                                 .source_hash = outcome.source,
                                 .settings_hash = outcome.settings},
                                clip.stamp.source, settingsHash(clip));
+  // Other limits of visibility are no part of that hash.
+  if (!figures.stale && outdated(clip) == Staleness::Settings)
+    figures.stale = "the settings changed";
   return figures;
 }
 
@@ -65,10 +69,15 @@ SignOff signOffOf(const Library& library, const LibraryModel& rows) {
                  .stamp = report_stamp(),
                  .language = reportLanguage()};
   const std::vector<ProjectClip>& clips = library.project().clips;
+  QHash<QString, int> clips_of_name;
+  for (int row = 0; row < rows.rowCount(); ++row) ++clips_of_name[rows.entry(row).name()];
   for (std::size_t row = 0; row < clips.size(); ++row) {
     const ProjectClip& clip = clips[row];
     const LibraryEntry& entry = rows.entry(static_cast<int>(row));
-    SignOffClip one{.name = entry.name().toStdString(),
+    QString name = entry.name();
+    if (clips_of_name[name] > 1)
+      name.prepend(QFileInfo(clip.path).dir().dirName() + QLatin1Char('/'));
+    SignOffClip one{.name = name.toStdString(),
                     .path = clip.path.toStdString(),
                     .take = clip.reading.take.value_or(std::string()),
                     .sample_rate_hz = entry.sample_rate_hz,
@@ -111,6 +120,8 @@ void SignOffExport::choose() {
   dialog->setDefaultSuffix(kinds.front());
   if (!library_->path().isEmpty() && !library_->name().isEmpty())
     dialog->setDirectory(QFileInfo(library_->path()).dir());
+  else
+    dialog->setDirectory(library_->clipFolder());
   dialog->selectFile(name + QLatin1String(".html"));
   connect(dialog, &QFileDialog::filterSelected, dialog, [=](const QString& filter) {
     const QString kind = kinds.value(filters.indexOf(filter));
