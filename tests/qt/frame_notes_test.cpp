@@ -279,10 +279,14 @@ TEST(ReviewQueue, TellsHowManyAreReviewed) {
   EXPECT_FALSE(wantsReview(unreadable));
   clips.push_back(unreadable);
   model.setEntries(clips);
+  bar.resize(400, 30);
   EXPECT_TRUE(QTest::qWaitFor(
       [&] { return bar.progress()->text() == QStringLiteral("2 of 4 reviewed, 1 rejected"); },
       kPatience))
       << qPrintable(bar.progress()->text());
+  bar.resize(150, 30);
+  EXPECT_EQ(bar.progress()->text(), QStringLiteral("2 of 4 reviewed"));
+  EXPECT_EQ(bar.progress()->toolTip(), QStringLiteral("2 of 4 reviewed, 1 rejected"));
   QSignalSpy asked(&bar, &ReviewBar::nextRequested);
   bar.next()->click();
   EXPECT_EQ(asked.count(), 1);

@@ -20,6 +20,8 @@
 namespace mocapress {
 namespace {
 
+constexpr int kRoomForShares = 520;
+
 /// Draws a bar behind a share, as long as it is beside the largest one.
 class BarDelegate : public QStyledItemDelegate {
  public:
@@ -67,8 +69,9 @@ BytesPanel::BytesPanel(ByteCostModel* model, QWidget* parent)
   auto* halves = new QSplitter(this);
   halves->addWidget(view_);
   halves->addWidget(makeSlopes());
-  halves->setStretchFactor(1, 1);
-  halves->setSizes({200, 200});  // room for names in a window of 1280
+  halves->setStretchFactor(0, 2);
+  halves->setStretchFactor(1, 3);
+  halves->setSizes({160, 240});  // room for names in a window of 1280
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(halves);
@@ -79,6 +82,12 @@ BytesPanel::BytesPanel(ByteCostModel* model, QWidget* parent)
               emit currentJointChanged(model_->jointOf(source.row()));
           });
   setState(false, false);
+}
+
+/// Leaves shares out where there would be no room for names.
+void BytesPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  view_->setColumnHidden(ByteCostModel::Share, width() < kRoomForShares);
 }
 
 QWidget* BytesPanel::makeSlopes() {

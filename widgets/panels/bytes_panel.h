@@ -49,6 +49,9 @@ class BytesPanel : public QWidget {
   void measureRequested();
   void applyRequested(int slope);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   QWidget* makeSlopes();
 

@@ -9,8 +9,8 @@
 #include <QVBoxLayout>
 #include <QtMath>
 
-#include "widgets/models/colours.h"
 #include "widgets/models/display_names.h"
+#include "widgets/models/library_model.h"
 #include "widgets/models/number_text.h"
 
 namespace mocapress {
@@ -242,14 +242,16 @@ void ResultPanel::setFigures(const std::optional<ResultFigures>& figures) {
   for (QLayout* each : {static_cast<QLayout*>(grid_), layout()}) each->activate();
 }
 
-/// Leads with the verdict, in its colour, and says why.
+/// Leads with the verdict, in the colour that library rows have for it, and says why.
 void ResultPanel::setSeen(const std::optional<SeenFigures>& seen) {
   seen_->setText(seen ? sightText(seen->sight, seen->distance_m) : kUnknown);
   reason_->setText(seen ? reasonText(*seen) : QString());
   for (QLabel* label : {seen_, reason_}) label->setVisible(seen.has_value());
   QPalette coloured = palette();
   if (seen && seen->sight != Sight::NotVisible)
-    coloured.setColor(QPalette::WindowText, sightColour(seen->sight));
+    coloured.setColor(
+        QPalette::WindowText,
+        colourOf(seen->sight == Sight::Visible ? RowState::Bad : RowState::Doubtful, palette()));
   seen_->setPalette(coloured);
 }
 

@@ -55,12 +55,26 @@ void ReviewBar::count() {
     ++reviewed;
     rejected += entry.review.verdict == Verdict::Rejected;
   }
-  const QString text = tr("%L1 of %L2 reviewed").arg(reviewed).arg(all);
-  progress_->setFormat(rejected == 0 ? text : tr("%1, %L2 rejected").arg(text).arg(rejected));
+  reviewed_ = tr("%L1 of %L2 reviewed").arg(reviewed).arg(all);
+  with_rejected_ = rejected == 0 ? reviewed_ : tr("%1, %L2 rejected").arg(reviewed_).arg(rejected);
+  progress_->setToolTip(with_rejected_);
+  showText();
   progress_->setRange(0, std::max(all, 1));
   progress_->setValue(reviewed);
   next_->setEnabled(waiting > 0);
   setVisible(all > 0);
+}
+
+/// Leaves out how many are rejected where there is no room.
+void ReviewBar::showText() {
+  const bool fits = fontMetrics().horizontalAdvance(with_rejected_) < progress_->width();
+  progress_->setFormat(fits ? with_rejected_ : reviewed_);
+}
+
+void ReviewBar::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  layout()->activate();
+  showText();
 }
 
 }  // namespace mocapress

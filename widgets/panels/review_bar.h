@@ -24,12 +24,18 @@ class ReviewBar : public QWidget {
  signals:
   void nextRequested();
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void count();
+  void showText();
 
   const LibraryModel* model_;
   QToolButton* next_;
   QProgressBar* progress_;
+  QString reviewed_;
+  QString with_rejected_;
   QTimer count_later_;  // delays counting: thousands of clips may change at once
 };
 
