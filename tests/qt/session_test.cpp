@@ -350,6 +350,27 @@ TEST_F(Studio, IsModifiedOnceTheUserChangesSomethingAndUntilItIsSaved) {
   EXPECT_FALSE(document_.modified());
 }
 
+TEST_F(Studio, IsNotModifiedByADistanceWhichJudgesTheSameFile) {
+  openAndSettle(writeClip("motion.bvh", 200));
+  const auto look_from = [&](double metres) {
+    EncodeSettings options = document_.options();
+    options.limits.distance_m = metres;
+    QSignalSpy judged(&document_, &Document::decodedChanged);
+    session_.setOptions(options);
+    ASSERT_TRUE(waitFor(judged));
+    ASSERT_EQ(document_.decoded()->visibility->limits.distance_m, metres);
+  };
+  look_from(2);
+  EXPECT_FALSE(document_.modified());
+  QSignalSpy settled(&session_, &Session::settled);
+  session_.setOptions(ratio(20));
+  ASSERT_TRUE(waitFor(settled));
+  EXPECT_TRUE(document_.modified());
+  saveAndWait(path("motion.mcpr"));
+  look_from(3);
+  EXPECT_FALSE(document_.modified());
+}
+
 TEST_F(Studio, ASaveThatFailsIsAMessage) {
   openAndSettle(writeClip("motion.bvh", 100));
   QSignalSpy failed(&session_, &Session::saveFailed);

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <utility>
 
+#include "app/jobs/result_cache.h"
 #include "app/studio/document/named_settings.h"
 #include "app/studio/document/settings_field.h"
 #include "core/codec/encode/track_encoder.h"
@@ -60,8 +61,10 @@ SourceFormat Document::source() const {
 }
 
 bool Document::modified() const {
+  const bool same_file = decoded_ == saved_ || (decoded_ && saved_ && !decoded_->file.empty() &&
+                                                decoded_->file == saved_->file);
   return touched_ && original_ &&
-         (decoded_ != saved_ ||
+         (!same_file ||
           (!original_->scalars.empty() && settings().track_error != saved_track_error_));
 }
 
@@ -191,10 +194,12 @@ void Document::setOptions(const EncodeSettings& options) {
 }
 
 void Document::setTuning(const Tuning& tuning) {
-  const bool same = firstDifference(settings(), tuning.now()) == SettingsField::None;
+  const ClipSettings before = settings();
   tuning_ = tuning;
-  if (same) return;
-  touched_ = true;
+  if (firstDifference(before, settings()) == SettingsField::None) return;
+  // Another distance or other limits judge the same file.
+  touched_ = touched_ || bytesKey(before.encode) != bytesKey(options()) ||
+             before.track_error != settings().track_error;
   emit optionsChanged();
 }
 
