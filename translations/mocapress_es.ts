@@ -1942,6 +1942,10 @@
             <numerusform>%Ln contactos: deriva media de los pies %1, peor %2; su recorrido es %3 más largo que el del original</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1, %L2 s, as a loop</source>
+        <translation>%1, %L2 s, como bucle</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::FiguresBar</name>

@@ -1942,6 +1942,10 @@
             <numerusform>%Ln contacts : les pieds dérivent de %1 en moyenne, de %2 au pire ; leur chemin est plus long de %3 que dans l&apos;original</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1, %L2 s, as a loop</source>
+        <translation>%1, %L2 s, en boucle</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::FiguresBar</name>

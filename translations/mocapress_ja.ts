@@ -1929,6 +1929,10 @@
             <numerusform>接地%Ln回：足のずれは平均%1、最大%2。軌跡は元より%3長い</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1, %L2 s, as a loop</source>
+        <translation>%1、%L2 s、ループ</translation>
+    </message>
 </context>
 <context>
     <name>mocapress::FiguresBar</name>

@@ -8,6 +8,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
+#include "app/studio/compare/figures.h"
 #include "app/studio/document/session.h"
 #include "core/formats/motion_file.h"
 #include "resources/samples/generator/samples.h"
@@ -101,6 +102,12 @@ TEST_F(RangeActionsOnAWalk, SayWhetherTheClipIsALoop) {
   EXPECT_TRUE(entriesOf(actions_.loop())[1]->isChecked());
   entriesOf(actions_.loop())[0]->trigger();
   EXPECT_FALSE(options().loop);
+  for (const bool is_loop : {true, false}) {
+    QSignalSpy settled(&session_, &Session::settled);
+    session_.setLoop(is_loop ? Loop::Follows : Loop::None);
+    ASSERT_TRUE(settled.count() > 0 || settled.wait(kPatience));
+    EXPECT_EQ(stateOf(session_.document()).endsWith(QStringLiteral("as a loop")), is_loop);
+  }
 }
 
 }  // namespace

@@ -94,7 +94,8 @@ QString stateOf(const Document& document) {
     return Figures::tr("%1, %Ln iteration(s), %L2 s", nullptr, decoded.iterations.value_or(0))
         .arg(displayMethod(decoded))
         .arg(decoded.encode_seconds, 0, 'f', 1);
-  return Figures::tr("%1, %L2 s")
+  return (decoded.compressed.loop == Loop::None ? Figures::tr("%1, %L2 s")
+                                                : Figures::tr("%1, %L2 s, as a loop"))
       .arg(displayMethod(decoded))
       .arg(decoded.encode_seconds, 0, 'f', 2);
 }
