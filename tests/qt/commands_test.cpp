@@ -53,6 +53,15 @@ class Commands : public testing::Test {
   std::vector<Command> commands_;
 };
 
+TEST_F(Commands, KeepTheirNamesInListsOfKeysWhateverTheyAreAboutToDo) {
+  EXPECT_EQ(nameOf(*near_), QStringLiteral("Go Near"));
+  near_->setProperty(kLastingName, QStringLiteral("Go &Near…"));
+  near_->setText(QStringLiteral("Go &Near the Left Hand"));
+  EXPECT_EQ(nameOf(*near_), QStringLiteral("Go Near"));
+  KeyboardMap map(commands_, nullptr);
+  EXPECT_EQ(map.findChild<QTreeWidget*>()->topLevelItem(0)->text(0), QStringLiteral("Go Near"));
+}
+
 TEST_F(Commands, AreThoseOfAllMenusInTheirOrder) {
   ASSERT_EQ(commands_.size(), 3u);
   EXPECT_EQ(commands_[0].action, near_);

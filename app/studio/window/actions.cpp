@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/studio/window/commands.h"
 #include "core/report/review_page.h"
 #include "widgets/icons/themed_icon.h"
 
@@ -135,9 +136,11 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
   actions.quit = make(window, Texts::tr("&Quit"), QKeySequence::Quit);
   actions.undo = history->createUndoAction(window, Texts::tr("&Undo"));
   actions.undo->setShortcut(QKeySequence::Undo);
+  actions.undo->setProperty(kLastingName, Texts::tr("&Undo"));
   actions.undo->setIcon(themedIcon(QStringLiteral("undo")));
   actions.redo = history->createRedoAction(window, Texts::tr("&Redo"));
   actions.redo->setShortcut(QKeySequence::Redo);
+  actions.redo->setProperty(kLastingName, Texts::tr("&Redo"));
   actions.redo->setIcon(themedIcon(QStringLiteral("redo")));
   actions.next_worst =
       make(window, Texts::tr("Next &Worst Frame"), Qt::Key_N, QStringLiteral("worst"));

@@ -39,6 +39,11 @@ QString plainText(QString text) {
   return text.remove(letter);
 }
 
+QString nameOf(const QAction& action) {
+  const QVariant name = action.property(kLastingName);
+  return plainText(name.isValid() ? name.toString() : action.text());
+}
+
 std::vector<Command> commandsOf(const QMenuBar& menus) {
   std::vector<Command> commands;
   for (const QAction* top : menus.actions())

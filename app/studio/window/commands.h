@@ -20,6 +20,12 @@ struct Command {
 /// All commands of the menus, in their order. Menus that are filled when they open are left out.
 std::vector<Command> commandsOf(const QMenuBar& menus);
 
+/// The lasting name of a command whose text names what it is about to do, such as a step to undo.
+inline constexpr const char* kLastingName = "name";  // property of its action
+
+/// The name of a command in lists of keys.
+QString nameOf(const QAction& action);
+
 /// A text of a menu or action without the & before its letter and the dots after it.
 QString plainText(QString text);
 

@@ -28,7 +28,7 @@ QString rowsOf(const QMenu& menu) {
     if (action->menu()) rows += rowsOf(*action->menu());
     if (action->shortcut().isEmpty()) continue;
     rows += QStringLiteral("<tr><td>%1</td><td>&nbsp;&nbsp;<b>%2</b></td></tr>")
-                .arg(plainText(action->text()).toHtmlEscaped(),
+                .arg(nameOf(*action).toHtmlEscaped(),
                      action->shortcut().toString(QKeySequence::NativeText).toHtmlEscaped());
   }
   return rows;

@@ -77,8 +77,8 @@ KeyboardMap::KeyboardMap(std::vector<Command> commands, QWidget* parent)
   connect(all, &QPushButton::clicked, this, &KeyboardMap::resetAll);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
   for (std::size_t i = 0; i < commands_.size(); ++i) {
-    auto* item = new QTreeWidgetItem(
-        list_, {plainText(commands_[i].action->text()), commands_[i].menus, QString()});
+    auto* item =
+        new QTreeWidgetItem(list_, {nameOf(*commands_[i].action), commands_[i].menus, QString()});
     item->setForeground(1, palette().color(QPalette::PlaceholderText));
   }
   fill();
@@ -136,7 +136,7 @@ void KeyboardMap::showConflict() {
   assign_->setEnabled(command && !key.isEmpty() && key != command->action->shortcut());
   const Command* holder = command ? holderOf(key, commands_, command->action) : nullptr;
   conflict_->setText(holder ? tr("%1 belongs to “%2”, which loses it when you assign it.")
-                                  .arg(keyText(key), plainText(holder->action->text()))
+                                  .arg(keyText(key), nameOf(*holder->action))
                             : QString());
 }
 
