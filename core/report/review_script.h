@@ -8,9 +8,9 @@ inline constexpr const char* kReviewTexts[] = {
     "View", "%1 cannot be shown: %2", "%1 cannot be loaded", "Previous clip", "Next clip",
     // core/report/viewer/viewer.js
     "Loading", "Frame", "Key: %1", "Play", "Pause", "Overlay", "Side by side", "Wipe", "Swap",
-    "Original", "Compressed",
-    "Colour by error", "Follow", "Worst frame before", "Next worst frame", "Reset camera",
-    "Frame %1 of %2, %3 s.", "On the bones, %1 is %2 cm off.", "The lightest colour is %1 cm."};
+    "Original", "Compressed", "Colour by error", "Follow", "Worst frame before", "Next worst frame",
+    "Reset camera", "Frame %1 of %2, %3 s.", "On the bones, %1 is %2 cm off.",
+    "The lightest colour is %1 cm."};
 
 /// Unpacks the viewer when the first clip is opened, and clips from the page or from scripts beside
 /// it. Neither < nor & may occur here, since pages are XML too.
