@@ -18,6 +18,7 @@ import unittest
 import zipfile
 
 ZIP, LINUX, SAMPLES = map(os.path.abspath, sys.argv[1:4])
+EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "core/runtime/example"
 WINE = shutil.which("wine64")
 PATIENCE_S = 300
 
@@ -87,9 +88,21 @@ class Package(unittest.TestCase):
         made = {file.name for file in (prefix / "drive_c" / "compressed").rglob("*") if file.is_file()}
         self.assertLessEqual({"walk.mcpr", "report.html", "report.csv"}, made)
 
-    def test_runtime_compiles_alone(self):
-        run(["x86_64-w64-mingw32-g++-posix", "-std=c++20", "-O0", "-c", "mocapress_runtime.cpp", "-o",
-             self.folder / "runtime.o"], cwd=self.package / "runtime")
+    def test_runtime_plays_in_the_examples_as_on_linux(self):
+        runtime, compiled = self.package / "runtime", self.folder / "runtime.o"
+        clip, bank = EXAMPLES / "walk.mcpr", self.folder / "walk.mcpk"
+        run([LINUX, "bank", "make", bank, clip, "--cooked"])
+        said = []
+        for compilers, launcher in ((["x86_64-w64-mingw32-g++-posix", "x86_64-w64-mingw32-gcc-posix"], [WINE]),
+                                    (["g++", "gcc"], [])):
+            run([compilers[0], "-std=c++20", "-O0", "-ffp-contract=off", "-c", runtime / "mocapress_runtime.cpp", "-o", compiled])
+            for name, arguments in (("play", [clip]), ("crowd", [bank, 5])):
+                program = self.folder / f"{name}.exe"
+                run([compilers[1], "-std=c11", "-Wall", "-Wextra", "-Wconversion", "-Werror", f"-I{runtime}",
+                     EXAMPLES / f"{name}.c", compiled, "-static", "-lstdc++", "-lm", "-o", program])
+                said.append(run([*launcher, program, *arguments]).replace(b"\r\n", b"\n"))
+        self.assertIn(b"2 s: 4 plays walk at ", said[1])
+        self.assertEqual(said[:2], said[2:])
 
 
 if __name__ == "__main__":

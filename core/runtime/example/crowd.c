@@ -3,13 +3,11 @@
  * instant on; those further away leave out the finest bands. Prints where each character's root is
  * after every second. All that an engine does is in map_bank() and pose_all(). */
 #define _POSIX_C_SOURCE 200809L
-#include <fcntl.h>
 #include <mocapress_runtime.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
+
+#include "system.h"
 
 typedef struct character {
   const mcpr_cooked* clip; /* in the bank's memory */
@@ -29,7 +27,7 @@ static void check(mcpr_status status) {
 }
 
 static void* or_exit(void* memory, const char* what) {
-  if (memory != NULL && memory != MAP_FAILED) return memory;
+  if (memory != NULL) return memory;
   perror(what);
   exit(1);
 }
@@ -37,20 +35,19 @@ static void* or_exit(void* memory, const char* what) {
 /* Mapped from disk and used as it is: a clip takes memory when it is first sampled. The bank is
  * somebody else's file, so that every byte is checked; one's own need not be. */
 static const mcpk_bank* map_bank(const char* path) {
-  struct stat file;
-  const int descriptor = open(path, O_RDONLY);
-  if (descriptor < 0 || fstat(descriptor, &file) != 0 || file.st_size == 0) or_exit(NULL, path);
-  const size_t size = (size_t)file.st_size;
+  size_t size = 0;
+  const void* memory = map_file(path, &size);
+  if (memory == NULL) {
+    fprintf(stderr, "crowd: %s cannot be mapped, or is empty\n", path);
+    exit(1);
+  }
   const mcpk_bank* bank = NULL;
-  check(mcpk_open(or_exit(mmap(NULL, size, PROT_READ, MAP_PRIVATE, descriptor, 0), path), size, 1,
-                  &bank, &report));
-  close(descriptor); /* the mapping stays */
+  check(mcpk_open(memory, size, 1, &bank, &report));
   return bank;
 }
 
-static void* aligned(size_t size) { /* for MCPR_ALIGNMENT */
-  const size_t rounded = (size + MCPR_ALIGNMENT - 1) / MCPR_ALIGNMENT * MCPR_ALIGNMENT;
-  return or_exit(aligned_alloc(MCPR_ALIGNMENT, rounded), "memory");
+static void* aligned(size_t size) {
+  return or_exit(take_memory(size, MCPR_ALIGNMENT), "memory");
 }
 
 /* An engine keeps the array and the scratch memory from frame to frame. Threads may pose a slice of
@@ -78,8 +75,8 @@ static void pose_all(const character* crowd, uint32_t count, double seconds) {
   void* pose_scratch = aligned(pose_size);
   check(mcpr_sort_crowd(&request, all, count, sort_scratch, sort_size, &report));
   check(mcpr_sample_crowd(&request, all, count, pose_scratch, pose_size, &report));
-  free(pose_scratch);
-  free(sort_scratch);
+  give_back(pose_scratch);
+  give_back(sort_scratch);
   free(all);
 }
 

@@ -7,8 +7,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
-#include <unistd.h>
+
+#include "system.h"
 
 enum { COLUMNS = 64, ROWS = 30 };
 static const float kCmPerRow = 7;
@@ -23,8 +23,7 @@ static void check(mcpr_status status) {
 }
 
 static void* memory_of(size_t size) {
-  const size_t whole = (size + MCPR_ALIGNMENT - 1) / MCPR_ALIGNMENT * MCPR_ALIGNMENT;
-  void* memory = aligned_alloc(MCPR_ALIGNMENT, whole > 0 ? whole : MCPR_ALIGNMENT);
+  void* memory = take_memory(size > 0 ? size : MCPR_ALIGNMENT, MCPR_ALIGNMENT);
   if (memory == NULL) exit(1);
   return memory;
 }
@@ -48,8 +47,8 @@ static const mcpr_clip* open_clip(const char* path) {
   check(mcpr_read(file, size, NULL, scratch, info.read_bytes, &resident_bytes, &report));
   void* resident = memory_of(resident_bytes);
   check(mcpr_build(scratch, info.read_bytes, resident, resident_bytes, &clip, &report));
-  free(scratch);
-  free(file);
+  give_back(scratch);
+  give_back(file);
   return clip;
 }
 
@@ -73,7 +72,7 @@ int main(int argc, char** argv) {
   const size_t scratch_bytes = mcpr_scratch_bytes(clip, &request);
   void* scratch = memory_of(scratch_bytes);
   float* positions = malloc(mcpr_frame_values(clip, &request) * sizeof(float));
-  const int terminal = isatty(STDOUT_FILENO);
+  const int terminal = prints_to_a_terminal();
   const double frames_a_second = terminal ? 25 : 1;
   const double step = info.sample_rate / frames_a_second; /* may fall between frames */
   for (double frame = 0; frame <= (double)info.frames - 1; frame += step) {
@@ -90,8 +89,7 @@ int main(int argc, char** argv) {
     for (int row = 0; row < ROWS; ++row) printf("%.*s\n", COLUMNS, screen[row]);
     printf("%ld ms\n", lrint(1000 * frame / info.sample_rate));
     fflush(stdout);
-    const struct timespec pause = {0, 1000000000L / 25};
-    if (terminal) nanosleep(&pause, NULL);
+    if (terminal) wait_for(1000 / 25);
   }
   return 0;
 }
