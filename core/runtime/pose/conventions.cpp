@@ -10,19 +10,29 @@ namespace {
 
 constexpr std::int8_t kOwnAxes[3] = {1, 2, 3};
 
-/// The numbers of one joint in a pose that is not of matrices.
-struct JointNumbers {
+/// The numbers of one joint in a pose of arrays.
+struct InArrays {
   float* rotation;  // w x y z
   float* translation;
   std::size_t stride;  // from one number to the next
 
-  JointNumbers(mcpr_layout layout, std::uint32_t joints, std::uint32_t joint, float* pose)
-      : rotation(layout == MCPR_ARRAYS ? pose + joint : pose + std::size_t{8} * joint),
-        translation(rotation + (layout == MCPR_ARRAYS ? std::size_t{4} * joints : 4)),
-        stride(layout == MCPR_ARRAYS ? joints : 1) {}
+  InArrays(std::uint32_t joints, std::uint32_t joint, float* pose)
+      : rotation(pose + joint), translation(rotation + std::size_t{4} * joints), stride(joints) {}
 };
 
-void place_in_parent(const JointNumbers& parent, const JointNumbers& joint) {
+/// The numbers of one joint in a pose of transforms. They lie side by side, which the compiler has
+/// to know for loops over them to be fast.
+struct InTransforms {
+  float* rotation;
+  float* translation;
+  static constexpr std::size_t stride = 1;
+
+  InTransforms(std::uint32_t, std::uint32_t joint, float* pose)
+      : rotation(pose + std::size_t{8} * joint), translation(rotation + 4) {}
+};
+
+template <typename Joint>
+void place_in_parent(const Joint& parent, const Joint& joint) {
   float p[4], q[4], t[3];
   for (std::size_t i = 0; i < 4; ++i) {
     p[i] = parent.rotation[i * parent.stride];
@@ -76,7 +86,8 @@ struct AxisMap {
   }
 };
 
-void convert(const AxisMap& map, float length, bool w_last, const JointNumbers& joint) {
+template <typename Joint>
+void convert(const AxisMap& map, float length, bool w_last, const Joint& joint) {
   const std::size_t stride = joint.stride;
   float q[4], t[3];
   for (std::size_t i = 0; i < 4; ++i) q[i] = joint.rotation[i * stride];
@@ -124,8 +135,10 @@ void place_in_model(mcpr_layout layout, const std::int16_t* parents, std::uint32
     const auto parent = static_cast<std::uint32_t>(parents[j]);
     if (layout == MCPR_MATRICES)
       multiply(pose + std::size_t{12} * parent, pose + std::size_t{12} * j);
+    else if (layout == MCPR_ARRAYS)
+      place_in_parent(InArrays(joints, parent, pose), InArrays(joints, j, pose));
     else
-      place_in_parent({layout, joints, parent, pose}, {layout, joints, j, pose});
+      place_in_parent(InTransforms(joints, parent, pose), InTransforms(joints, j, pose));
   }
 }
 
@@ -136,8 +149,10 @@ void convert(const mcpr_convention& convention, mcpr_layout layout, std::uint32_
   for (std::uint32_t j = 0; j < joints; ++j)
     if (layout == MCPR_MATRICES)
       convert(map, length, pose + std::size_t{12} * j);
+    else if (layout == MCPR_ARRAYS)
+      convert(map, length, convention.w_last != 0, InArrays(joints, j, pose));
     else
-      convert(map, length, convention.w_last != 0, {layout, joints, j, pose});
+      convert(map, length, convention.w_last != 0, InTransforms(joints, j, pose));
 }
 
 }  // namespace mocapress::runtime
