@@ -148,7 +148,7 @@ struct BankFilling {
     command
         .add_option("--detail-bands", detail_bands,
                     "Cooked banks: how many of the finest bands stay details. With 2 a pose takes "
-                    "three quarters of the time, and clips 1.5 times the bytes [4 or 5, "
+                    "three quarters of the time, and clips 1.5 to 3.5 times the bytes [4 or 5, "
                     "whichever takes fewer bytes]")
         ->type_name("N")
         ->check(CLI::Range(1, MCPR_MOST_DETAIL_BANDS));
