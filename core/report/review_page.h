@@ -50,7 +50,7 @@ struct ReviewNote {
   std::string text;
 };
 
-/// What reviewers said of a clip: verdict and note of the whole clip, and notes on frames.
+/// Remarks of reviewers on a clip: verdict and note of the whole clip, and notes on frames.
 struct ReviewRemarks {
   std::vector<std::string> texts;
   std::vector<ReviewNote> notes;
