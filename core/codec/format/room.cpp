@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/runtime/format/format_limits.h"
+#include "core/runtime/format/kinds.h"
 
 namespace mocapress {
 namespace {
