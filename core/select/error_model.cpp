@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/select/error_model.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cassert>

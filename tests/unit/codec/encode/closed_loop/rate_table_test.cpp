@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
+
 #include "core/base/random.h"
 
 namespace mocapress {
