@@ -54,16 +54,16 @@ def windows():
 
 
 def wait_for(found):
-    """What `found` returns once it is not None. The studio works on meanwhile: a walk whose item goes away starts anew."""
+    """Returns the first result of `found` that is not None. A walk whose item the studio removes meanwhile starts anew."""
     end = time.monotonic() + PATIENCE
-    reason = "no such window"
+    reason = "no such window or menu"
     while time.monotonic() < end:
         try:
             if (result := found()) is not None:
                 return result
         except GLib.GError as error:
             reason = error
-            Atspi.get_desktop(0).clear_cache()
+        Atspi.get_desktop(0).clear_cache()
         time.sleep(0.1)
     sys.exit(f"the studio on AT-SPI's bus: {reason}")
 
@@ -78,9 +78,15 @@ def faults(window):
             yield "without a purpose: " + " > ".join(place)
 
 
+def menu_of(window):
+    """The menu items by name; None as long as one is missing that the test needs."""
+    items = {item.get_name(): item for item, _ in below(window) if item.get_role() == Atspi.Role.MENU_ITEM}
+    return items if items.keys() >= set(MENU_ITEMS) else None
+
+
 def test(clip):
     main = wait_for(lambda: next((window for window in windows() if clip in window.get_name()), None))
-    menu = wait_for(lambda: {item.get_name(): item for item, _ in below(main) if item.get_role() == Atspi.Role.MENU_ITEM})
+    menu = wait_for(lambda: menu_of(main))
     for count, name in enumerate(MENU_ITEMS, start=2):
         menu[name].do_action(0)
         wait_for(lambda count=count: True if len(windows()) == count else None)
