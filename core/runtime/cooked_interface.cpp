@@ -404,6 +404,10 @@ mcpr_status mcpr_sample(const mcpr_cooked* cooked, const mcpr_sample_request* re
   return runtime::tell(report, runtime::sample_checked(cooked, request, time, out, nullptr));
 }
 
+void mcpr_prefetch_hint(const mcpr_cooked* cooked, size_t bytes) {
+  if (cooked != nullptr) runtime::prefetch(reinterpret_cast<const std::byte*>(cooked), bytes);
+}
+
 size_t mcpr_cursor_bytes(const mcpr_cooked* cooked) {
   return runtime::is_cooked(cooked) ? mcpr_cursor::bytes_for(*cooked) : 0;
 }

@@ -121,6 +121,7 @@ typedef struct mcpr_info {
                           segment plus motion_bytes */
   float error;         /* cm, RMS against the original when encoded, with the tiers that the limits
                           ask for; 0: not known. Informative */
+  float max_error;     /* cm, the largest of any point at any frame. Likewise */
   uint32_t tiers;      /* number in the whole file; 1: it can be read only as a whole */
 } mcpr_info;
 
@@ -488,6 +489,12 @@ MCPR_API size_t mcpr_sample_scratch_bytes(const mcpr_cooked* cooked,
  * all paths give the same bits. */
 MCPR_API mcpr_status mcpr_sample(const mcpr_cooked* cooked, const mcpr_sample_request* request,
                                  double time, void* out, mcpr_result* report);
+
+/* Asks the processor for the first `bytes` of a cooked clip, mcpr_cooked_info.bytes for all, and
+ * does not wait for them. For a clip that was not sampled for a while: ask for it while another is
+ * sampled, and it takes half of the time, see SAMPLING.md. mcpr_sample_crowd asks for its clips
+ * itself. Changes nothing; null is ignored. */
+MCPR_API void mcpr_prefetch_hint(const mcpr_cooked* cooked, size_t bytes);
 
 /* A cursor caches some frames of a clip around the last instant, which makes playing forwards or
  * backwards faster. Each player needs its own. Instants may be asked for in any order, and the

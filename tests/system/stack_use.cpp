@@ -285,6 +285,7 @@ void sample(const mcpr_cooked* cooked) {
         for (double frame = 0.3; frame < info.frames; frame += last / 40) {
           mcpr_writer writer{[](void*, std::uint32_t, const mcpr_transform*) {}, nullptr};
           void* const to = layout == MCPR_WRITER ? static_cast<void*>(&writer) : out.data();
+          use("mcpr_prefetch_hint", [&] { return mcpr_prefetch_hint(cooked, info.bytes), 0; });
           measure("mcpr_sample", [&] { return mcpr_sample(cooked, &request, frame, to, nullptr); });
           measure("mcpr_sample_next",
                   [&] { return mcpr_sample_next(cursor, &request, frame, to, nullptr); });

@@ -295,9 +295,10 @@ mcpr_result find_read_bytes(const FileSections& sections, const mcpr_limits& lim
 }
 
 mcpr_info info_of(const FileSections& sections, std::uint64_t read_bytes) {
-  const float error = sections.bands_left_out() == 0
-                          ? sections.eps_cm
-                          : sections.tiers.tier[sections.tiers_read - 1].eps_cm;
+  const bool is_whole = sections.bands_left_out() == 0;
+  const Tier& last = sections.tiers.tier[std::max(sections.tiers_read, 1) - 1];
+  const float error = is_whole ? sections.eps_cm : last.eps_cm;
+  const float max_error = is_whole ? sections.max_error_cm : last.max_error_cm;
   return {.sample_rate = sections.sample_rate,
           .frames = sections.frames,
           .joints = sections.joints,
@@ -306,6 +307,7 @@ mcpr_info info_of(const FileSections& sections, std::uint64_t read_bytes) {
           .motion_bytes = sections.motion_bytes(),
           .read_bytes = static_cast<std::size_t>(read_bytes),
           .error = error > 0 ? error : 0,
+          .max_error = max_error > 0 ? max_error : 0,
           .tiers = static_cast<std::uint32_t>(std::max(sections.tiers.count, 1))};
 }
 

@@ -150,7 +150,7 @@ void PoseCrowd::pose(const mcpr_crowd_request& request, const mcpr_character* ch
       const Together lifted = together(characters, i, ahead);
       if (lifted.count == 0) {
         if (i + 1 < ahead && characters[i + 1].clip != characters[i].clip)
-          prefetch_clip(characters[i + 1].clip);
+          prefetch_next(*characters[i + 1].clip);
         pose_one(i++, nullptr);
         continue;
       }

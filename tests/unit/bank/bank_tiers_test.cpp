@@ -114,6 +114,26 @@ TEST_F(BankTiersTest, PlayAsTheFilesDo) {
     }
 }
 
+TEST_F(BankTiersTest, StateTheErrorsOfTheTiersAsked) {
+  const BankFile made(bank());
+  for (std::uint32_t clip = 0; clip < made.clips(); ++clip)
+    for (int tiers = 1; tiers <= kTiers; ++tiers) {
+      const std::string name = made.entry(clip).name;
+      const std::vector<std::byte> single = file(name);
+      const bool is_whole = tiers >= std::max(sections_of(single).tiers.count, 1);
+      mcpr_limits limits = limits_of(tiers);
+      mcpr_info info;
+      ASSERT_EQ(mcpk_inspect(&made.bank(), clip, &limits, &info, nullptr), MCPR_OK);
+      EXPECT_EQ(info.error, is_whole ? sections_of(single).eps_cm : 1) << name << ' ' << tiers;
+      EXPECT_EQ(info.max_error, is_whole ? sections_of(single).max_error_cm : 2) << name;
+      mcpr_info of_file;
+      limits.tiers = static_cast<std::uint32_t>(tiers_of(name, tiers));
+      ASSERT_EQ(mcpr_inspect(single.data(), single.size(), &limits, &of_file, nullptr), MCPR_OK);
+      EXPECT_EQ(of_file.error, info.error);
+      EXPECT_EQ(of_file.max_error, info.max_error);
+    }
+}
+
 TEST_F(BankTiersTest, AStrippedBankPlaysTheTiersThatItHas) {
   const std::vector<std::byte> whole = read_bytes(bank());
   for (int tiers = 1; tiers <= kTiers; ++tiers) {

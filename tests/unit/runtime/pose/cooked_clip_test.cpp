@@ -390,6 +390,17 @@ TEST_F(CookedPaths, SelectionsMatchLists) {
   }
 }
 
+TEST_F(CookedPaths, GiveTheSamePosesAfterAPrefetchHint) {
+  const std::vector<float> before = cooked_.sample({}, 17.3);
+  mcpr_cooked_info info;
+  mcpr_cooked_describe(cooked_.clip, &info);
+  for (const std::size_t bytes : {std::size_t{0}, std::size_t{1}, info.bytes, 2 * info.bytes}) {
+    mcpr_prefetch_hint(cooked_.clip, bytes);
+    EXPECT_EQ(cooked_.sample({}, 17.3), before) << bytes;
+  }
+  mcpr_prefetch_hint(nullptr, info.bytes);
+}
+
 TEST_F(CookedPaths, RefuseUnsuitableSelections) {
   const std::uint16_t joints[] = {1, 0, 1};
   const mcpr_selection* made = nullptr;
