@@ -11,8 +11,9 @@
 // sse2_...: ours by SSE2, for which ACL is compiled too, except in mocapress-peer-study-avx.
 // --times: prints times only. --game: uses game-like rigs (tests/support/game_like.h).
 // --detail-bands: how many our cooked form keeps, as in mcpr_cook_options.
+// --write: only writes the clips that --times times into a folder, for neon_counts.py.
 // Usage: mocapress-peer-study CLIP|FOLDER... [--every N] [--game] [--json] [--no-max] [--times]
-//          [--detail-bands N]
+//          [--detail-bands N] [--write FOLDER]
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -30,6 +31,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "core/base/kept_memory.h"
 #include "core/base/number_text.h"
 #include "core/base/one_thread.h"
@@ -134,6 +136,25 @@ Json encoding_speeds(const Motion& motion, double precision, double shell_rms) {
   };
   return {{"acl_encode_frames_per_second", speed(of_theirs)},
           {"encode_frames_per_second", speed(of_ours)}};
+}
+
+/// Writes the clip as ACL's block (.acl), and ours at equal shell RMS, cooked by default (.cooked)
+/// and with two detail bands (.two_bands), beside `path` without its extension.
+void write_clips(const Motion& motion, fs::path path) {
+  const Encoder encoder(motion);
+  const AclClip acl(motion, kTimedPrecision);
+  const double shell_rms =
+      measure(motion.skeleton, encoder.original_body(), acl.tracks(motion.skeleton)).shell.rms;
+  const test::OpenedClip opened(write_container(
+      encode(encoder, Weighting::Shell, {Target::Kind::Error, shell_rms}).compressed));
+  if (opened.clip == nullptr) throw Error(opened.result.message);
+  write_bytes(path.replace_extension("acl"), acl.block());
+  for (const std::uint32_t bands : {0U, 2U}) {
+    const test::CookedClip cooked(opened.clip, {.detail_bands = bands});
+    if (cooked.clip == nullptr) throw Error(cooked.result.message);
+    write_bytes(path.replace_extension(bands == 0 ? "cooked" : "two_bands"),
+                {cooked.bytes->data(), cooked.bytes->size()});
+  }
 }
 
 /// Times of local transforms of all joints on one thread: at a random instant, forwards at 60 Hz
@@ -311,6 +332,7 @@ int run(int count, char** arguments) {
   bool with_max = true;
   bool only_times = false;
   std::uint32_t detail_bands = 0;
+  fs::path written;  // the folder to write clips into, or empty
   for (int i = 1; i < count; ++i) {
     const std::string_view word = arguments[i];
     if (word == "--json")
@@ -323,6 +345,8 @@ int run(int count, char** arguments) {
       only_times = true;
     else if (word == "--detail-bands" && i + 1 < count)
       detail_bands = static_cast<std::uint32_t>(std::atoi(arguments[++i]));
+    else if (word == "--write" && i + 1 < count)
+      written = arguments[++i];
     else if (word == "--every" && i + 1 < count)
       every = std::max(1, std::atoi(arguments[++i]));
     else
@@ -331,7 +355,7 @@ int run(int count, char** arguments) {
   if (clips.empty()) {
     std::cerr
         << "usage: mocapress-peer-study CLIP|FOLDER... [--every N] [--game] [--json] [--no-max] "
-           "[--times] [--detail-bands N]\n";
+           "[--times] [--detail-bands N] [--write FOLDER]\n";
     return 2;
   }
   constexpr std::array kMeasures = {"bytes_at_eps", "bytes_at_shell_rms", "bytes_at_shell_p99",
@@ -345,6 +369,10 @@ int run(int count, char** arguments) {
   for (const fs::path& path : clips) {
     Motion motion = thinned(read_motion(path).motion, every);
     if (on_game_rig) motion = test::game_like(motion);
+    if (!written.empty()) {
+      write_clips(motion, written / path.filename());
+      continue;
+    }
     const Encoder encoder(motion);
     for (const double precision : kPrecisions) {
       if (only_times && precision != kTimedPrecision) continue;
@@ -371,7 +399,7 @@ int run(int count, char** arguments) {
                         .c_str());
     }
   }
-  if (json) return 0;
+  if (json || !written.empty()) return 0;
   times.print();
   if (only_times) return 0;
   std::printf(
