@@ -137,8 +137,7 @@ struct PairWeights {
     }
   }
   Wholes times(Words8 first, Words8 second) const {
-    return {pair_products(zipped_low(first, second), words),
-            pair_products(zipped_high(first, second), words)};
+    return {low_products(first, second, words), high_products(first, second, words)};
   }
 };
 

@@ -112,15 +112,17 @@ struct Words8 {
   }
 };
 
-inline Words8 zipped_low(Words8 a, Words8 b) {
-  return {vzip1q_s16(a.lanes, b.lanes)};
-}
-inline Words8 zipped_high(Words8 a, Words8 b) {
-  return {vzip2q_s16(a.lanes, b.lanes)};
-}
 inline Ints4 pair_products(Words8 a, Words8 b) {
   return {vpaddq_s32(vmull_s16(vget_low_s16(a.lanes), vget_low_s16(b.lanes)),
                      vmull_high_s16(a.lanes, b.lanes))};
+}
+inline Ints4 low_products(Words8 a, Words8 b, Words8 pairs) {
+  const int32x4_t first = vmull_laneq_s16(vget_low_s16(a.lanes), pairs.lanes, 0);
+  return {vmlal_laneq_s16(first, vget_low_s16(b.lanes), pairs.lanes, 1)};
+}
+inline Ints4 high_products(Words8 a, Words8 b, Words8 pairs) {
+  const int32x4_t first = vmull_high_laneq_s16(a.lanes, pairs.lanes, 0);
+  return {vmlal_high_laneq_s16(first, b.lanes, pairs.lanes, 1)};
 }
 
 inline void transpose(Floats4& a, Floats4& b, Floats4& c, Floats4& d) {

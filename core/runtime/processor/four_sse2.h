@@ -121,17 +121,18 @@ struct Words8 {
   Words8 shifted_down(int bits) const { return {_mm_srli_epi16(lanes, bits)}; }
 };
 
-/// The words of a and b in turns: the first four of each, and the last four.
-inline Words8 zipped_low(Words8 a, Words8 b) {
-  return {_mm_unpacklo_epi16(a.lanes, b.lanes)};
-}
-inline Words8 zipped_high(Words8 a, Words8 b) {
-  return {_mm_unpackhi_epi16(a.lanes, b.lanes)};
-}
-
 /// a0 b0 + a1 b1, a2 b2 + a3 b3 ... No sum may exceed 32 bits.
 inline Ints4 pair_products(Words8 a, Words8 b) {
   return {_mm_madd_epi16(a.lanes, b.lanes)};
+}
+
+/// a0 v + b0 w, a1 v + b1 w ... for the first four words of a and b, and for the last four. `pairs`
+/// is v and w four times.
+inline Ints4 low_products(Words8 a, Words8 b, Words8 pairs) {
+  return {_mm_madd_epi16(_mm_unpacklo_epi16(a.lanes, b.lanes), pairs.lanes)};
+}
+inline Ints4 high_products(Words8 a, Words8 b, Words8 pairs) {
+  return {_mm_madd_epi16(_mm_unpackhi_epi16(a.lanes, b.lanes), pairs.lanes)};
 }
 
 /// Rows become columns.

@@ -104,14 +104,16 @@ struct Words8 {
   }
 };
 
-inline Words8 zipped_low(Words8 a, Words8 b) {
-  return {wasm_i16x8_shuffle(a.lanes, b.lanes, 0, 8, 1, 9, 2, 10, 3, 11)};
-}
-inline Words8 zipped_high(Words8 a, Words8 b) {
-  return {wasm_i16x8_shuffle(a.lanes, b.lanes, 4, 12, 5, 13, 6, 14, 7, 15)};
-}
 inline Ints4 pair_products(Words8 a, Words8 b) {
   return {wasm_i32x4_dot_i16x8(a.lanes, b.lanes)};
+}
+inline Ints4 low_products(Words8 a, Words8 b, Words8 pairs) {
+  const v128_t zipped = wasm_i16x8_shuffle(a.lanes, b.lanes, 0, 8, 1, 9, 2, 10, 3, 11);
+  return {wasm_i32x4_dot_i16x8(zipped, pairs.lanes)};
+}
+inline Ints4 high_products(Words8 a, Words8 b, Words8 pairs) {
+  const v128_t zipped = wasm_i16x8_shuffle(a.lanes, b.lanes, 4, 12, 5, 13, 6, 14, 7, 15);
+  return {wasm_i32x4_dot_i16x8(zipped, pairs.lanes)};
 }
 
 inline void transpose(Floats4& a, Floats4& b, Floats4& c, Floats4& d) {
