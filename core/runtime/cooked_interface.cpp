@@ -34,7 +34,7 @@ mcpr_cook_options options_or_none(const mcpr_cook_options* options) {
   return options != nullptr ? *options : mcpr_cook_options{};
 }
 
-/// Scratch memory for cooking: the builder and its work space.
+/// Scratch memory that cooking needs: the builder and its work space.
 std::uint64_t cooking_bytes(const mcpr_clip& clip, const mcpr_cook_options& options) {
   Memory memory;
   memory.take<CookedBuilder>(1);
@@ -42,7 +42,8 @@ std::uint64_t cooking_bytes(const mcpr_clip& clip, const mcpr_cook_options& opti
   return memory.used();
 }
 
-/// Constructs a builder in scratch memory, and lets it find the layout of the cooked clip.
+/// Constructs a builder in scratch memory, which chooses the layout of the cooked clip. Sets
+/// `bytes` to the size of that clip.
 mcpr_result prepare(const mcpr_clip* clip, const mcpr_cook_options* options, void* scratch,
                     std::size_t scratch_size, CookedBuilder*& builder, std::uint64_t& bytes) {
   if (!is_a_clip(clip)) return refused("no clip");
@@ -102,7 +103,7 @@ mcpr_result check_sample_request(const mcpr_cooked* clip, const mcpr_sample_requ
   return kOk;
 }
 
-/// Size of a selection: itself, its joints, their constant transforms, its tables.
+/// Size of a selection: its struct, its list of joints, their constant transforms and its tables.
 std::uint64_t selection_bytes(const mcpr_cooked& clip, std::uint32_t joint_count) {
   Memory memory;
   memory.take<mcpr_selection>(1);
@@ -119,7 +120,7 @@ mcpr_result check_scratch_of(const mcpr_cooked& clip, const mcpr_sample_request&
                                     "too little scratch memory");
 }
 
-/// Checks where and when a character of a checked request is posed.
+/// Checks the instant and the output of a sample request that is valid otherwise.
 mcpr_result check_instant(const mcpr_cooked& clip, const mcpr_sample_request& request, double time,
                           const void* out) {
   if (!std::isfinite(frame_of(clip, request.unit, time)) || out == nullptr)
@@ -142,7 +143,7 @@ mcpr_result sample_checked(const mcpr_cooked* clip, const mcpr_sample_request* r
   return kOk;
 }
 
-/// Checks all characters. The offset of a failure is the character's index.
+/// Checks all characters. If one is invalid, the offset of the failure is its index.
 mcpr_result check_crowd(const mcpr_crowd_request* request, const mcpr_character* characters,
                         std::uint32_t count) {
   if (request == nullptr) return refused("no request");
@@ -174,8 +175,8 @@ Rigid inverse(const Rigid& a) {
   return {back, back * (Vector3() - a.translation)};
 }
 
-/// The motion of one joint between two instants, or the part of it on the ground and about the axis
-/// that points up.
+/// The motion of one joint between two instants. With `on_ground`, only the part of it that moves
+/// on the ground and turns about the vertical axis.
 class JointMotion {
  public:
   JointMotion(const mcpr_cooked& clip, const mcpr_sample_request& request, std::uint16_t joint,
@@ -188,7 +189,8 @@ class JointMotion {
     request_.selection = nullptr;
     request_.parents = nullptr;
     request_.convention = nullptr;
-    // Only a clip whose first frame follows the last can blend back to its first frame.
+    // In a clip that is not a loop of kind Follows, MCPR_LOOP_BLEND takes the root straight back to
+    // its place in the first frame. That is no part of the motion: hold the last frame instead.
     if (request_.wrap == MCPR_LOOP_BLEND && clip.loop != LoopKind::Follows)
       request_.wrap = MCPR_LOOP_HOLD;
   }
@@ -230,20 +232,21 @@ class JointMotion {
     return placed(out);
   }
 
-  /// The joint's transform at the start of the next cycle: that of the last frame; or one frame
-  /// further, moving on as in the last frame, if the wrap has that.
+  /// The joint's transform where the next cycle starts. With MCPR_LOOP or MCPR_LOOP_BLEND in a loop
+  /// of kind Follows, that is one frame after the last, where a root has repeated its last step.
+  /// Otherwise it is the last frame's transform.
   Rigid end_of_turn() const {
     mcpr_transform out;
     const bool goes_on = clip_.loop == LoopKind::Follows &&
                          (request_.wrap == MCPR_LOOP || request_.wrap == MCPR_LOOP_BLEND);
     const PlaceInClip place{clip_.frames - 1.0, goes_on ? 1.0F : 0.0F};
     mcpr_sample_request moving = request_;
-    moving.stepped_count = 0;  // a root that steps goes on to the next cycle, too
+    moving.stepped_count = 0;  // a stepped root, too, moves on to the next cycle
     sample(clip_, *poses_of(request_.path), place, moving, out.rotation);
     return placed(out);
   }
 
-  /// The power of a transform by any whole number, also negative.
+  /// `turn` to the power of a whole number, which may be negative.
   static Rigid power(Rigid turn, double count) {
     if (count < 0) {
       turn = inverse(turn);

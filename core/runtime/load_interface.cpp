@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The part of the C interface that opens a file, or a clip of a packed bank, in one call, with an
-// allocator of the caller's.
+// The part of the C interface that opens a file, or a clip of a packed bank, in one call. Memory
+// comes from an allocator that the caller gives.
 #include "core/runtime/format/result.h"
 #include "core/runtime/mocapress_runtime.h"
 
 namespace mocapress::runtime {
 namespace {
 
-/// A piece of the allocator's memory, released at the end unless it is kept.
+/// Memory from the caller's allocator. The destructor releases it, unless keep() was called.
 class Allocated {
  public:
   Allocated(const mcpr_allocator& allocator, std::size_t size)
@@ -30,7 +30,8 @@ class Allocated {
   void* memory_;
 };
 
-/// Loads a clip by `inspect` and `read`, which know whether it is a file or in a packed bank.
+/// Loads a clip by calling `inspect` and `read`. These know whether the clip is a file or lies in a
+/// packed bank.
 template <typename Inspect, typename Read>
 mcpr_result load_by(const Inspect& inspect, const Read& read, const mcpr_allocator* allocator,
                     const mcpr_clip** clip) {
@@ -51,7 +52,7 @@ mcpr_result load_by(const Inspect& inspect, const Read& read, const mcpr_allocat
   return result;
 }
 
-/// Cooks the clip that `load` gives, and releases it.
+/// Loads a clip by calling `load`, cooks it, and releases the uncooked clip.
 template <typename Load>
 mcpr_result load_cooked_by(const Load& load, const mcpr_cook_options* options,
                            const mcpr_allocator* allocator, const mcpr_cooked** cooked) {

@@ -17,7 +17,7 @@ constexpr mcpr_result no_map(const char* message) {
   return failure(MCPR_ARGUMENT, 0, message);
 }
 
-/// The joints of a clip, wherever they are kept.
+/// The joints of a clip: a resident clip's own, or those of a skeleton item in a bank.
 class ClipJoints {
  public:
   explicit ClipJoints(const mcpr_clip* clip) : clip_(clip) {
@@ -56,7 +56,7 @@ ClipJoints joints_of(const mcpr_cooked* cooked) {
   return ClipJoints(is_cooked(cooked) ? cooked->skeleton() : BankSkeleton({nullptr, 0, 0}));
 }
 
-/// No joints if the bank is not a cooked one or has no such clip.
+/// Returns no joints if the bank is not a cooked one, or has no such clip.
 ClipJoints joints_of(const mcpk_bank* bank, std::uint32_t clip) {
   BankEntry entry;
   const bool is_there =

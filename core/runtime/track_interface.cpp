@@ -37,7 +37,8 @@ mcpr_result check_track_call(const mcpr_tracks* tracks, const mcpr_track_request
   return needed == 0 ? kOk : check_memory(scratch, size, needed, "too little scratch memory");
 }
 
-/// An instant of a request in frames: this close to a whole one, it is that, as for poses.
+/// Converts an instant of a request to frames. An instant within kAtFrame of a frame is rounded to
+/// that frame, as for poses.
 double frame_at(const mcpr_track_request& request, double time) {
   if (!(request.sample_rate > 0)) return time;
   const double frame = time * request.sample_rate;
@@ -49,7 +50,7 @@ Wrapping wrapping_of(const mcpr_tracks& tracks, const mcpr_track_request& reques
   return {static_cast<int>(tracks.frames), tracks.loop, request.wrap};
 }
 
-/// The frame whose values held tracks have at an instant.
+/// The frame whose value a held (piecewise constant) track has at an instant.
 std::uint32_t frame_held_at(const Wrapping& wrapping, double frame) {
   return static_cast<std::uint32_t>(wrapping.place(frame).frame);
 }
@@ -150,8 +151,8 @@ mcpr_status mcpr_track_changes(const mcpr_tracks* tracks, const mcpr_track_reque
     return tell(report, wrong_track("no such wrap, or the clip is not a loop"));
   const double first = std::floor(frame_at(*request, std::min(from, to)));
   const double last = std::floor(frame_at(*request, std::max(from, to)));
-  // Beyond what a double holds, the difference is no number; beyond 2^52 there is nothing between
-  // two frames.
+  // If both instants are beyond the range of doubles, last - first is not a number, so the
+  // comparison fails. Beyond 2^52 a double has no fractions, so `frame` +- 0.5 would be rounded.
   constexpr double kFurthest = 0x1p52;
   if (!std::isfinite(from) || !std::isfinite(to) || !(last - first <= double{kMostFrames}))
     return tell(report, wrong_track("no finite instants, or too many frames between them"));
@@ -161,7 +162,8 @@ mcpr_status mcpr_track_changes(const mcpr_tracks* tracks, const mcpr_track_reque
   const auto frames = static_cast<std::uint32_t>(last - first);
   const std::size_t asked = mcpr_track_values(tracks, request);
   for (std::uint32_t i = 0; i < frames; ++i) {
-    // Frames where values may change, on the way.
+    // The next frame on the way from `from` to `to`. Held tracks can change their value only at
+    // whole frames: compare the values half a frame before and half a frame after.
     const double frame = from <= to ? first + 1 + i : last - i;
     const std::uint32_t before = frame_held_at(wrapping, frame - 0.5);
     const std::uint32_t after = frame_held_at(wrapping, frame + 0.5);

@@ -16,15 +16,15 @@ mcpr_result check_checksum(const mcpk_bank& bank, const BankRegion& region, std:
              : failure(MCPR_DAMAGED, static_cast<std::size_t>(region.offset), message);
 }
 
-/// True if an item of a packed bank is a section, or valid learned priors. A section's contents are
-/// checked with each clip.
+/// True if an item of a packed bank is a section, or valid learned priors. The contents of a
+/// section are checked later, with each clip that uses it.
 bool is_part(const Bytes& item) {
   constexpr std::size_t kTag = 4;
   if (item.size < kTag || std::memcmp(item.data, kLearned, kTag) != 0) return item.size >= kTag;
   return !failed(check_learned({item.data + kTag, item.size - kTag, item.offset + kTag}));
 }
 
-/// True if an item is a valid set of tags, without duplicates.
+/// True if an item is a valid set of tags: ascending numbers of existing tags.
 bool is_tag_set(const mcpk_bank& bank, const Bytes& item) {
   if (item.size % sizeof(std::uint32_t) != 0) return false;
   std::int64_t before = -1;
@@ -61,7 +61,8 @@ mcpr_result check_items(const mcpk_bank& bank) {
   return kOk;
 }
 
-/// True if a gap holds only zeros, if it `is_there`, and is no longer than alignment requires.
+/// True if the gap between two parts of the bank is shorter than kCookedAlignment and holds only
+/// zeros. The bytes are not read unless `is_there`.
 bool is_padding(const mcpk_bank& bank, std::uint64_t from, std::uint64_t to, bool is_there = true) {
   if (to < from || to - from >= kCookedAlignment) return false;
   for (; is_there && from < to; ++from)
@@ -69,7 +70,7 @@ bool is_padding(const mcpk_bank& bank, std::uint64_t from, std::uint64_t to, boo
   return true;
 }
 
-/// Checks the clips of a block, and the block's checksum.
+/// Checks the checksum of a block of 16 clips, then each of the clips.
 mcpr_result check_clips(const mcpk_bank& bank, std::uint32_t block) {
   const auto damaged = [](std::uint64_t offset) {
     return failure(MCPR_DAMAGED, static_cast<std::size_t>(offset),
@@ -100,8 +101,8 @@ mcpr_result check_clips(const mcpk_bank& bank, std::uint32_t block) {
   return kOk;
 }
 
-/// Checks that the blocks follow each other without gaps, and so do the regions of the bank. With
-/// `clips`, checks these too.
+/// Checks that the clips, and the regions of the bank, follow each other with no gap but padding.
+/// With `clips`, also checks the contents of the clips.
 mcpr_result check_index(const mcpk_bank& bank, bool clips) {
   const Bytes index = bank.bytes_of(bank.index);
   const auto refuse = [&](std::size_t offset) {
@@ -176,8 +177,8 @@ mcpr_result check_clip(const mcpk_bank& bank, const BankEntry& entry) {
 }
 
 mcpr_result check_bank(const mcpk_bank& bank, bool clips) {
-  // Without `clips`, bytes before the items need not be there (mcpk_place): none is read as another
-  // part.
+  // Without `clips`, the bytes of the clips may be uninitialised (see mcpk_place). The order of the
+  // regions is checked first, so that no region lies in those bytes.
   if (bank.index.offset < bank.items.offset + bank.items.bytes ||
       bank.tables.offset < bank.index.offset + bank.index.bytes)
     return failure(MCPR_INVALID, 0, "the parts of the bank are out of order");

@@ -6,12 +6,13 @@
 
 namespace mocapress::runtime {
 
-/// Opens a clip of a cooked bank. Checks only its head.
+/// Points `cooked` to a clip of a cooked bank. Checks only the clip's head.
 mcpr_result cooked_clip_of(const mcpk_bank& bank, const BankEntry& entry,
                            const mcpr_cooked*& cooked);
 
-/// Verifies everything that reading the bank relies on. Requires check_bank_head() first. Without
-/// `clips`, their bytes need not be there: check_clip() verifies each once it is.
+/// Verifies everything that reading the bank relies on. Call check_bank_head() first. Without
+/// `clips`, the bytes of the clips are not read, since they may be loaded later; check_clip() then
+/// verifies each clip.
 mcpr_result check_bank(const mcpk_bank& bank, bool clips);
 
 mcpr_result check_clip(const mcpk_bank& bank, const BankEntry& entry);

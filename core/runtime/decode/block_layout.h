@@ -6,7 +6,7 @@
 
 namespace mocapress::runtime {
 
-/// Reserves space at the end of a block. Without memory it only measures.
+/// Reserves space at the end of a block. Without memory it only measures the size of the block.
 class BlockLayout {
  public:
   explicit BlockLayout(std::byte* memory) : memory_(memory) {}
@@ -19,7 +19,7 @@ class BlockLayout {
     return static_cast<std::uint32_t>(at);
   }
 
-  /// Pointer to an offset; null when measuring.
+  /// The address of an offset in the block; null when measuring.
   template <typename T>
   T* at(std::uint32_t offset) const {
     return memory_ == nullptr ? nullptr : reinterpret_cast<T*>(memory_ + offset);

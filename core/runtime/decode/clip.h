@@ -15,7 +15,7 @@
 
 namespace mocapress::runtime {
 
-/// A LimbPlan stored in the block.
+/// A LimbPlan (ik/limb.h) as it is stored in the block.
 struct ResidentLimb {
   std::uint16_t effectors;
   std::uint16_t links;
@@ -29,7 +29,8 @@ struct ResidentLimb {
 
 /// The head of the block. Everything after it is found by offsets from here.
 struct ClipBlock {
-  static constexpr std::uint32_t kMark = 0x7263704D;  // distinguishes a clip from other memory
+  static constexpr std::uint32_t kMark = 0x7263704D;  // first bytes of a clip, which tell it from
+                                                      // other memory
   std::uint32_t mark = kMark;
   std::uint32_t joint_count = 0;
   std::uint32_t channel_count = 0;
@@ -43,14 +44,14 @@ struct ClipBlock {
   std::uint16_t most_links = 0;  // the largest number of links in a limb
   LoopKind loop = LoopKind::None;
   EndReaches end_reaches;
-  std::uint32_t joints = 0;  // this and the following are offsets from the clip
+  std::uint32_t joints = 0;  // this and the following are offsets from the clip, in bytes
   std::uint32_t names = 0;
   std::uint32_t limbs = 0;
-  std::uint32_t ends = 0;     // corrections of the clip's ends, for each end and channel
+  std::uint32_t ends = 0;  // values of the end corrections: a row of channels for each correction
   std::uint32_t motions = 0;  // offsets of the segments' signals
   std::uint32_t tracks = 0;   // mcpr_tracks; 0: the clip has none
   SegmentLayout segments;
-  SignalsShape largest;  // upper bounds over all segments
+  SignalsShape largest;  // largest values of all segments, for work space that fits each
 
   template <typename T>
   const T* at(std::uint32_t offset) const {
@@ -66,7 +67,7 @@ struct ClipBlock {
   const ResidentSignals& motion(int segment) const {
     return *at<ResidentSignals>(at<std::uint32_t>(motions)[segment]);
   }
-  /// Frames in one cycle of a loop; 0: not a loop.
+  /// Number of frames in one cycle of a loop; 0 if the clip is not a loop.
   int turn_frames() const { return turn_frames_of(segments.frames, loop); }
   LimbPlan limb(int l) const {
     const ResidentLimb& limb = at<ResidentLimb>(limbs)[l];

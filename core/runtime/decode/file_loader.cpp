@@ -15,7 +15,8 @@
 namespace mocapress::runtime {
 namespace {
 
-constexpr std::uint64_t kBudget = 20;  // tenths of the motion in the file, for its resident form
+constexpr std::uint64_t kBudget = 20;  // size up to which the resident motion may have dense bands
+                                       // for speed, in tenths of the coded motion
 
 }  // namespace
 
@@ -127,7 +128,8 @@ mcpr_result FileLoader::read_motion() {
   return kOk;
 }
 
-/// Reads the correction of a pose and, after the last pose, that of the velocity if there is one.
+/// Reads the end correction of a pose. After that of the last pose, reads that of the velocity, if
+/// there is one.
 void FileLoader::read_ends(EndReader& ends, int pose) {
   const EndReaches& reaches = sections_.end_reaches;
   if (!reaches.any()) return;
@@ -135,7 +137,8 @@ void FileLoader::read_ends(EndReader& ends, int pose) {
   if (pose == kLastPose && reaches.count() > kVelocity) read_end(ends, kVelocity);
 }
 
-/// Reads one correction, in steps of the segment that was decoded last.
+/// Reads one end correction. Its unit is the quantisation step of the segment that was decoded
+/// last.
 void FileLoader::read_end(EndReader& ends, int end) {
   const std::uint32_t channels = sections_.channels;
   const int step_exponent = sections_.end_step_exponent[end];
@@ -180,7 +183,8 @@ void FileLoader::find_double_precision_limits() {
           double_precision_limit(joints_[j].kinds[c], reach_[j]);
 }
 
-/// The coded values of a segment, to be decoded.
+/// The quantised coefficients of the segment that was decoded last, from which its resident form is
+/// made.
 QuantisedSource FileLoader::source(int segment) const {
   const std::uint64_t bytes =
       segments_[segment].bytes + (sections_.segments.count() == 1 ? sections_.correction_bytes : 0);
@@ -272,7 +276,7 @@ void FileLoader::lay_out_motion(BlockLayout& block, ClipBlock& head, std::byte* 
   for (int k = 0; k < sections_.segments.count(); ++k) {
     const std::uint32_t offset = block.reserve(segments_[k].resident_bytes);
     if (memory == nullptr) continue;
-    read_segment(k);  // as before, when it was found to be valid
+    read_segment(k);  // cannot fail: read_motion() has already decoded this segment
     block.at<std::uint32_t>(head.motions)[k] = offset;
     const auto* const motion = ResidentSignals::build(source(k), memory + offset);
     head.largest.double_precision_count =
@@ -280,7 +284,7 @@ void FileLoader::lay_out_motion(BlockLayout& block, ClipBlock& head, std::byte* 
   }
 }
 
-/// Counts the FileLoader itself, then the memory that it takes.
+/// Finds the scratch memory for the FileLoader object and the arrays that it takes.
 mcpr_result find_read_bytes(const FileSections& sections, const mcpr_limits& limits,
                             std::uint64_t& bytes) {
   if (!sections.is_adaptive())

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Makes a clip from the bytes of a file, in two steps: read() decodes everything into scratch
-// memory, then build() makes the resident form from it. For a segmented clip, scratch memory holds
-// one decoded segment and the coded bytes of all; each segment is decoded once to check and measure
-// it, and once more to build it.
+// memory, then build() makes the resident form from the decoded data. For a segmented clip, scratch
+// memory holds one decoded segment and the coded bytes of all segments. So each segment is decoded
+// twice: read() checks and measures it, build() stores it.
 #pragma once
 
 #include "core/runtime/decode/clip.h"
@@ -23,7 +23,7 @@ class FileLoader {
   /// If `memory` only measures, this counts bytes and does nothing else.
   FileLoader(Memory& memory, const FileSections& sections);
 
-  /// Decodes skeleton, IK correction and motion.
+  /// Decodes the skeleton, the IK correction, the tracks and the motion.
   mcpr_result read();
 
   /// Size of the clip that build() makes.
@@ -35,7 +35,8 @@ class FileLoader {
   static constexpr std::uint32_t kMark = 0x6465704FU;  // set when read() has succeeded
   std::uint32_t mark = 0;
 
-  std::uint32_t solver_iterations = kMostSweeps;  // the clip's cap, from the limits
+  std::uint32_t solver_iterations = kMostSweeps;  // upper limit for the clip's IK iterations, from
+                                                  // mcpr_limits
 
  private:
   mcpr_result read_joints();
@@ -58,25 +59,26 @@ class FileLoader {
   JointModel* joints_;
   std::int16_t* parents_;
   std::uint8_t* channel_counts_;
-  std::uint16_t* depths_;  // depth of each joint; 1 at a root
+  std::uint16_t* depths_;  // number of joints from a root down to each joint, both counted
   std::uint32_t name_bytes_ = 0;
   SignalNeighbours* neighbours_;
   AdaptiveBit* contexts_;
-  std::uint8_t* coded_motion_;  // copy of the coefficients, if they have segments or tiers
+  std::uint8_t* coded_motion_;  // the coefficients of all segments; empty if one segment in one
+                                // piece is read in place
   struct Segment {
-    std::size_t first_byte;  // position in the coded coefficients
+    std::size_t first_byte;  // position of the segment in the coefficients of all segments
     std::size_t bytes;
     std::uint64_t resident_bytes;
   };
   Segment* segments_;
-  int decoded_ = -1;  // the segment whose data the next three members hold
+  int decoded_ = -1;  // number of the segment that the next three members hold; -1: none
   std::int32_t* step_exponents_;
   std::int32_t* values_;
   float* steps_;
   float* double_precision_limits_;
-  float* reach_;  // one per joint
-  float* ends_;   // end corrections: a row of channels for the first frame, then one for the last;
-                  // null: none
+  float* reach_;  // for each joint: distance of the furthest joint or end site below it
+  float* ends_;  // end corrections: a row of channels for each, in the order first pose, last pose,
+                 // velocity; null: none
   std::uint8_t* notes_;
   JointByteCoder joint_coder_;
   NeighbourFinder neighbour_finder_;
@@ -86,8 +88,8 @@ class FileLoader {
   EffectorEnds effectors_[kMostEffectors];
 };
 
-/// Scratch memory for reading a file. Fails if the coding is not adaptive, or if this exceeds the
-/// limits.
+/// Finds the scratch memory for reading a file. Fails if the file is not coded adaptively, or if
+/// the memory exceeds the limits.
 mcpr_result find_read_bytes(const FileSections& sections, const mcpr_limits& limits,
                             std::uint64_t& bytes);
 

@@ -36,7 +36,7 @@ JointPlace place_in_parent(const JointModel& joint, const float* row) {
   return place;
 }
 
-/// Multiplies q by another quaternion w x y z from the right.
+/// Multiplies quaternion q by `turn` on the right. Both are w x y z.
 void append_turn(const double (&turn)[4], double (&q)[4]) {
   const double w = q[0], x = q[1], y = q[2], z = q[3];
   q[0] = w * turn[0] - x * turn[1] - y * turn[2] - z * turn[3];
@@ -51,8 +51,9 @@ void append_turn(const Matrix3& rotation, double (&q)[4]) {
   append_turn(turn, q);
 }
 
-/// Writes a joint's local transform as seven floats. The quaternion is a product of quaternions of
-/// half angles. These are continuous over time, so its sign never flips.
+/// Writes a joint's local transform as seven floats. The quaternion is a product of one quaternion
+/// per angle, made from half the angle. That product is continuous over time, so its sign never
+/// flips.
 void put_place_in_parent(const JointModel& joint, const float* row, float* out) {
   double q[4] = {1, 0, 0, 0};
   Vector3 origin = joint.offset;
@@ -104,7 +105,8 @@ std::size_t values_of_frame(const ClipBlock& clip, const mcpr_request& request) 
 void place_joints(const ClipBlock& clip, const float* row, JointPlace* places) {
   for (std::uint32_t j = 0; j < clip.joint_count; ++j) {
     const JointModel& joint = clip.joint_models()[j];
-    // Apart from `places`: in place, emscripten 3.1.6 gives wrong origins with -msimd128.
+    // A local variable, because with -msimd128 emscripten 3.1.6 computes wrong origins if this is
+    // written to `places` directly.
     const JointPlace in_parent = place_in_parent(joint, row);
     if (joint.parent < 0) {
       places[j] = in_parent;
@@ -127,7 +129,8 @@ FrameDecoder::FrameDecoder(Memory& memory, const ClipBlock& clip, const mcpr_req
       row_step_((clip.largest.signal_count + 7) / 8 * 8),
       rows_(memory.take<float>(static_cast<std::uint64_t>(row_step_) * kWindow)) {}
 
-/// Maps signals to columns of the output: those of a subset, or all in order.
+/// Assigns signals to columns: either a requested subset of channels in its order, or all signals
+/// in theirs.
 SignalRequest FrameDecoder::signal_request(Memory& memory) {
   const int signal_count = clip_.largest.signal_count;
   const bool subset = request_.channels != nullptr && !picks_;

@@ -14,7 +14,7 @@ bool is_possible(const ClipBlock& clip, const mcpr_request& request);
 /// Floats per frame of output. The request must be possible.
 std::size_t values_of_frame(const ClipBlock& clip, const mcpr_request& request);
 
-/// Places all joints in the world, from one row of channels.
+/// Computes the world transform of all joints from one row of channels.
 void place_joints(const ClipBlock& clip, const float* row, JointPlace* places);
 
 /// Weights of the end corrections at an instant.
@@ -32,12 +32,12 @@ class FrameDecoder {
   /// Decodes frames first ... first + count - 1, which must exist.
   void decode(int first, int count, float* out);
 
-  /// Decodes an instant.
+  /// Decodes the pose at any instant of the clip.
   void sample_at(const PlaceInClip& place, float* out);
 
  private:
-  /// Decodes an instant between the last frame and the first of the next cycle; `share` is the
-  /// fraction of the way.
+  /// Decodes an instant between the last frame and the first frame of the next cycle. `share` is
+  /// the position between the two, 0 ... 1.
   void decode_across(float share, float* out);
 
   /// Applies the IK correction to a row in place. The row holds channels, then effector offsets.
@@ -55,13 +55,14 @@ class FrameDecoder {
   const ClipBlock& clip_;
   const mcpr_request& request_;
   const bool solves_;
-  const bool picks_;  // rows hold all channels, of which a subset is returned
+  const bool picks_;  // true: the IK correction needs all channels, of which the output is a subset
   std::int32_t* columns_ = nullptr;
   SegmentDecoder signals_;
   Limb limb_;
   JointPlace* places_;  // one per joint
   std::ptrdiff_t row_step_;
-  float* rows_;  // work space for outputs other than rows of channels
+  float* rows_;  // work space: rows as decoded, before the correction and the conversion to the
+                 // output
 };
 
 }  // namespace mocapress::runtime

@@ -13,13 +13,13 @@
 namespace mocapress::runtime {
 namespace {
 
-constexpr int kEntriesOfBlock = 12;  // fewest per block, on average; smaller blocks make the index
-                                     // large
+constexpr int kEntriesOfBlock = 12;  // least average number of coefficients in a block; with
+                                     // smaller blocks the index would be large
 constexpr int kMostLog2Rows = 15;
 constexpr std::uint64_t kDenseIsWorth =
-    4;  // factor by which a dense band may be larger than a sparse one, for its speed
+    4;  // a dense band may be this many times as large as a sparse one: it is faster
 
-/// Width in bits of a dense value, as a two's complement number with a bias.
+/// Width in bits of the values in a dense band. A value is stored with a bias of 2^(width - 1).
 int width_of(std::int32_t least, std::int32_t most) {
   if (least == 0 && most == 0) return 0;
   const auto magnitude = static_cast<std::uint32_t>(std::max(~least, most));
@@ -60,7 +60,8 @@ class ResidentBuilder {
     return used_;
   }
 
-  /// Lists the signals with a coefficient beyond their limit, whose samples may exceed it too.
+  /// Lists the signals that need double precision: those with a coefficient so large that floats
+  /// might not be precise enough for the samples.
   void add_double_precision(ResidentSignals& head) {
     for (int s = 0; s < source_.signal_count; ++s) {
       if (!is_double_precision(s)) continue;
@@ -89,14 +90,14 @@ class ResidentBuilder {
   using Entry = ResidentSignals::BandEntry;
   using Kind = ResidentSignals::Kind;
 
-  /// Reserves zeroed bytes at the end.
+  /// Reserves bytes at the end of the form, and returns their offset.
   std::uint32_t reserve(std::uint64_t bytes, std::uint64_t alignment) {
     used_ = (used_ + alignment - 1) / alignment * alignment;
     const std::uint64_t at = used_;
     used_ += bytes;
     return static_cast<std::uint32_t>(std::min<std::uint64_t>(
-        at, std::numeric_limits<std::uint32_t>::max()));  // larger forms are refused before they
-                                                          // are built
+        at, std::numeric_limits<std::uint32_t>::max()));  // no form larger than 4 GiB is ever
+                                                          // built: its size is checked before
   }
   const std::int32_t* values(int signal, const Band& band) const {
     return source_.values + static_cast<std::ptrdiff_t>(signal) * source_.length + band.first;
@@ -122,7 +123,7 @@ class ResidentBuilder {
     return static_cast<std::uint32_t>(bits + 7) / 8;
   }
 
-  /// Sizes of a band as dense and as sparse, in bytes.
+  /// Sizes of a band in both forms, dense and sparse, in bytes.
   struct Sizes {
     Entry sparse;  // kind Empty if the band is empty
     std::uint64_t sparse_bytes = 0;
@@ -156,8 +157,8 @@ class ResidentBuilder {
     return sizes;
   }
 
-  /// Chooses the smaller kind for each band. Then makes bands dense, from the coarsest on, while
-  /// the budget lasts.
+  /// Chooses the smaller form for each band. Then makes more bands dense, for speed, from the
+  /// coarsest on, as long as the total stays within the budget.
   void choose_kinds() {
     std::uint64_t total = 0;
     for (int b = 0; b < bands_.count; ++b) {
@@ -191,7 +192,8 @@ class ResidentBuilder {
     std::memcpy(memory_ + entry.offset, source_.notes,
                 static_cast<std::size_t>(source_.signal_count));
     BitWriter writer(memory_ + entry.bits_offset);
-    for (int i = 0; i < band.size; ++i)  // every row begins with the first signal of a group
+    // Each row is stored group by group, and each group of 8 signals starts at a byte.
+    for (int i = 0; i < band.size; ++i)
       for (int s = 0; s < source_.signal_count; ++s) {
         if (s % 8 == 0) writer.align_to_byte();
         if (width(s) == 0) continue;
@@ -206,7 +208,7 @@ class ResidentBuilder {
   void visit_block(const Band& band, const Entry& entry, int block, const Visit& visit) const {
     const int first = block << entry.log2_rows;
     const int end = std::min(band.size, (block + 1) << entry.log2_rows);
-    std::uint32_t next = 0;  // place after the last visited value
+    std::uint32_t next = 0;  // position after the previous nonzero value
     std::uint32_t of_signal = 0;
     for (int s = 0; s < source_.signal_count; ++s) {
       if (width(s) == 0) continue;
@@ -230,7 +232,7 @@ class ResidentBuilder {
            1;
   }
 
-  /// Finds the best shift of a Rice code from its numbers, one after the other.
+  /// Adds up the bits of numbers for every shift of a Rice code, to find the best shift.
   struct RiceCosts {
     std::uint64_t bits[kMostRiceShift + 1] = {};
     void add(std::uint32_t v) {
@@ -242,7 +244,7 @@ class ResidentBuilder {
     }
   };
 
-  /// Chooses the shifts of the band's Rice codes, and returns its size in bits.
+  /// Chooses the shifts of the band's Rice codes, and returns the size of the sparse band in bits.
   std::uint64_t choose_shifts(const Band& band, Entry& entry) const {
     RiceCosts gaps;
     RiceCosts sizes;

@@ -8,7 +8,7 @@
 
 namespace mocapress::runtime {
 
-/// Validates a resident form from an untrusted source.
+/// Validates a resident form from an untrusted source, so that decoding never reads outside it.
 class ResidentChecker {
  public:
   ResidentChecker(const ResidentSignals& signals, std::uint64_t bytes)
@@ -41,8 +41,8 @@ class ResidentChecker {
   static constexpr int kMostLog2Rows = 15;
   static constexpr int kMostWidth = 32;
 
-  /// True if an array lies within the block. Readers of whole words may touch kReadAhead bytes past
-  /// the end.
+  /// True if an array, and kReadAhead bytes after it, lie within the block: decoders that read
+  /// whole words may touch those bytes.
   bool has_array(std::uint32_t offset, std::uint64_t size, std::uint64_t count,
                  std::uint32_t alignment) const {
     return offset % alignment == 0 && offset + size * count + kReadAhead <= bytes_;
@@ -61,8 +61,8 @@ class ResidentChecker {
     return false;
   }
 
-  /// True if `present`, the bytes of a row, is the sum of the widths. Each group begins at a whole
-  /// byte.
+  /// True if `present`, the bytes of a row, matches the widths of the signals. In a row, each group
+  /// of 8 signals starts at a whole byte.
   bool is_dense(const Entry& entry, int rows) const {
     const auto groups = static_cast<std::uint64_t>(signals_.group_count());
     if (!has_array(entry.offset, 8, groups, 1) ||
@@ -104,7 +104,7 @@ class ResidentChecker {
     return true;
   }
 
-  /// Walks a block as the decoder does, and moves `begin` to the next one.
+  /// Walks a block as the decoder does. Adds the size of the block to `begin`.
   bool is_block(const Entry& entry, std::uint64_t& begin) const {
     const std::uint64_t first_byte = entry.bits_offset + begin;
     if (first_byte + kReadAhead > bytes_) return false;

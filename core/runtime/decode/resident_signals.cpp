@@ -9,7 +9,7 @@
 
 namespace mocapress::runtime {
 
-/// Factor that scales a band's steps.
+/// The factor from the signals' steps to the quantisation steps of this band: 2^(-depth / 2).
 template <typename Real>
 Real ResidentSignals::gain(int band) const {
   constexpr Real kRootOfHalf = static_cast<Real>(0x1.6a09e667f3bcdp-1);
@@ -44,7 +44,7 @@ void ResidentSignals::unpack(int band, int first, int end, const Columns& column
 template void ResidentSignals::unpack(int, int, int, const Columns&, float*) const;
 template void ResidentSignals::unpack(int, int, int, const Columns&, double*) const;
 
-/// Unpacks all signals of a dense band, 8 at a time.
+/// Unpacks all signals of a dense band, in groups of 8.
 void ResidentSignals::unpack_rows(int band, int first, int end, const Columns& columns,
                                   float* rows) const {
   const BandEntry& entry = entries()[band];
@@ -115,7 +115,7 @@ void ResidentSignals::unpack_block(int band, int block, int first, int end, cons
     const std::uint32_t magnitude = reader.rice(entry.value_shift) + 1;
     const bool minus = reader.flag();
     const auto row = static_cast<std::uint32_t>(first_row + static_cast<int>(place & row_mask));
-    // Rows before `first` wrap around to large numbers.
+    // `row` is unsigned: rows before `first` become large numbers.
     if (row >= row_count) continue;
     const int signal = listed_signal(entry, place >> entry.log2_rows);
     const std::int32_t column = columns.of_signal[signal];

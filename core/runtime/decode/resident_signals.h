@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The motion as an engine keeps it: sparse quantised coefficients, ordered by band and time. Any
-// rows of any band can be unpacked without the others.
+// The motion as an engine keeps it in memory: quantised coefficients, ordered by band and time. Any
+// rows of any band can be unpacked by themselves.
 #pragma once
 
 #include <cstddef>
@@ -12,18 +12,18 @@
 
 namespace mocapress::runtime {
 
-/// Quantised coefficients from which a resident form is made.
+/// The quantised coefficients, and what else is needed to make a resident form.
 struct QuantisedSource {
   int length;  // coefficients per signal, coarse to fine
   int signal_count;
   Wavelet wavelet;
-  const float* steps;  // one per signal, before the division by bands
-  /// The largest sample of each signal that floats are precise enough for.
+  const float* steps;  // one per signal, for depth 0 (Bands::depth)
+  /// For each signal: the largest sample that floats are precise enough for.
   const float* double_precision_limits;
   const std::int32_t* values;  // one signal after the other
   std::uint8_t* notes;         // work space, one byte per signal
-  std::uint64_t budget_bytes;  // size up to which bands may be dense for speed; beyond it each band
-                               // takes its smaller kind
+  std::uint64_t budget_bytes;  // a band takes the smaller of its two forms; within this total size,
+                               // coarse bands may be dense though that is larger
 };
 
 /// The dimensions that determine the work space for decoding signals.
@@ -33,12 +33,13 @@ struct SignalsShape {
   int double_precision_count = 0;  // signals decoded in double precision
 };
 
-/// The resident form. It has no pointers; everything is found by offsets in bytes from `this`.
+/// The resident form of a motion. It has no pointers, but offsets in bytes from `this`.
 ///
-/// A band is dense, sparse or empty. Dense: row after row, every coefficient in the bits that its
-/// signal needs in this band. Sparse: blocks of 2^k rows, and of each signal what is not zero
-/// there, with the gap to the one before. The smaller of the two is taken; but coarse bands are
-/// dense, which is faster, as far as the budget goes.
+/// Each band is stored as dense, sparse or empty. Dense: row after row, where each coefficient
+/// takes as many bits as its signal needs in this band. Sparse: blocks of 2^k rows; a block lists
+/// the nonzero values, signal after signal, each with the number of zeros before it. A band takes
+/// the smaller form; but coarse bands are dense, which is faster to decode, as far as a budget
+/// allows.
 class ResidentSignals {
  public:
   /// Size of the form that build() makes.
@@ -47,8 +48,9 @@ class ResidentSignals {
   /// Builds at `memory`, which must be zeroed and aligned.
   static const ResidentSignals* build(const QuantisedSource& source, std::byte* memory);
 
-  /// True if a form from an untrusted source has this length and signal count, and can be decoded
-  /// without reading outside its `bytes`. It must be aligned and hold at least a head.
+  /// True if a form from an untrusted source has this length and number of signals, and can be
+  /// decoded without reading outside its `bytes`. `this` must be aligned and the head must be
+  /// readable.
   bool is_sound(std::uint64_t bytes, std::uint32_t length, std::uint32_t signals) const;
 
   int length() const { return length_; }
@@ -61,41 +63,41 @@ class ResidentSignals {
   int double_precision_count() const { return double_precision_count_; }
   const std::uint16_t* double_precision_signals() const { return at<std::uint16_t>(wide_); }
 
-  float step(int signal) const { return steps()[signal]; }  // before the division by bands
+  float step(int signal) const { return steps()[signal]; }  // at depth 0 (Bands::depth)
 
   bool is_empty(int band) const { return entries()[band].kind == Kind::Empty; }
 
   /// Destination of unpacked values.
   struct Columns {
     const std::int32_t* of_signal;  // column of each signal; kNone: left out
-    bool in_order;                  // signal s goes to column s, for as many signals as there are
-                                    // columns
-    std::ptrdiff_t stride;          // floats from row to row, a multiple of 8
+    bool in_order;          // the first signals go to the columns in order: signal s to column s
+    std::ptrdiff_t stride;  // floats from row to row, a multiple of 8
     const RowKernels* kernels;
     static constexpr std::int32_t kNone = -1;
   };
 
-  /// Unpacks rows first ... end - 1 of a band, which must not be empty, and multiplies them by
-  /// their steps. Rows are `columns.stride` floats; columns without a signal have unspecified
-  /// values.
+  /// Unpacks rows first ... end - 1 of a band, and multiplies the values by their quantisation
+  /// steps. The band must not be empty. `rows` are `columns.stride` numbers apart; columns without
+  /// a signal get unspecified values.
   template <typename Real>
   void unpack(int band, int first, int end, const Columns& columns, Real* rows) const;
 
  private:
-  static constexpr int kCountShift = 3;  // shift of the Rice code of a block's count
-  /// SparseWide has wide offsets of blocks.
+  static constexpr int kCountShift = 3;  // shift of the Rice code for the number of values in a
+                                         // block
+  /// SparseWide: sparse, with offsets of blocks in 32 bits instead of 16.
   enum class Kind : std::uint8_t { Empty, Dense, Sparse, SparseWide };
   friend class ResidentBuilder;
   friend class ResidentChecker;
 
   struct BandEntry {
     Kind kind = Kind::Empty;
-    std::uint8_t log2_rows = 0;  // rows of a block
-    std::uint8_t gap_shift = 0;  // shifts of the Rice codes
+    std::uint8_t log2_rows = 0;  // logarithm of the number of rows in a block
+    std::uint8_t gap_shift = 0;  // this and the next: shifts of the Rice codes for gaps and values
     std::uint8_t value_shift = 0;
-    std::uint32_t present = 0;      // sparse: number of signals with values. dense: bytes of a row
-    std::uint32_t offset = 0;       // dense: widths. sparse: offsets of blocks
-    std::uint32_t list_offset = 0;  // sparse: list of the signals with values
+    std::uint32_t present = 0;      // sparse: number of signals with values; dense: bytes in a row
+    std::uint32_t offset = 0;       // sparse: offsets of the blocks; dense: widths of the signals
+    std::uint32_t list_offset = 0;  // sparse only: list of the signals with values
     std::uint32_t bits_offset = 0;
   };
 
@@ -103,7 +105,7 @@ class ResidentSignals {
   const T* at(std::uint32_t offset) const {
     return reinterpret_cast<const T*>(reinterpret_cast<const std::byte*>(this) + offset);
   }
-  /// One step per signal, padded with zeros to a full group.
+  /// One step per signal, padded with zeros to a full group of 8.
   const float* steps() const { return at<float>(steps_); }
   int group_count() const { return (signals_ + 7) / 8; }
   const BandEntry* entries() const { return at<BandEntry>(entries_); }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Operations on whole rows, for several instruction sets. A row holds one sample of every signal,
-// so that vector operations need no shuffling. Every path performs the same operations in the same
-// order and without contraction, so that all give the same bits.
+// so that vector operations need no shuffling. All instruction sets give the same bits: they
+// perform the same operations in the same order, without contraction to fused multiply-adds.
 #pragma once
 
 #include <cstddef>
@@ -27,8 +27,8 @@ struct EvenRows {
 /// (even[0] + even[3])).
 template <typename Real>
 struct OddRows {
-  Real* out;           // rows are out_step apart
-  const Real* even;    // first of the four neighbours of the first row; rows are stride apart
+  Real* out;         // rows are out_step apart
+  const Real* even;  // first of the four even rows around the first odd row; rows are stride apart
   const Real* detail;  // rows are detail_step apart; 0 repeats one row of zeros
   std::ptrdiff_t out_step;
   std::ptrdiff_t stride;
@@ -59,9 +59,9 @@ struct CopiedRows {
   int rows;
 };
 
-/// Rows of packed numbers to be multiplied by step * gain. Each number is stored in its column's
-/// width, with a bias of 2^(width - 1). Every group of 8 begins at a byte. Up to 32 bytes after the
-/// last one are read.
+/// Rows of packed numbers, to be unpacked and multiplied by step * gain. A number takes as many
+/// bits as its column's width, and is stored with a bias of 2^(width - 1). Every group of 8 numbers
+/// starts at a byte. The kernels may read up to 32 bytes after the last group.
 struct PackedRows {
   float* out;                  // rows are stride apart
   const std::byte* packed;     // rows are row_bytes apart
@@ -92,9 +92,9 @@ extern const LiftingKernels<double> kWideRows;
 
 extern const RowKernels kPlainRows;
 
-extern const RowKernels kAvx2Rows;  // if the build has AVX2
+extern const RowKernels kAvx2Rows;  // only in a build with AVX2
 
-/// Null if the build or the machine does not have the path.
+/// The kernels of a path; null if the build or the machine does not have it.
 const RowKernels* rows_of(mcpr_path path);
 
 /// The fastest kernels available.
@@ -102,8 +102,8 @@ inline const RowKernels& best_rows() {
   return *rows_of(MCPR_PATH_BEST);
 }
 
-/// Unpacks groups first_group ... end_group - 1 without vector instructions. Returns the position
-/// of the next group of the first row.
+/// Unpacks groups first_group ... end_group - 1 of all rows, without vector instructions. `packed`
+/// is the start of these groups in the first row; returns their end in that row.
 const std::byte* unpack_plainly(const PackedRows& rows, int first_group, int end_group,
                                 const std::byte* packed);
 

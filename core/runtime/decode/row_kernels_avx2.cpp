@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Everything below the headers is compiled for AVX2, and may be called only if the machine has it.
-// FMA stays off: a contraction would give other bits than the other paths.
+// FMA stays off: fused multiply-adds would give other bits than the other paths.
 #include "core/runtime/decode/row_kernels.h"
 #include "core/runtime/processor/processor.h"
 
@@ -36,11 +36,12 @@ MOCAPRESS_AVX2 Avx2Vector operator*(Avx2Vector a, Avx2Vector b) {
   return {_mm256_mul_ps(a.values, b.values)};
 }
 
-constexpr int kWidestPacked = 25;  // plus up to 7 bits before it in its byte: 32
+constexpr int kWidestPacked = 25;  // bits; up to 7 bits of the same byte precede a number, and a
+                                   // lane has 32
 
-/// Moves the 8 numbers of a group to lanes of 32 bits: which bytes go to each lane, out of the 16
-/// from the group's start and the 16 from the fifth number's byte, and how far each lane is shifted
-/// down.
+/// Masks and shifts that move the 8 numbers of a group to lanes of 32 bits. The lower four lanes
+/// select bytes from the 16 at the start of the group; the upper four, from the 16 that begin with
+/// the fifth number's byte.
 struct PackedLanes {
   __m256i bytes;
   __m256i shifts;
@@ -55,12 +56,13 @@ MOCAPRESS_AVX2 PackedLanes lanes_of(const std::uint8_t* widths) {
   const __m256i one = _mm256_set1_epi32(1);
   const __m256i width =
       _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(widths)));
-  // Prefix sums within each half: the bit after each number, counted from the start of the half.
+  // Prefix sums of the widths, in each half by itself: the end of each number, in bits from the
+  // start of the half.
   __m256i end = _mm256_add_epi32(width, _mm256_slli_si256(width, 4));
   end = _mm256_add_epi32(end, _mm256_slli_si256(end, 8));
   const int half = _mm256_extract_epi32(end, 3);
   const int bits = half + _mm256_extract_epi32(end, 7);
-  // The upper half counts from the byte in which its first number begins.
+  // In the upper half, bits count from the byte in which the fifth number begins.
   const __m256i offset =
       _mm256_inserti128_si256(_mm256_setzero_si256(), _mm_set1_epi32(half % 8), 1);
   const __m256i bit = _mm256_add_epi32(_mm256_sub_epi32(end, width), offset);

@@ -6,8 +6,8 @@
 
 namespace mocapress::runtime {
 
-/// Decodes windows of a clip's signals from one or two segments, blending where these overlap.
-/// Needs the work space of two segments at most.
+/// Decodes windows of a clip's signals. A frame lies in one segment, or in two that overlap, whose
+/// samples are then blended. Holds the decoders of at most two segments.
 class SegmentDecoder {
  public:
   /// If `memory` only measures, this counts bytes and does nothing else.
@@ -18,8 +18,8 @@ class SegmentDecoder {
   void decode_window(int first, int count, float* out, std::ptrdiff_t out_step);
 
  private:
-  /// A segment that is being decoded. Its decoder lies in the caller's memory, as it is large for a
-  /// stack.
+  /// A segment that is being decoded. Its decoder lies in the caller's memory, because it is too
+  /// large for the stack.
   struct SegmentSlot {
     std::byte* memory = nullptr;  // the decoder and its work space
     int segment = -1;
@@ -32,7 +32,7 @@ class SegmentDecoder {
   const ClipBlock& clip_;
   SignalRequest request_;
   std::uint64_t slot_bytes_ = 0;
-  SegmentSlot slots_[2];         // for segments of even and of odd number
+  SegmentSlot slots_[2];         // for segments with even and with odd numbers
   float* later_rows_ = nullptr;  // rows of the later segment in an overlap
 };
 

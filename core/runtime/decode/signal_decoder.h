@@ -5,24 +5,24 @@
 
 namespace mocapress::runtime {
 
-/// The wanted signals and their columns.
+/// The signals to decode, and the columns that they go to.
 struct SignalRequest {
-  const std::int32_t* column_of_signal;  // one per signal; ResidentSignals::Columns::kNone: left
-                                         // out
-  bool in_order;                         // signal s goes to column s, for as many signals as there
-                                         // are columns
+  const std::int32_t* column_of_signal;  // one per signal; ResidentSignals::Columns::kNone: the
+                                         // signal is not decoded
+  bool in_order;  // the first signals go to the columns in order: signal s to column s
   int columns;
   int bands_left_out;  // finest bands, treated as zero
   const RowKernels* kernels;
 };
 
-/// Decodes windows of a resident form's signals: most in floats, and those that need it in doubles.
+/// Decodes windows of a resident form's signals: most in single precision, and those that need it
+/// in double precision.
 class SignalDecoder {
  public:
   SignalDecoder(Memory& memory, const ResidentSignals& motion, const SignalRequest& request)
       : SignalDecoder(memory, motion.shape(), &motion, request) {}
 
-  /// Counts bytes only; `memory` must be one that measures.
+  /// Only counts the bytes of work space: `memory` must be a measuring one.
   SignalDecoder(Memory& memory, const SignalsShape& shape, const SignalRequest& request)
       : SignalDecoder(memory, shape, nullptr, request) {}
 

@@ -8,7 +8,8 @@
 namespace mocapress::runtime {
 namespace {
 
-constexpr int kBorderRows = 8;  // rows that the samples of a band may need beyond their own range
+constexpr int kBorderRows = 8;  // rows that a band may need beyond half the rows of the next finer
+                                // band
 
 }  // namespace
 
@@ -21,10 +22,10 @@ Synthesis<Real>::Synthesis(Memory& memory, const ResidentSignals* motion, int le
     return memory.take<Real>(static_cast<std::uint64_t>(count) *
                              static_cast<std::uint64_t>(stride_));
   };
-  int most = kWindow;  // samples in a band of the window
+  int most = kWindow;  // largest number of samples that a window needs in a band
   for (int b = bands_.count - 1; b > 0; --b) {
     most = most / 2 + kBorderRows;
-    // Twice the room, so that rows are rarely moved to the front.
+    // Twice as many rows as needed, so that rows seldom have to be moved to the front.
     for (Held* const held : {&levels_[b].evens, &levels_[b].details}) {
       held->capacity = 2 * most;
       held->memory = rows(held->capacity);
@@ -54,8 +55,8 @@ const Real* Synthesis<Real>::detail_row(int band, int i) const {
   return details.rows + (i - details.range.first) * stride_;
 }
 
-/// Keeps the held rows that are within `range`, forgets the earlier ones, and makes room for the
-/// rest. If the range does not continue the held rows, all are forgotten.
+/// Keeps the held rows that lie within `range`, forgets earlier ones, and makes room for the rest
+/// of the range. Forgets all rows if the range starts before them or leaves a gap after them.
 template <typename Real>
 void Synthesis<Real>::hold(Held& held, Range range) {
   if (range.first < held.range.first || range.first > held.range.end) {
@@ -103,7 +104,7 @@ void Synthesis<Real>::decode_window(int first, int count, Real* out, std::ptrdif
   for (int b = 1; b < bands_.count; ++b) {
     Level& level = levels_[b];
     if (level.wanted.is_empty()) continue;
-    // The previous band has put its samples here.
+    // put_samples() of the previous band, or put_coarse(), has written these even samples.
     const Range added = {level.evens.range.end, level.needs_evens.end};
     if (has_details(b)) {
       unpack_details(b, added);
@@ -117,7 +118,7 @@ void Synthesis<Real>::decode_window(int first, int count, Real* out, std::ptrdif
   }
 }
 
-/// Destination of the samples of the band before `band`: they are its even samples.
+/// The place for the samples of the next coarser band: they are the even samples of `band`.
 template <typename Real>
 Real* Synthesis<Real>::evens_to_come(int band) {
   Held& evens = levels_[band].evens;
@@ -141,7 +142,7 @@ void Synthesis<Real>::put_coarse(Real* out, std::ptrdiff_t out_step) {
                        .rows = coarse_.end - coarse_.first});
 }
 
-/// Unpacks the details beside the new even samples, and those of the odd samples to make.
+/// Unpacks the details that update the new even samples, and those of the odd samples to make.
 template <typename Real>
 void Synthesis<Real>::unpack_details(int band, Range new_evens) {
   Level& level = levels_[band];
@@ -161,13 +162,15 @@ void Synthesis<Real>::unpack_details(int band, Range new_evens) {
   details.range.end = need.end;
 }
 
-/// Undoes the update step: subtracts from even samples what the encoder added for their details.
+/// Undoes the update step: subtracts what the encoder added to each even sample for the details
+/// beside it.
 template <typename Real>
 void Synthesis<Real>::update_evens(int band, Range added) {
   const int odds = bands_[band].size;
   const int inner_end = std::min(added.end, odds);
   if (signals_->wavelet() == Wavelet::Haar) {
-    // Subtracts half the following detail; a last sample without a detail stays.
+    // Both details are the one that follows, so this subtracts half of it. A last even sample
+    // without a following detail stays as it is.
     update_rows(band, added.first, inner_end, 0, 0);
     return;
   }
@@ -193,7 +196,7 @@ void Synthesis<Real>::update_rows(int band, int first, int end, int before, int 
                          .rows = end - first});
 }
 
-/// Interleaves the held even samples with the odd ones.
+/// Interleaves the held even samples with newly predicted odd ones.
 template <typename Real>
 void Synthesis<Real>::put_samples(int band, Real* out, std::ptrdiff_t out_step,
                                   std::ptrdiff_t width) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The inverse transform, for windows of frames. Based on: W. Sweldens, "The lifting scheme: a
-// construction of second generation wavelets", 1998. It inverts core/wavelet/lifting.h, from the
-// coarse samples to the fine, and only where needed.
+// The inverse wavelet transform, for windows of frames. Based on: W. Sweldens, "The lifting scheme:
+// a construction of second generation wavelets", 1998. It inverts core/wavelet/lifting.h, from the
+// coarse samples to the fine ones, and computes only what a window needs.
 #pragma once
 
 #include "core/runtime/decode/resident_signals.h"
@@ -10,7 +10,8 @@
 
 namespace mocapress::runtime {
 
-inline constexpr int kWindow = 128;  // frames per window; sized for the inner caches
+inline constexpr int kWindow = 128;  // frames per window; chosen so that its rows fit into the
+                                     // caches near the core
 
 /// The wanted signals, their columns and the level of detail.
 template <typename Real>
@@ -21,20 +22,20 @@ struct SynthesisPlan {
   const LiftingKernels<Real>* kernels;
 };
 
-/// Inverse transform of any window of frames. Each band computes only the rows that the window
-/// needs and that the previous window has not left behind.
+/// Inverse transform of any window of frames. In each band, rows left from the previous window are
+/// kept; only the others that the window needs are computed.
 template <typename Real>
 class Synthesis {
  public:
   static constexpr int kWindow = mocapress::runtime::kWindow;
 
-  /// Takes its work space from `memory`. With measuring memory it only counts, and `motion` may be
-  /// null.
+  /// Takes work space from `memory`. If `memory` only measures, this counts bytes and does nothing
+  /// else; `motion` may then be null.
   Synthesis(Memory& memory, const ResidentSignals* motion, int length,
             const SynthesisPlan<Real>& plan);
 
-  /// Computes frames first ... first + count - 1: rows of plan.count reals, out_step apart. 0 <
-  /// count <= kWindow, and all frames must exist.
+  /// Computes frames first ... first + count - 1, as rows of plan.count numbers, out_step apart.
+  /// `count` is 1 ... kWindow, and all frames must exist.
   void decode_window(int first, int count, Real* out, std::ptrdiff_t out_step);
 
  private:
@@ -52,8 +53,8 @@ class Synthesis {
     Range range;
   };
 
-  /// The rows from which a band's samples are made: updated even samples of the coarser band, and
-  /// details.
+  /// The rows from which the samples of a band are made: the even samples, which are the samples of
+  /// the coarser band after the update step, and the details.
   struct Level {
     Held evens;
     Held details;
@@ -79,10 +80,10 @@ class Synthesis {
   const ResidentSignals* signals_;
   SynthesisPlan<Real> plan_;
   Bands bands_;
-  std::ptrdiff_t stride_;     // reals per row here: the columns, rounded up
+  std::ptrdiff_t stride_;     // numbers per row: the columns, rounded up to a multiple of 8
   Range coarse_;              // coarse samples to unpack
   Level levels_[kMostBands];  // element 0 is not used
-  Real* coarse_samples_;      // work space for signals with one band only
+  Real* coarse_samples_;      // work space for signals that have a single band
   Real* zeros_;               // a row of zeros
 };
 

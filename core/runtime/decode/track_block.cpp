@@ -12,7 +12,7 @@ bool has_array(const mcpr_tracks& tracks, std::uint32_t offset, std::uint64_t si
   return offset >= sizeof(mcpr_tracks) && offset % 8 == 0 && offset + size <= tracks.bytes;
 }
 
-/// True if the runs of a track follow each other up to the last frame.
+/// True if the runs of a held track cover all frames, one after the other.
 bool has_runs(const mcpr_tracks& tracks, const ResidentTrack& track) {
   std::uint32_t frame = 0;
   const auto* const runs = tracks.at<TrackRun>(tracks.runs) + track.first;

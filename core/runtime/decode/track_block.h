@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A clip's scalar tracks in one block of bytes without pointers. It is part of a resident clip, and
-// copied byte for byte into what is cooked from it.
+// A clip's scalar tracks in one block of bytes without pointers. The block is part of a resident
+// clip. Cooking copies it unchanged into the cooked clip.
 #pragma once
 
 #include <algorithm>
@@ -16,9 +16,9 @@ namespace mocapress::runtime {
 
 /// A track in the block.
 struct ResidentTrack {
-  std::uint32_t node = 0;  // offsets of the node's and the track's own name among the names
+  std::uint32_t node = 0;  // this and the next: offsets of the two names in the block's names
   std::uint32_t name = 0;
-  std::uint32_t first = 0;  // number among the curves, or of the first run
+  std::uint32_t first = 0;  // number of the curve, or of the track's first run
   std::uint32_t run_count = 0;
   std::uint8_t kind = 0;
   std::uint8_t is_curve = 0;
@@ -29,13 +29,13 @@ struct ResidentTrack {
 }  // namespace mocapress::runtime
 
 struct mcpr_tracks {
-  std::uint32_t bytes;  // size of the whole block
+  std::uint32_t bytes;  // size of the whole block, names and curves included
   std::uint32_t frames;
   std::uint32_t count;
   std::uint32_t curve_count;
   std::uint32_t run_count;
   std::uint32_t name_bytes;
-  std::uint32_t tracks;  // ResidentTrack array; this and the next are offsets from the block
+  std::uint32_t tracks;  // ResidentTrack array; this and the next three are offsets from the block
   std::uint32_t names;   // zero-terminated
   std::uint32_t runs;    // TrackRun array
   std::uint32_t curves;  // ResidentSignals; 0: there are no curves
@@ -49,7 +49,7 @@ struct mcpr_tracks {
   const mocapress::runtime::ResidentTrack& track(std::size_t number) const {
     return at<mocapress::runtime::ResidentTrack>(tracks)[number];
   }
-  /// The run of a held track that a frame is in.
+  /// The run of a held (piecewise constant) track that contains a frame.
   const mocapress::runtime::TrackRun* run_at(const mocapress::runtime::ResidentTrack& track,
                                              std::uint32_t frame) const {
     const auto* const first = at<mocapress::runtime::TrackRun>(runs) + track.first;

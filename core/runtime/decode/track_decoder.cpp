@@ -60,7 +60,8 @@ void TrackDecoder::decode(std::uint32_t first, std::uint32_t count, float* out) 
     if (track(i).is_curve == 0) put_held(i, first, count, out + i);
 }
 
-/// Writes a held track's values, starting in the run that holds the first frame.
+/// Writes the values of a held track, the requested track number `place`. Starts in the run that
+/// contains the first frame.
 void TrackDecoder::put_held(std::size_t place, std::uint32_t first, std::uint32_t count,
                             float* out) const {
   const TrackRun* run = tracks_.run_at(track(place), first);

@@ -36,7 +36,7 @@ class TrackDecoder {
   std::size_t count_;
   std::int32_t* columns_ = nullptr;  // one per curve
   float* next_row_ = nullptr;
-  std::optional<SignalDecoder> curves_;  // empty if no curve is requested
+  std::optional<SignalDecoder> curves_;  // empty if the clip has no curves
 };
 
 }  // namespace mocapress::runtime

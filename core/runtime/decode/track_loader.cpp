@@ -90,7 +90,8 @@ std::uint64_t TrackLoader::lay_out(std::byte* memory, LoopKind loop) const {
                    .count = head_.tracks,
                    .curve_count = head_.curves,
                    .run_count = head_.runs,
-                   // Room for all names: the two lengths in a record become two terminating zeros.
+                   // A record stores each name's length in one byte, of which the terminating zero
+                   // takes the place. So the names need no more bytes than the records.
                    .name_bytes = head_.record_bytes,
                    .tracks = block.reserve(sizeof(ResidentTrack) * std::uint64_t{head_.tracks}),
                    .names = block.reserve(head_.record_bytes),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Makes the tracks of a clip from section trks of a file, in two steps as in FileLoader.
+// Makes the tracks of a clip from section trks of a file, in two steps as in FileLoader: read()
+// into scratch memory, then lay_out() into the resident clip.
 #pragma once
 
 #include "core/runtime/decode/block_layout.h"
@@ -13,8 +14,8 @@ namespace mocapress::runtime {
 
 class TrackLoader {
  public:
-  /// If `memory` only measures, this counts bytes and does nothing else. Reuses the memory of
-  /// `done_with`, which is not needed any more.
+  /// If `memory` only measures, this counts bytes and does nothing else. Reuses the memory of the
+  /// skeleton's coder `done_with`, which must not be used any more.
   TrackLoader(Memory& memory, const FileSections& sections, const JointByteCoder& done_with);
 
   /// Decodes all tracks. The file is not needed afterwards.

@@ -32,8 +32,9 @@ static void* or_exit(void* memory, const char* what) {
   exit(1);
 }
 
-/* Mapped from disk and used as it is: a clip takes memory when it is first sampled. The bank is
- * somebody else's file, so that every byte is checked; one's own need not be. */
+/* Maps the bank from disk and uses it in place: a clip takes memory only when it is first sampled.
+ * check = 1 verifies every byte, because the bank is somebody else's file. Skip that for your own
+ * banks. */
 static const mcpk_bank* map_bank(const char* path) {
   size_t size = 0;
   const void* memory = map_file(path, &size);
@@ -50,8 +51,9 @@ static void* aligned(size_t size) {
   return or_exit(take_memory(size, MCPR_ALIGNMENT), "memory");
 }
 
-/* An engine keeps the array and the scratch memory from frame to frame. Threads may pose a slice of
- * the array each, after it was sorted, with scratch memory of their own. */
+/* This function allocates the array and the scratch memory; an engine keeps them from frame to
+ * frame. After sorting, several threads may each pose a slice of the array, with scratch memory of
+ * their own. */
 static void pose_all(const character* crowd, uint32_t count, double seconds) {
   mcpr_character* all = or_exit(calloc(count, sizeof *all), "crowd");
   for (uint32_t c = 0; c < count; ++c) {
