@@ -21,7 +21,7 @@ constexpr int odds_in(int length) {
   return length / 2;
 }
 
-/// 2^(count / 2), exactly rounded.
+/// 2^(count / 2), correctly rounded.
 inline double power_of_root_two(int count) {
   return std::ldexp(count % 2 == 0 ? 1 : 0x1.6a09e667f3bcdp+0, count >> 1);
 }

@@ -6,7 +6,7 @@
 namespace mocapress::runtime {
 namespace {
 
-constexpr std::uint64_t kMostRegion = 0xFFFFFFFFU;  // offsets within a region have 32 bits
+constexpr std::uint64_t kMostRegion = 0xFFFFFFFFU;  // offsets within a region are stored in 32 bits
 
 std::uint64_t aligned_in(const mcpk_bank& bank, std::uint64_t offset) {
   return bank.is_cooked() ? (offset + kCookedAlignment - 1) / kCookedAlignment * kCookedAlignment
@@ -100,8 +100,8 @@ bool EntryWalk::next(BankEntry& entry) {
   return true;
 }
 
-/// Reads a byte count of an entry's name: kNameMask in the head says that a varint with the excess
-/// follows.
+/// Decodes a number of bytes in an entry's name. `told` holds the number in its lowest bits; if
+/// these are kNameMask, a varint follows, which is added.
 std::uint64_t EntryWalk::name_part(unsigned told) {
   told &= kNameMask;
   return told < kNameMask ? told : kNameMask + cursor_.read_varint();
@@ -118,7 +118,7 @@ bool read_entry(const mcpk_bank& bank, std::uint32_t clip, BankEntry& entry) {
 std::int64_t find_clip(const mcpk_bank& bank, const char* name, std::size_t length) {
   BankEntry entry;
   const auto order = [&] { return compare_names(entry.name, entry.name_length, name, length); };
-  // Binary search for the last block whose first name is not beyond `name`.
+  // Binary search for the last block whose first name is `name`, or comes before it.
   std::uint32_t first = 0;
   std::uint32_t end = bank.blocks();
   while (end - first > 1) {

@@ -14,7 +14,8 @@ namespace mocapress::runtime {
 
 enum class BankForm : std::uint16_t { Packed, Cooked };
 
-/// Kinds of items that clips share. Items are numbered kind after kind.
+/// Kinds of the items that clips share. The items of each kind have numbers of their own, from 0
+/// on.
 enum class BankItem : std::uint8_t {
   Part,     // packed: a section of clips, its tag first; cooked: a skeleton
   Outline,  // packed: the list of sections of a clip
@@ -24,7 +25,7 @@ enum class BankItem : std::uint8_t {
 };
 inline constexpr int kBankItems = 5;
 
-inline constexpr std::uint32_t kClipsOfBlock = 16;  // in the index
+inline constexpr std::uint32_t kClipsOfBlock = 16;  // clips in a block of the index
 inline constexpr std::uint32_t kMostClipsOfBank = std::uint32_t{1} << 24;
 inline constexpr std::size_t kMostNameOfClip = 255;  // bytes, without the terminating zero
 inline constexpr std::size_t kMostTextOfBank = 65535;
@@ -32,13 +33,15 @@ inline constexpr std::size_t kMostTextOfBank = 65535;
 // clips.
 inline constexpr std::size_t kBlockBytes = 16;
 // The first byte of an entry packs four fields: bytes dropped from the end of the previous name (3
-// bits), bytes appended less 1 (3 bits), and a flag each for a kind and for tags that differ from
-// those of the previous entry.
-inline constexpr unsigned kNameMask = 7;  // 7 in either count: a varint with the excess follows
+// bits), bytes appended less 1 (3 bits), and two flags. The flags tell that the clip's kind, or its
+// set of tags, differs from the previous entry's.
+inline constexpr unsigned kNameMask = 7;  // 7 in either number of bytes: a varint follows, which is
+                                          // added
 inline constexpr int kNewNameShift = 3;
 inline constexpr unsigned kHasKind = 0x40;
 inline constexpr unsigned kHasTags = 0x80;
-inline constexpr std::uint64_t kCookedAlignment = 32;  // bytes; cooked clips and their tables
+inline constexpr std::uint64_t kCookedAlignment = 32;  // in bytes, for cooked clips and for their
+                                                       // tables
 inline constexpr std::uint64_t kFirstTable = 32;  // tables start here, so that offset 0 can mean
                                                   // "none"
 
@@ -52,7 +55,7 @@ struct BankRegion {
 struct BankEntry {
   char name[kMostNameOfClip + 1] = {};  // zero-terminated
   std::uint8_t name_length = 0;
-  std::uint32_t number = 0;  // the clip's
+  std::uint32_t number = 0;  // number of the clip
   std::uint32_t kind = 0;    // packed: item number of its outline; cooked: of its skeleton
   std::uint32_t tag_set = 0;
   BankRegion place;
@@ -72,7 +75,7 @@ struct mcpk_bank {
   std::uint64_t bytes;  // size of the whole bank
   mocapress::runtime::BankRegion index;
   mocapress::runtime::BankRegion items;
-  mocapress::runtime::BankRegion tables;  // shared by cooked clips; packed: bank_tiers.h
+  mocapress::runtime::BankRegion tables;  // cooked: tables that clips share; packed: bank_tiers.h
   std::uint32_t clips;
   std::uint32_t item_counts[mocapress::runtime::kBankItems];
   std::uint32_t index_checksum;
@@ -94,7 +97,8 @@ struct mcpk_bank {
   std::uint32_t blocks() const {
     return (clips + mocapress::runtime::kClipsOfBlock - 1) / mocapress::runtime::kClipsOfBlock;
   }
-  /// Returns an item; without data if there is no such item or it lies beyond the end.
+  /// Returns an item. Its data is null if there is no such item, or if it lies beyond the bank's
+  /// end.
   mocapress::runtime::Bytes item(mocapress::runtime::BankItem kind, std::uint32_t number) const;
 
   /// Returns a zero-terminated text item; null if there is none.
@@ -103,8 +107,8 @@ struct mcpk_bank {
 
 namespace mocapress::runtime {
 
-/// Checks that the head is a bank's, of at most `size` bytes, and that all regions lie within it.
-/// Reads nothing else.
+/// Checks that the head is that of a bank of at most `size` bytes, and that all regions lie within
+/// the bank. Reads nothing but the head.
 mcpr_result check_bank_head(const mcpk_bank& bank, std::size_t size);
 
 /// Walks the entries of a block of the index in order. Each entry is coded relative to the previous
@@ -113,7 +117,7 @@ class EntryWalk {
  public:
   EntryWalk(const mcpk_bank& bank, std::uint32_t block);
 
-  /// Reads the next entry. False at the end of the block, or if its bytes make no sense.
+  /// Reads the next entry. Returns false at the end of the block, or if the bytes are invalid.
   bool next(BankEntry& entry);
 
   std::size_t offset() const { return cursor_.offset(); }  // position in the file
@@ -129,12 +133,13 @@ class EntryWalk {
   Cursor cursor_;
   std::uint64_t data_ = 0;
   std::uint32_t checksum_ = 0;
-  std::uint32_t number_ = 0;  // the next entry's clip
+  std::uint32_t number_ = 0;  // number of the next entry's clip
   std::uint32_t left_ = 0;    // entries left in the block
   bool is_first_ = true;
 };
 
-/// Reads the entry of one clip. False if there is none, or if its bytes make no sense.
+/// Reads the entry of one clip. Returns false if there is no such clip, or if the bytes are
+/// invalid.
 bool read_entry(const mcpk_bank& bank, std::uint32_t clip, BankEntry& entry);
 
 /// Number of the clip with this name; -1 if there is none.

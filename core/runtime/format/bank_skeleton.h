@@ -12,16 +12,16 @@
 
 namespace mocapress::runtime {
 
-/// A joint of a skeleton in a cooked bank, or in a clip cooked alone.
+/// A joint of a skeleton in a cooked bank, or in a cooked clip outside of a bank.
 struct BankJoint {
   std::int32_t parent = -1;  // -1: a root
-  std::uint32_t name = 0;    // offset in the item of the zero-terminated name
+  std::uint32_t name = 0;    // offset of the joint's zero-terminated name in the item
   float offset[3] = {};      // cm, in the parent's frame
   std::uint32_t has_end_site = 0;
   float end_site[3] = {};  // cm, in the joint's frame
 };
 
-/// A skeleton item: u32 number of joints, the joints, their names.
+/// A skeleton item: the number of joints as u32, then the joints, then their names.
 class BankSkeleton {
  public:
   explicit BankSkeleton(const Bytes& item) : item_(item) {
@@ -39,7 +39,7 @@ class BankSkeleton {
     return joint;
   }
 
-  /// Null if the name does not end within the item.
+  /// Returns a joint's name; null if it does not end within the item.
   const char* name(const BankJoint& joint) const {
     if (joint.name >= item_.size) return nullptr;
     const std::uint8_t* const first = item_.data + joint.name;

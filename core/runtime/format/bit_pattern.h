@@ -3,7 +3,7 @@
 
 namespace mocapress::runtime {
 
-/// std::bit_cast, which the libc++ of some consoles and of WebAssembly lacks.
+/// Replaces std::bit_cast, which the libc++ of some consoles and of WebAssembly lacks.
 template <typename To, typename From>
 constexpr To bit_pattern(const From& from) {
   static_assert(sizeof(To) == sizeof(From));

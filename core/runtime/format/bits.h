@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Bit streams of the resident form: least significant bit first, numbers of fixed width or Rice
-// coded (R. F. Rice, "Some practical universal noiseless coding techniques", 1979).
+// Bit streams of the resident form. The first bit is the least significant one of a byte. Numbers
+// have a fixed width or are Rice coded (R. F. Rice, "Some practical universal noiseless coding
+// techniques", 1979).
 #pragma once
 
 #include <bit>
@@ -12,8 +13,8 @@
 
 namespace mocapress::runtime {
 
-inline constexpr int kRiceEscape = 16;  // this many zeros announce a plain number
-inline constexpr int kPlainBits = 32;   // width of a plain number
+inline constexpr int kRiceEscape = 16;  // after this many zeros, a number follows in plain binary
+inline constexpr int kPlainBits = 32;   // bits of a number in plain binary
 inline constexpr int kMostRiceShift = 24;
 inline constexpr std::size_t kReadAhead = 32;  // bytes that a reader may touch after the last bit
 
@@ -66,7 +67,8 @@ class BitReader {
 
   std::uint32_t rice(int shift) {
     const std::uint64_t word = bits_at(bytes_, at_);
-    // The guard bit at the escape bounds the count, so that an empty word needs no branch.
+    // A guard bit at position kRiceEscape limits the count, so that a word of zeros needs no
+    // branch.
     const int quotient = std::countr_zero(word | std::uint64_t{1} << kRiceEscape);
     if (quotient == kRiceEscape) {
       at_ += kRiceEscape + kPlainBits;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The errors that a file states, eps and max_error in CLIP, have 12 significant bits, so that a
-// bank stores each in 16 bits: FORMAT.md, "Packed clips".
+// Errors as a file states them (eps and max_error in CLIP). They are rounded to 12 significant
+// bits, so that a bank can store each in 16 bits: FORMAT.md, "Packed clips".
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,16 @@
 
 namespace mocapress::runtime {
 
-inline constexpr int kErrorShift = 12;                     // low bits of the float, always zero
-inline constexpr std::uint32_t kErrorOrigin = 106U << 11;  // 2^-21 cm
+inline constexpr int kErrorShift = 12;  // lowest bits of a rounded float, always zero
+inline constexpr std::uint32_t kErrorOrigin = 106U << 11;  // difference between a code and the
+                                                           // other bits; 2^-21 cm would have code 0
 inline constexpr std::uint32_t kErrorHalf = 1U << (kErrorShift - 1);
 
 inline float error_from(std::uint16_t code) {
   return code == 0 ? 0.0F : bit_pattern<float>((code + kErrorOrigin) << kErrorShift);
 }
 
-/// Finds the code of an error. False if it has none.
+/// Finds the 16-bit code of an error. Returns false if the error has none.
 inline bool find_error_code(float error, std::uint16_t& code) {
   const auto bits = bit_pattern<std::uint32_t>(error);
   const std::uint32_t number = bits == 0 ? 0 : (bits >> kErrorShift) - kErrorOrigin;

@@ -10,12 +10,12 @@ namespace mocapress::runtime {
 /// Quantisation step of a signal: scale * 2^(-step_exponent / 2).
 double step_of(int step_exponent, float scale);
 
-/// Reads the scale of the steps, with which the coded motion begins.
+/// Reads the scale of the quantisation steps, which comes first in the coded motion.
 float read_scale(Cursor& coded);
 
-/// Decodes the scale of the steps and the coefficients of all signals that `view` has room for.
-/// Resets the model and the notes first. `learned` is PRIO of a packed clip: learned_priors.h. The
-/// finest bands may be left out: then the bytes end before them.
+/// Decodes the scale of the quantisation steps, and the coefficients of all signals of `view`.
+/// First resets the model and the notes. `learned` is PRIO of a packed clip: learned_priors.h. With
+/// `bands_left_out`, the bytes end before the finest bands.
 mcpr_result decode_coefficients(const Bytes& coded, const SignalNeighbours* neighbours,
                                 const Bands& bands, CoefficientModel& model,
                                 const QuantisedView& view, const CoderNotes& notes, float& scale,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The order of the adaptive coding, the same for writing, reading and counting: FORMAT.md,
-// "Adaptive coding".
+// The adaptive coding of coefficients, shared by the encoder, the decoder and the code that
+// measures sizes: FORMAT.md, "Adaptive coding".
 #pragma once
 
 #include <algorithm>
@@ -22,12 +22,14 @@ namespace mocapress::runtime {
 inline constexpr int kLeastStepExponent = -128;
 inline constexpr int kMostStepExponent = 127;
 inline constexpr int kMostSteps = 1 << 28;      // no value is larger
-inline constexpr int kMostMagnitude = 255;      // larger ones count as this in sums
-inline constexpr int kLeastDeviation = 26;      // 256ths
-inline constexpr int kLeastExpected = 6 << 10;  // a magnitude, 64 * 1024ths
-inline constexpr double kLargestStep = 0x1p64;  // no step is larger, so that every sample is finite
+inline constexpr int kMostMagnitude = 255;      // larger magnitudes count as this in sums
+inline constexpr int kLeastDeviation = 26;      // in 256ths of a quantisation step
+inline constexpr int kLeastExpected = 6 << 10;  // smallest magnitude to expect, in units of 1 / (64
+                                                // * 1024)
+inline constexpr double kLargestStep = 0x1p64;  // larger steps are invalid, so that every sample is
+                                                // finite
 
-/// Quantised coefficients of some signals, in memory of whoever made it.
+/// Quantised coefficients of some signals. The memory belongs to the caller.
 struct QuantisedView {
   int length;  // coefficients of each signal, coarse to fine
   int signal_count;
@@ -37,16 +39,18 @@ struct QuantisedView {
   std::int32_t* signal(int s) const { return values + static_cast<std::ptrdiff_t>(s) * length; }
 };
 
-/// Working memory of a CoefficientCoder.
+/// Working memory of a CoefficientCoder. "The band above" is the next coarser one.
 struct CoderNotes {
-  std::int64_t* sums;  // sums of magnitudes in this band and the one above, by signal
+  std::int64_t* sums;  // for each signal: sum of the magnitudes in the current band
   std::int64_t* sums_above;
-  int* activity;  // activity of the band, from coefficient -1 on
-  int* restless;  // likewise: how much more than expected there was at each time, 256ths of octaves
+  int* activity;  // for each time in the band, from coefficient -1 on: magnitudes of all signals so
+                  // far, added up
+  int* restless;  // for each time, as in `activity`: how much values exceed their expected scale,
+                  // in 256ths of an octave
   std::size_t activity_size;
-  int* restless_signals;          // the same of each signal
+  int* restless_signals;          // the same for each signal, over time
   SignalPrediction* predictions;  // one for each signal
-  RestPrediction* rests;          // likewise
+  RestPrediction* rests;          // one for each signal
 
   CoderNotes(Memory& memory, const Bands& bands, int signal_count)
       : sums(memory.take<std::int64_t>(static_cast<std::uint64_t>(signal_count))),
@@ -60,31 +64,33 @@ struct CoderNotes {
   }
 };
 
-/// The sources that a bit was predicted from: for `Bits` that want to know.
+/// Contexts and opinions from which a bit was predicted, for the note() of `Bits`.
 struct BitSources {
   std::array<int, kMostContexts> contexts;
   std::array<std::int32_t, 2> opinions;
   int context_count;
   int opinion_count;
-  int set;  // index of the weights; -1: one context alone
+  int set;  // index of the mixing weights; -1: none, with a single context
 };
 
-/// The features behind the expected scale of a value, and the value: for `Bits` that want to know.
+/// A value, and the features from which its scale was estimated, for the note() of `Bits`.
 struct ValueSources {
   std::array<int, kScaleFeatures> features;
   int level;
-  int unrest;  // 256ths of octaves
-  int mean;    // 64ths
+  int unrest;  // in 256ths of an octave
+  int mean;    // predicted value, in 64ths of a step
   std::int32_t value;
 };
 
-/// Walks through signals in the order of the file. `Bits` either writes the bits it is given, or
-/// ignores them and returns bits that it reads. It has bool code(bool bit, Probability one);
-/// refuse(), called when a number that was read is out of bounds; and failed(): when true, nothing
-/// that was read is of use. Values that are read replace those in `coded`, which must be zeros
-/// before. A `Bits` with note(BitSources, bool) or note(ValueSources) is told what each bit or
-/// value was predicted from. A `Bits` with about(signal, band, value) is told whose bits follow,
-/// with a value of -1 for those of a whole band or signal.
+/// Codes the coefficients of all signals in the order of the file. `Bits` is an encoder, which
+/// writes the bits that it is given, or a decoder, which ignores them and returns the bits that it
+/// reads. It has bool code(bool bit, Probability one); refuse(), called when a decoded number is
+/// out of bounds; and failed(): if true, nothing that was decoded is of use. Decoded values are
+/// written to `coded`, which must hold zeros before.
+///
+/// A `Bits` may have more functions. note(BitSources, bool) and note(ValueSources) are told what
+/// each bit or value was predicted from. about(signal, band, value) is called before the bits of a
+/// value; `value` is -1 before those of a whole band or signal.
 template <typename Bits>
 class CoefficientCoder {
  public:
@@ -100,7 +106,7 @@ class CoefficientCoder {
         notes_(notes),
         coarse_depth_(bands.depth(0) - half_octaves_of(scale)) {}
 
-  /// Codes all signals, without the values of this number of finest bands.
+  /// Codes all signals, but leaves out the values of the finest `bands_left_out` bands.
   void run(int bands_left_out = 0) {
     code_step_exponents();
     for (int s = 0; s < coded_.signal_count && !bits_.failed(); ++s) code_coarse(s);
@@ -122,21 +128,23 @@ class CoefficientCoder {
   }
 
  private:
-  /// The values around value i of a band of a signal, with signs; 0 where there is none.
+  /// The signed values around value i in a band of a signal; 0 where there is none.
   struct Around {
     int own1, own2, own3;           // values i - 1, i - 2, i - 3
-    int parent1, parent2, parent3;  // in the band above: the nearest in time, then the others
+    int parent1, parent2, parent3;  // in the band above: the nearest in time, then the two beside
+                                    // that one
     int sibling_before, sibling, sibling_after;  // values i - 1, i, i + 1 of the sibling
-    int mirror_before, mirror, mirror_after;     // likewise
+    int mirror_before, mirror, mirror_after;     // values i - 1, i, i + 1 of the mirror
     int before, earlier;                         // value i of signals s - 2 and s - 3
   };
 
-  /// A band of a signal, and the columns of coefficients beside it; null where there is none.
+  /// A band of a signal, the same band of neighbouring signals, and the band above; null where
+  /// there is none.
   struct Columns {
     int signal;
     int level;
-    int density;  // degree of the band above
-    int first;    // place of the band's values in the signal
+    int density;  // density_of() the band above
+    int first;    // index of the band's first value in the signal
     int size;
     int parent_size;  // size of the band above; 0 in the first band of details
     std::int32_t* own;
@@ -161,29 +169,29 @@ class CoefficientCoder {
     }
   };
 
-  /// The same in the terms of the contexts.
+  /// The values around a value, summarised as indices of contexts.
   struct Surroundings {
-    int own;       // size of the two before
-    int above;     // size of the two parents
-    int crowd;     // degree of the sum over all signals so far, at that time
-    int recent;    // degree of the running mean of the band
-    int expected;  // half octaves of a weighted sum of all
+    int own;       // size_of() the two values before
+    int above;     // size_of() the two nearest parents
+    int crowd;     // degree_of() the mean activity of the earlier signals around that time
+    int recent;    // degree_of() the running mean of magnitudes in the band
+    int expected;  // half_octave_of() a weighted sum of the magnitudes
   };
 
-  /// The scale that a value is expected to have, and the sources of that.
+  /// The scale (typical magnitude) that is expected of a value, and the sources of that estimate.
   struct ExpectedScale {
     std::array<int, kScaleFeatures> features{};
-    int unrest = 0;            // 256ths of octaves
+    int unrest = 0;            // in 256ths of an octave
     int scale = 0;             // 0 ... kScales - 1
-    std::int32_t inverse = 0;  // 65536 / scale
+    std::int32_t inverse = 0;  // 65536 / the magnitude that `scale` stands for
   };
 
-  /// The prediction of a value from other values, its taps.
+  /// The prediction of a value as a weighted sum of other values, which are called taps.
   struct Predicted {
     RestPrediction::Taps taps;
-    int by_squares;  // by least squares, in 64ths of the expected scale
+    int by_squares;  // prediction by least squares, in 64ths of the expected scale
     int rest;
-    int mean;  // by squares and rest together, in 64ths of a step
+    int mean;  // sum of by_squares and rest, in 64ths of a step
   };
 
   template <std::size_t count, std::size_t opinion_count = 0>
@@ -236,17 +244,19 @@ class CoefficientCoder {
     if constexpr (requires { bits_.about(signal, band, value); }) bits_.about(signal, band, value);
   }
 
-  /// Half octaves of v > 0, rounded down.
+  /// 2 * log2(v) for v > 0, rounded down; linear between powers of two.
   static int half_octaves_of(float v) {
     return static_cast<int>(bit_pattern<std::uint32_t>(v) >> 22) - 2 * 127;
   }
 
-  /// Whole numbers in the terms of the contexts: three are 0 ... 15, the last 0 ... 31.
+  /// Facts that are known before a number is coded, as indices of contexts. The first three are 0
+  /// ... 15, the fourth 0 ... 31.
   struct Relations {
     int first, second, third, fourth;
   };
 
-  /// Exp-Golomb: the digits of v + 1 in unary, then those below the first.
+  /// Codes v >= 0 by an Exp-Golomb code: first, in unary, the number of binary digits of v + 1 less
+  /// one; then the digits after the first.
   int code_number(int v, int kind, const Relations& relations) {
     constexpr int kMostDigits = 30;
     const int wanted = digits_of(v + 1) - 1;
@@ -305,12 +315,15 @@ class CoefficientCoder {
   const PredictionKernels& kernels_ = best_prediction();
   QuantisedView coded_;
   CoderNotes notes_;
-  int coarse_depth_;  // depth of coarse samples whose step_exponent is 0, in half octaves
-  int recent_ = 0;    // running mean of the magnitudes of the band in hand, 64ths
-  std::array<std::int32_t, kScales> deviations_;  // mean distances from predictions, 256ths
+  int coarse_depth_;  // the coarse samples of a signal with step_exponent 0 have the step
+                      // 2^(-coarse_depth_ / 2)
+  int recent_ = 0;    // running mean of the magnitudes in the current band, in 64ths
+  std::array<std::int32_t, kScales> deviations_;  // for each scale: mean distance of values from
+                                                  // their predictions, in 256ths of a step
 };
 
-/// Starts with half of the unrest in the band above at the same time.
+/// Sets the first values of `restless` for a band: half of those of the band above at the same
+/// time.
 template <typename Bits>
 void CoefficientCoder<Bits>::begin_restless(int b) {
   const int size = bands_[b].size + 2;
@@ -318,7 +331,8 @@ void CoefficientCoder<Bits>::begin_restless(int b) {
     std::fill_n(notes_.restless, size, 0);
     return;
   }
-  // Goes from the end backwards: each value is read at or before the place where it is written.
+  // Goes backwards: each new value is made from an old one at its own place or before, which is not
+  // overwritten yet.
   const int upper = bands_[b - 1].size + 2;
   for (int at = size - 1; at >= 0; --at)
     notes_.restless[at] = notes_.restless[std::min((at + 1) / 2, upper - 1)] / 2;
@@ -326,7 +340,7 @@ void CoefficientCoder<Bits>::begin_restless(int b) {
 
 template <typename Bits>
 void CoefficientCoder<Bits>::code_step_exponents() {
-  int before = 0;  // difference of the last one to the one it was expected to be
+  int before = 0;  // the previous signal's step_exponent less its prediction
   for (int s = 0; s < coded_.signal_count && !bits_.failed(); ++s) {
     const SignalNeighbours& neighbours = neighbours_[s];
     const bool mirrored = neighbours.mirror >= 0;
@@ -353,7 +367,7 @@ void CoefficientCoder<Bits>::code_coarse(int s) {
     return signal < 0 ? 0 : std::min(1 + digits_of(std::abs(difference(signal, i))), 15);
   };
   std::int32_t* const own = coded_.signal(s);
-  // The finer the step, the larger the numbers to expect.
+  // Finer steps make larger numbers likely, so the depth of the step selects the context.
   const int step_depth =
       std::clamp((coded_.step_exponent[s] + coarse_depth_) / 2 + 6, 0, kFourthRelations - 1);
   for (int i = 0; i < bands_[0].size && !bits_.failed(); ++i) {
@@ -368,7 +382,7 @@ void CoefficientCoder<Bits>::code_coarse(int s) {
   }
 }
 
-/// True if a signal has anything but zeros in a band.
+/// Codes whether a signal has a nonzero value in a band, and returns the answer.
 template <typename Bits>
 bool CoefficientCoder<Bits>::code_significance(int b, int s, int density) {
   about(s, b, -1);
@@ -389,12 +403,13 @@ bool CoefficientCoder<Bits>::code_significance(int b, int s, int density) {
       MixingSets::kSignificant);
 }
 
-/// The density of the band above, as a degree.
+/// The density of the band above: 0 if all of its values are zero, else 1 + the number of binary
+/// digits of its mean magnitude in 16ths.
 template <typename Bits>
 int CoefficientCoder<Bits>::density_of(int b, int s) const {
   const int upper = bands_[b - 1].size;
   const std::int64_t sum = b > 1 ? notes_.sums_above[s] : upper;
-  const auto mean = static_cast<int>(16 * sum / std::max(upper, 1));  // 16ths
+  const auto mean = static_cast<int>(16 * sum / std::max(upper, 1));  // in 16ths
   return sum == 0 ? 0 : std::min(1 + digits_of(mean), kDegrees - 1);
 }
 
@@ -467,7 +482,7 @@ template <typename Bits>
 typename CoefficientCoder<Bits>::ExpectedScale CoefficientCoder<Bits>::expected_scale(
     const Columns& band, int i, const Around& around) const {
   constexpr int kMostFeature = 1 << 14;
-  constexpr int kAlwaysThere = 19;  // a feature of every value, 64ths
+  constexpr int kAlwaysThere = 19;  // a constant feature, in 64ths
   const auto in_64ths = [&](int value) { return 64 * std::min(std::abs(value), kMostFeature); };
   const int* const activity = notes_.activity + i + 1;
   const int* const restless = notes_.restless + i + 1;
@@ -481,7 +496,7 @@ typename CoefficientCoder<Bits>::ExpectedScale CoefficientCoder<Bits>::expected_
           s == 0 ? 0 : 64 * activity[0] / s, s == 0 ? 0 : 64 * (activity[-1] + activity[1]) / s,
           recent_, kAlwaysThere, in_64ths(around.before), in_64ths(around.earlier)}};
   const auto& weights = kScaleWeights[static_cast<std::size_t>(band.level)];
-  std::int32_t magnitude = kLeastExpected;  // 64 * 1024ths
+  std::int32_t magnitude = kLeastExpected;  // in units of 1 / (64 * 1024)
   for (std::size_t f = 0; f < weights.size(); ++f) magnitude += weights[f] * expected.features[f];
   expected.unrest = notes_.restless_signals[s] + (3 * restless[0] + restless[-1] + restless[1]) / 4;
   constexpr int kLog2Of64 = 6 * 256;
@@ -499,7 +514,7 @@ typename CoefficientCoder<Bits>::Predicted CoefficientCoder<Bits>::predict(const
                                                                            std::int32_t inverse) {
   constexpr int kMost = 2 * SignalPrediction::kFarthest;
   constexpr int kNearTaps = 10;  // values of the signal itself, its parents, sibling and mirror
-  // The first signal before that least squares do not look at.
+  // Signals this far before, or further, are taps of the RestPrediction only.
   constexpr int kFurther = SignalPrediction::kTaps - kNearTaps + 1;
   const int s = band.signal;
   std::array<std::int32_t, RestPrediction::kTaps> values{
@@ -550,15 +565,17 @@ int CoefficientCoder<Bits>::code_value(int value, const Columns& band, int i, co
   return minus ? -magnitude : magnitude;
 }
 
-/// The number of digits in unary, then the digits below the first.
+/// Codes a magnitude: first the number of its binary digits in unary, then the digits after the
+/// first.
 template <typename Bits>
 int CoefficientCoder<Bits>::code_magnitude(int magnitude, const Columns& band,
                                            const Surroundings& near,
                                            const ExpectedValue& expected) {
-  constexpr int kMostDigits = 29;  // kMostSteps has as many
+  constexpr int kMostDigits = 29;  // number of binary digits of kMostSteps
   const int wanted = digits_of(magnitude);
   int digits = 1;
-  auto all = expected.from(1);  // shares of the values that are left, and of those with more digits
+  auto all = expected.from(1);  // probabilities of the magnitudes that are still possible and, in
+                                // `upper`, of those with more digits
   auto upper = expected.from(2);
   for (; digits < kMostDigits; ++digits) {
     const int k = std::min(digits, kClasses) - 1;
@@ -599,17 +616,17 @@ int CoefficientCoder<Bits>::code_magnitude(int magnitude, const Columns& band,
   return made;
 }
 
-/// Updates all that learns from values, once this value is known.
+/// Lets all predictions and statistics learn from a value that was just coded.
 template <typename Bits>
 void CoefficientCoder<Bits>::follow(int value, const Columns& band, int i,
                                     const ExpectedScale& scale, const Predicted& predicted) {
-  constexpr std::int64_t kMostDistance = 1 << 20;  // 64ths
-  constexpr int kDeviationMemory = 80;             // values
-  constexpr int kRestlessRate = 60;                // 256ths
+  constexpr std::int64_t kMostDistance = 1 << 20;  // in 64ths of a step
+  constexpr int kDeviationMemory = 80;             // length of the running mean, in values
+  constexpr int kRestlessRate = 60;                // in 256ths
   constexpr int kRestlessRateOfSignal = 15;
   constexpr int kMostRestless = 2048;
   constexpr int kRecentMemory = 8;  // length of the running mean in values
-  constexpr int kMostActivity = 8;  // for one value
+  constexpr int kMostActivity = 8;  // largest contribution of one value
   const int s = band.signal;
   const std::int64_t distance = std::min<std::int64_t>(
       std::abs((static_cast<std::int64_t>(value) << 6) - predicted.mean), kMostDistance);

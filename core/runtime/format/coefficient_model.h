@@ -24,18 +24,18 @@ struct ContextTable {
   }
 };
 
-inline constexpr int kLevels = 8;         // 0: the finest band
-inline constexpr int kSizes = 8;          // size_of()
-inline constexpr int kDegrees = 10;       // degree_of()
-inline constexpr int kExpectations = 32;  // half_octave_of()
-inline constexpr int kClasses = 8;        // binary digits of a magnitude: 1 ... 8 or more
+inline constexpr int kLevels = 8;         // of bands; level 0 is the finest
+inline constexpr int kSizes = 8;          // results of size_of()
+inline constexpr int kDegrees = 10;       // results of degree_of()
+inline constexpr int kExpectations = 32;  // results of half_octave_of()
+inline constexpr int kClasses = 8;  // numbers of binary digits in a magnitude: 1 ... 7, 8 or more
 inline constexpr int kNumberKinds = 6;
 inline constexpr int kNumberRelations = 16;
 inline constexpr int kFourthRelations = 32;
 inline constexpr int kSigns = 3;
 
-/// The index of each context. Those before `shared` start from priors fitted to other clips; the
-/// others belong to single signals.
+/// The index of each context. Contexts before `shared` serve all signals, and start from priors
+/// that were fitted to other clips. The others belong to single signals.
 struct ContextLayout {
   ContextTable zero_near, zero_crowd, zero_expected;
   ContextTable class_recent, class_expected;
@@ -81,22 +81,23 @@ struct ContextLayout {
   }
 };
 
-/// The sets of mixing weights, by what is coded.
+/// Indices of the sets of mixing weights. Each kind of coded bit has a set.
 struct MixingSets {
   static constexpr int kSignificant = 0;
-  static constexpr int kZero = 1;                 // by level
-  static constexpr int kClass = kZero + kLevels;  // by class
+  static constexpr int kZero = 1;                 // one per level
+  static constexpr int kClass = kZero + kLevels;  // one per class
   static constexpr int kTop = kClass + kClasses;
   static constexpr int kSign = kTop + 1;
-  static constexpr int kNumber = kSign + 1;  // by kind
+  static constexpr int kNumber = kSign + 1;  // one per kind of number
   static constexpr int kNext = kNumber + kNumberKinds;
   static constexpr int kLower = kNext + 1;
   static constexpr int kCount = kLower + 1;
 };
 
-inline constexpr int kMostContexts = 5;  // contexts of one bit
+inline constexpr int kMostContexts = 5;  // contexts that predict one bit
 
-/// All that the coding has learned so far. `contexts` are layout.end, in memory of whoever made it.
+/// Everything that the adaptive coding has learned so far. `contexts` has layout.end elements,
+/// whose memory belongs to the caller.
 struct CoefficientModel {
   CoefficientModel(int signal_count, AdaptiveBit* memory)
       : layout(signal_count), contexts(memory) {}
@@ -115,29 +116,29 @@ struct CoefficientModel {
   std::array<MixingWeights, MixingSets::kCount> weights;
 };
 
-/// Binary digits of v >= 0.
+/// Number of binary digits of v >= 0.
 inline int digits_of(int v) {
   return static_cast<int>(std::bit_width(static_cast<unsigned>(v)));
 }
 
-/// A sum of neighbouring magnitudes as 0 ... 7.
+/// Maps a sum of neighbouring magnitudes to a class 0 ... 7.
 inline int size_of(int sum) {
   constexpr std::array<std::uint8_t, 16> kSmall = {0, 1, 2, 3, 3, 4, 4, 4, 5, 5, 5, 5, 5, 5, 6, 6};
   return sum < 16 ? kSmall[static_cast<std::size_t>(sum)] : sum < 40 ? 6 : 7;
 }
 
-/// The binary digits of v >= 0, but 9 at most.
+/// Number of binary digits of v >= 0, at most 9.
 inline int degree_of(int v) {
   return std::min(digits_of(v), kDegrees - 1);
 }
 
-/// v >= 0 on a scale of two steps an octave, 31 at most.
+/// Maps v >= 0 to 0 ... 31, on a logarithmic scale with two steps per octave.
 inline int half_octave_of(int v) {
   const int digits = digits_of(v);
   return v < 2 ? v : std::min(2 * digits - 2 + (v >> (digits - 2) & 1), kExpectations - 1);
 }
 
-/// 0 1 2 for zero, minus, plus.
+/// Maps zero, minus and plus to 0, 1 and 2.
 inline int sign_of(int v) {
   return v > 0 ? 2 : v < 0 ? 1 : 0;
 }

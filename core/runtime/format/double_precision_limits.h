@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Decides which signals are decoded in double precision. After all bands the error of floats is
-// about 1e-6 of the largest sample, and no joint may be off by 1e-3 cm for that reason.
+// Decides which signals are decoded in double precision. With floats, the inverse transform has an
+// error of about 1e-6 of the signal's largest sample; this error must not move any joint by 1e-3
+// cm.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,8 @@ namespace mocapress::runtime {
 
 inline constexpr float kDoublePrecisionLength = 1000;  // cm
 
-/// Finds for each joint the distance, along bones, of the furthest joint or end site below it. cm
+/// For each joint, finds the distance along the bones to the furthest joint or end site below it,
+/// in cm.
 inline void find_reach(const JointModel* joints, int count, float* reach) {
   for (int j = 0; j < count; ++j) {
     const float* const end = joints[j].end_site;
@@ -25,8 +27,9 @@ inline void find_reach(const JointModel* joints, int count, float* reach) {
           std::max(reach[parent], reach[j] + static_cast<float>(norm(joints[j].offset)));
 }
 
-/// The largest sample that floats are good enough for: kDoublePrecisionLength for a translation, or
-/// the angle that moves the joint's reach as far.
+/// The largest sample of a channel that floats are good enough for. For a translation, that is
+/// kDoublePrecisionLength; for a rotation, the angle that moves the end of the joint's reach as
+/// far.
 inline float double_precision_limit(std::uint8_t kind, float reach) {
   constexpr float kLeastReach = 0.01F;  // cm
   return is_rotation(kind) ? kDoublePrecisionLength / std::max(reach, kLeastReach)

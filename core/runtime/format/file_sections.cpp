@@ -64,7 +64,7 @@ class SectionsReader {
     return check_room();
   }
 
-  /// Takes a section and counts its bytes, unless it is skipped.
+  /// Reads a section. Its size counts in known_bytes_, unless it is TIER or unknown.
   mcpr_result take_counted(const Section& section) {
     is_skipped_ = false;
     const mcpr_result result = take(section);
@@ -72,7 +72,7 @@ class SectionsReader {
     return result;
   }
 
-  /// Takes what the next tier adds to the motion.
+  /// Adds the next tier's piece to the motion.
   mcpr_result take_piece(const Bytes& piece) {
     if (sections_.tiers_read == 0)
       return failure(MCPR_INVALID, piece.offset, "a finer tier without MOTN");
@@ -81,7 +81,7 @@ class SectionsReader {
     return check_segment_sizes();
   }
 
-  /// Takes the pieces of the tiers that are wanted, which follow the sections.
+  /// Reads the pieces of the wanted tiers, which follow the sections in a file.
   mcpr_result take_pieces(Cursor& file) {
     const TierTable& tiers = sections_.tiers;
     if (tiers.count > 0 && file.offset() != tiers.file_bytes(0))
@@ -97,21 +97,21 @@ class SectionsReader {
     return kOk;
   }
 
-  /// The same for a packed clip, whose bank has them.
+  /// Reads the pieces of the wanted tiers of a packed clip, which its bank stores.
   mcpr_result take_pieces(const PackedSections& packed) {
     for (int t = 1; t < wanted_tiers(); ++t)
       if (const mcpr_result result = take_piece(packed.piece(t)); failed(result)) return result;
     return kOk;
   }
 
-  /// The number of tiers to read of a clip that has some.
+  /// Number of tiers to read; 0 if the clip has no tiers.
   int wanted_tiers() const {
     const auto count = static_cast<std::uint32_t>(std::min(sections_.tiers.count, tiers_present_));
     return static_cast<int>(limits_.tiers == 0 ? count : std::min(limits_.tiers, count));
   }
 
-  /// Checks that all requested tiers are there. A motion without its finest bands has no
-  /// corrections of its ends.
+  /// Checks that all wanted tiers were read. Drops the end corrections if the finest bands are
+  /// missing.
   mcpr_result check_tiers(std::size_t offset) {
     if (sections_.tiers_read != wanted_tiers())
       return failure(MCPR_INVALID, offset, "a tier is missing");
@@ -124,11 +124,12 @@ class SectionsReader {
 
   enum class Expected { Joints, Clip, Segments, Motion, Correction, Ends, Axes, Nothing };
 
-  /// Required sections come in a fixed order; optional ones may stand anywhere.
+  /// Reads a section. Required sections come in a fixed order; optional ones may come anywhere.
   mcpr_result take(const Section& section) {
     if (next_ == Expected::Joints && section.is("TIER") && sections_.tiers.count == 0 &&
         sections_.learned.data == nullptr) {
-      is_skipped_ = true;  // limits are those of the file without tiers
+      is_skipped_ = true;  // the limits are those of the same file without tiers, so TIER does not
+                           // count
       return read_tiers(section.payload, sections_.tiers, is_packed_);
     }
     if (next_ == Expected::Joints && section.is("JNTS")) {
@@ -267,7 +268,7 @@ class SectionsReader {
     return check_values(payload.offset);
   }
 
-  /// Checks that the sizes of segments add up to the piece of the coefficients that was read last.
+  /// Checks that the sizes of the segments add up to the size of the last piece that was read.
   mcpr_result check_segment_sizes() const {
     if (sections_.segments_bytes == 0) return kOk;
     const int piece = std::max(sections_.tiers_read - 1, 0);
@@ -279,8 +280,8 @@ class SectionsReader {
     return kOk;
   }
 
-  /// Bounds the decoded size, and so the time of decoding, by the size of the file: FORMAT.md,
-  /// Limits.
+  /// Bounds the decoded size, and so the time that decoding takes, by the size of the file:
+  /// FORMAT.md, Limits.
   mcpr_result check_room() const {
     if (sections_.room_values() > most_values_of(known_bytes_))
       return failure(MCPR_INVALID, sections_.motion.offset,
@@ -358,11 +359,11 @@ class SectionsReader {
   const mcpr_limits& limits_;
   FileSections& sections_;
   std::size_t known_bytes_ = 0;
-  bool is_skipped_ = false;  // the section taken last
+  bool is_skipped_ = false;  // the last section does not count in known_bytes_
   bool is_packed_ = false;
   int tiers_present_ =
-      kMostTiers;  // tiers that may be read: those that the bank of a packed clip has
-  Bytes tracks_;   // kept until CLIP is read, which may come later
+      kMostTiers;  // most tiers that can be read; fewer if the bank of a packed clip was cut
+  Bytes tracks_;   // payload of trks, which may come before CLIP but is read after it
   Expected next_ = Expected::Joints;
 };
 
@@ -390,7 +391,7 @@ std::size_t FileSections::offset_of(int segment, std::size_t byte) const {
 }
 
 void FileSections::copy_coded(std::uint8_t* out) const {
-  std::size_t first[kMostTiers] = {};  // where the next segment begins in each piece
+  std::size_t first[kMostTiers] = {};  // position of the next segment in each piece
   for (int k = 0; k < segments.count(); ++k)
     for (int p = 0; p < pieces(); ++p) {
       const std::size_t size = segment_size(p, k);

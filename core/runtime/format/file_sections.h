@@ -25,10 +25,10 @@ struct TracksHead {
   Bytes stream;                    // coded curves
   Bytes bits;                      // coded records and runs
   std::size_t bytes = 0;           // size of the section with its head
-  Bytes payload;                   // the whole section
+  Bytes payload;                   // payload of the section, all of it
 };
 
-/// The contents of all sections before decoding, checked against the limits.
+/// The contents of all sections, checked against the limits but not decoded yet.
 struct FileSections {
   double sample_rate = 0;  // Hz
   std::uint32_t frames = 0;
@@ -47,10 +47,11 @@ struct FileSections {
   Bytes learned;                  // PRIO, packed clips only: learned_priors.h
   Bytes motion;                   // payload of MOTN or COMP; the first tier, if there are several
   TierTable tiers;                // from TIER
-  int tiers_read = 0;          // in a file with tiers: MOTN and the pieces behind it that were read
-  Bytes fine[kMostTiers - 1];  // addition to MOTN by each tier but the first
-  SegmentLayout segments;      // from SEGS; one segment without it
-  Bytes segment_sizes;         // u32 sizes of the segments in MOTN, then in each finer tier
+  int tiers_read = 0;  // number of tiers read: MOTN, and pieces behind the sections; 0 in a file
+                       // without tiers
+  Bytes fine[kMostTiers - 1];      // pieces that the finer tiers add to MOTN
+  SegmentLayout segments;          // from SEGS; one segment without it
+  Bytes segment_sizes;             // u32 sizes of the segments in MOTN, then in each finer tier
   std::size_t segments_bytes = 0;  // size of SEGS
   std::size_t correction_bytes = 0;
   std::size_t ends_bytes = 0;  // size of ENDS; 0: there is none
@@ -79,23 +80,25 @@ struct FileSections {
     return static_cast<std::uint64_t>(segments.coded_frames()) * signal_count() + track_values();
   }
 
-  /// Values that the file's length must allow. A clip without signals counts as one signal.
+  /// Number of values that is bounded by the size of the file. A clip without signals counts as if
+  /// it had one.
   std::uint64_t room_values() const {
     return static_cast<std::uint64_t>(segments.coded_frames()) * std::max(signal_count(), 1U) +
            track_values();
   }
 
-  /// Samples of curves, plus two per run.
+  /// Number of samples in curves, plus two values per run.
   std::uint64_t track_values() const {
     return std::uint64_t{tracks.curves} * frames + std::uint64_t{2} * tracks.runs;
   }
 
-  /// Bytes of the file that code the motion.
+  /// Number of bytes in the file that code the motion.
   std::size_t motion_bytes() const {
     return coded_size() + segments_bytes + correction_bytes + ends_bytes + axes.size;
   }
 
-  /// The coefficients are in several pieces if the file has tiers: in MOTN and behind all sections.
+  /// Number of pieces that the coefficients are in: in a file with tiers, MOTN and the pieces
+  /// behind all sections that were read; else one.
   int pieces() const { return std::max(tiers_read, 1); }
   const Bytes& piece(int p) const { return p == 0 ? motion : fine[p - 1]; }
 
@@ -106,17 +109,18 @@ struct FileSections {
     return size;
   }
 
-  /// Size of the coefficients of a segment, in one piece and in all that were read.
+  /// Size of a segment's coefficients: in one piece, or in all pieces that were read.
   std::uint32_t segment_size(int piece, int segment) const;
   std::uint32_t segment_size(int segment) const;
 
-  /// Position in the file of a byte of a segment's coefficients, which may lie in several pieces.
+  /// Position in the file of a byte of a segment's coefficients. These may lie in several pieces.
   std::size_t offset_of(int segment, std::size_t byte) const;
 
-  /// Copies the coefficients of one segment after the other, coded_size() bytes.
+  /// Copies the coefficients of all segments, one segment after the other: coded_size() bytes.
   void copy_coded(std::uint8_t* out) const;
 
-  /// Finest bands that the tiers that were read lack; 0 in a file without tiers.
+  /// Number of the finest bands that are missing, because their tiers were not read; 0 in a file
+  /// without tiers.
   int bands_left_out() const {
     return tiers_read == 0 ? 0 : tiers.tier[tiers_read - 1].bands_left_out;
   }
@@ -125,7 +129,7 @@ struct FileSections {
 /// Parses and checks the payload of ENDS, except for its coded part. `sections.frames` must be set.
 mcpr_result read_ends(const Bytes& payload, FileSections& sections);
 
-/// The limits that a caller gave, or else the default ones.
+/// Returns the limits that a caller gave, or the default ones if the pointer is null.
 inline mcpr_limits or_default(const mcpr_limits* limits) {
   if (limits != nullptr) return *limits;
   mcpr_limits all;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Limits of a .mcpr file, shared by all readers and writers and stated in FORMAT.md, "Limits". They
-// are also the default limits of the C interface, so that every file that was written opens
-// anywhere; an engine may set lower ones. The limits of a joint are in joint_model.h, beside the
-// arrays that they size.
+// are also the default limits of the C interface, so that every valid file opens anywhere; an
+// engine may set lower ones. The limits of a joint are in joint_model.h, beside the arrays that
+// they size.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace mocapress::runtime {
 
-/// Joints on the longest path from a root down, both ends counted. Programs that walk a BVH by
-/// recursion can read this depth.
+/// Joints on the longest path from a root down, both ends counted. This depth is safe for programs
+/// that walk a BVH by recursion.
 inline constexpr int kMostDepth = 1000;
 
 inline constexpr std::uint32_t kMostChannels = kMostChannelsOfJoint * kMostJoints;
@@ -36,25 +36,27 @@ inline constexpr std::uint32_t kMostTracks = 4096;
 /// count twice. Enough for two and a half hours of 62 channels at 120 Hz.
 inline constexpr std::uint64_t kMostValues = std::uint64_t{1} << 26;
 
-/// Upper bound for the values of a file. A still clip takes hardly any bytes, so the first term is
-/// generous: half an hour of 62 channels at 120 Hz. The second keeps a small file from demanding
-/// much work. It counts the bytes of known sections, for others may hold anything.
+/// Upper bound for the number of values in a file. A still clip takes hardly any bytes, so the
+/// first term is generous: half an hour of 62 channels at 120 Hz. The second term keeps a small
+/// file from demanding much work. It counts the bytes of known sections only, because unknown ones
+/// may hold anything.
 constexpr std::uint64_t most_values_of(std::uint64_t known_bytes) {
   return (std::uint64_t{1} << 24) + (known_bytes << 14);
 }
 
-/// Effectors and angles of one limb that a solver has room for.
+/// The most effectors, and the most angles, that one limb may have.
 inline constexpr int kMostEffectorsOfLimb = 8;
 inline constexpr int kMostAngles = 64;
 
-/// Joints from the root to the effectors of one limb. Every step of a solver visits them.
+/// The most joints between the root and the effectors of one limb. Every step of a solver visits
+/// them.
 inline constexpr int kMostLinks = 256;
 
-// Memory. A value takes four bytes decoded, and at most about as many coded or in the resident
-// form. The rest is for the skeleton, contexts and indices.
+// Memory. A value takes four bytes decoded, and at most about as many in the file or in the
+// resident form. kMemoryBesideValues is for the skeleton, contexts and indices.
 inline constexpr std::size_t kMemoryBesideValues = std::size_t{16} << 20;
 
-/// Prediction state, 2.6 KB per signal.
+/// Memory for the state of the predictions, 2.6 KB per signal.
 inline constexpr std::size_t kMemoryOfSignals = std::size_t{80} << 20;
 
 /// Scratch memory for reading: the decoded values of one segment, possibly the whole clip; the

@@ -18,8 +18,8 @@ struct Neighbours {
 };
 
 /// Neighbours of odd sample `odd`, which lies between even samples `odd` and `odd + 1`. An odd
-/// sample after the last even one is extrapolated from two: a cubic through four would amplify
-/// their errors 3.4 times.
+/// sample after the last even one is extrapolated from two even ones: a cubic through four would
+/// amplify their errors 3.4 times.
 constexpr Neighbours neighbours_of(Wavelet wavelet, int odd, int evens) {
   if (wavelet == Wavelet::Haar) return {odd, 1};
   const bool within = wavelet == Wavelet::Cubic && odd + 1 < evens;
@@ -41,7 +41,7 @@ void weights_of(Wavelet wavelet, int odd, const Neighbours& neighbours, Real* we
   }
 }
 
-/// Prediction weights away from the borders: for the two nearest samples, and for the two beyond
+/// Prediction weights away from the borders: of the two nearest even samples, and of the two beyond
 /// them.
 struct InnerWeights {
   double near;

@@ -13,7 +13,7 @@
 
 namespace mocapress::runtime {
 
-/// Tracks which field of a joint record the next byte belongs to.
+/// Finds out which field of a joint record the next byte belongs to.
 class JointFields {
  public:
   enum Field : std::uint8_t {
@@ -29,7 +29,7 @@ class JointFields {
   };
   static constexpr int kCount = 19;
 
-  /// Context number of the next byte: the field plus, for a number, the byte's place in it.
+  /// Number of the next byte's context: its field, plus its place within a number of several bytes.
   int field() const { return static_cast<int>(field_) + index_ % width(field_); }
 
   void follow(std::uint8_t byte) {
@@ -77,13 +77,13 @@ class JointFields {
   std::uint8_t flags_ = 0;
 };
 
-/// Codes the bytes of records bit by bit. Each bit is predicted from earlier bits that followed the
-/// same field and preceding bytes. `Fields` tells the field of each byte.
+/// Codes the bytes of records bit by bit. A bit is predicted from bits that came earlier in the
+/// same field after the same bytes. `Fields` tells the field of each byte.
 template <typename Fields>
 class RecordByteCoder {
  public:
   static constexpr int kOrders = 5;
-  static constexpr std::uint32_t kSlots = 1 << 14;  // for each order
+  static constexpr std::uint32_t kSlots = 1 << 14;  // for each of the kOrders kinds of contexts
 
   explicit RecordByteCoder(Memory& memory) : slots_(memory.take<AdaptiveBit>(kOrders * kSlots)) {}
 
@@ -91,7 +91,8 @@ class RecordByteCoder {
   explicit RecordByteCoder(AdaptiveBit* slots) : slots_(slots) {}
   AdaptiveBit* slots() const { return slots_; }
 
-  /// Codes `count` bytes: writes those in `bytes`, or reads into it. `Bits` as in CoefficientCoder.
+  /// Codes `count` bytes: an encoder writes those in `bytes`, a decoder reads into `bytes`. `Bits`
+  /// as in CoefficientCoder.
   template <typename Bits>
   void run(Bits& bits, std::uint8_t* bytes, std::uint32_t count) {
     std::fill_n(slots_, kOrders * kSlots, AdaptiveBit());
@@ -116,7 +117,7 @@ class RecordByteCoder {
   template <typename Bits>
   std::uint8_t code_byte(Bits& bits, std::uint8_t byte,
                          const std::array<std::uint32_t, kOrders>& keys, std::uint32_t field) {
-    std::uint32_t node = 1;  // the bits coded so far, after a leading one
+    std::uint32_t node = 1;  // a one, followed by the bits of the byte that are already coded
     while (node < 256) {
       std::array<AdaptiveBit*, kOrders> contexts;
       for (std::uint32_t order = 0; order < kOrders; ++order)

@@ -37,7 +37,7 @@ struct JointModel {
   }
 };
 
-/// World transform of a joint: x_in_world = origin + world_from_joint * x_in_joint.
+/// A joint's transform to world space: x_in_world = origin + world_from_joint * x_in_joint.
 struct JointPlace {
   Matrix3 world_from_joint;
   Vector3 origin;  // cm

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The rotation order of each joint that turns about three axes. A bank stores it per clip, so that
-// clips that differ in nothing else share one skeleton: FORMAT.md, "Packed clips". Three joints
-// share a byte.
+// The rotation order of each joint that turns about three axes. A bank stores the orders per clip,
+// so that clips that differ in nothing else share one skeleton: FORMAT.md, "Packed clips". A byte
+// holds the orders of three joints.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace mocapress::runtime {
 inline constexpr int kOrders = 6;
 inline constexpr int kOrdersOfByte = 3;
 
-/// The axes of each order from left to right; 0 1 2 are x y z.
+/// The axes of each rotation order, from left to right; 0 1 2 are x y z.
 inline constexpr std::uint8_t kAxesOfOrder[kOrders][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2},
                                                           {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
 
@@ -31,7 +31,7 @@ inline bool turns_about_three_axes(const std::uint8_t* kinds, int channels) {
   return turns == 3 && axes == 7;
 }
 
-/// Rearranges the rotation channels of such a joint into the given order.
+/// Rearranges the three rotation channels of a joint into the given order.
 inline void set_order(int order, std::uint8_t* kinds, int channels) {
   const std::uint8_t* axis = kAxesOfOrder[order];
   for (int c = 0; c < channels; ++c)
@@ -52,7 +52,7 @@ class JointOrders {
     return order;
   }
 
-  /// Fails if bytes are left over or an order was invalid.
+  /// Fails if bytes are left over, or if an order was invalid.
   mcpr_result finish() const {
     const bool all = !cursor_.failed() && cursor_.at_end() && fits_ && byte_ == 0;
     return all ? kOk : failure(MCPR_INVALID, cursor_.offset(), "impossible orders of rotations");

@@ -25,8 +25,8 @@ mcpr_result read_joint(Cursor& cursor, int index, JointRecord& record);
 mcpr_result decode_joint_bytes(const FileSections& sections, JointByteCoder& coder,
                                std::uint8_t* bytes);
 
-/// Parses all joints, parents first, and checks what concerns them together. Calls visit(index,
-/// record). `depths` has room for one number per joint.
+/// Parses all joints, parents first. Checks depth, number of channels and size of the whole
+/// skeleton. Calls visit(index, record). `depths` has room for one number per joint.
 template <typename Visit>
 mcpr_result read_joints(const FileSections& sections, const std::uint8_t* bytes,
                         std::uint16_t* depths, const Visit& visit) {

@@ -6,9 +6,9 @@
 
 namespace mocapress::runtime {
 
-/// The interpolating wavelet bases, by the even neighbours that predict an odd sample.
+/// The interpolating wavelet bases. They differ in the even samples that predict an odd one.
 enum class Wavelet : std::uint8_t {
-  Haar = 0,    // the even sample before it
+  Haar = 0,    // 1 neighbour, the even sample before
   Linear = 1,  // 2 neighbours
   Cubic = 2,   // 4 neighbours, as in the paper
 };
@@ -21,13 +21,14 @@ enum class LoopKind : std::uint8_t {
 };
 
 /// Codings of the motion that readers distinguish.
-inline constexpr std::uint8_t kComparison = 0;  // the file of a comparison method, without wavelets
+inline constexpr std::uint8_t kComparison = 0;  // file of a comparison method, without wavelets
 inline constexpr std::uint8_t kAdaptive = 3;
 
 /// The solver of an IK correction, which turns the joints of a limb.
 enum class Solver : std::uint8_t {
-  CyclicDescent = 1,  // the paper's: one joint after the other, repeatedly
-  NearestPose = 2,    // moves the limb least: two bones in closed form, else damped steps
+  CyclicDescent = 1,  // as in the paper that README.md names: one joint after the other, repeatedly
+  NearestPose = 2,    // moves the limb least: two bones in closed form, other limbs by damped least
+                      // squares
 };
 
 inline constexpr int kMostEffectors = 32;

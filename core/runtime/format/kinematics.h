@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rotations of joints: from channels to a matrix and back. Templates, used with Eigen's types by
-// the encoder and with those of space.h by the runtime. A matrix is any type with (row, column), a
+// Rotations of joints: from channels to a matrix and back. The encoder uses these templates with
+// Eigen's types, the runtime with those of space.h. A matrix is any type with (row, column), a
 // vector any type with [i].
 #pragma once
 
@@ -32,8 +32,8 @@ void turn_about(int axis, double radians, Matrix& m) {
   }
 }
 
-/// Applies a joint's channels in order. Rotations are multiplied to `rotation` from the right,
-/// translations (cm) are added to `translation`. Kinds 0 1 2 are translations along x y z, 3 4 5
+/// Applies a joint's channels in order. Multiplies `rotation` by each rotation on the right, and
+/// adds translations (cm) to `translation`. Kinds 0 1 2 are translations along x y z, 3 4 5
 /// rotations about them; `value(c)` is the value of channel c.
 template <typename Kind, typename Value, typename Matrix, typename Vector>
 void apply_channels(const Kind* kinds, int count, const Value& value, Matrix& rotation,
@@ -47,7 +47,7 @@ void apply_channels(const Kind* kinds, int count, const Value& value, Matrix& ro
   }
 }
 
-/// The angle equal to `angle` up to whole turns that is nearest to `previous`. radians
+/// `angle` plus the whole number of turns that brings it nearest to `previous`, in radians.
 inline double nearest_turn(double angle, double previous) {
   constexpr double kTurn = 2 * kPi;
   return angle - kTurn * std::round((angle - previous) / kTurn);
@@ -61,7 +61,8 @@ Vector three_angles(const Axes& axes, const Matrix& rotation, const Vector& prev
   const int i = axes[0];
   const int j = axes[1];
   const int k = axes[2];
-  const double sign = (i + 1) % 3 == j ? 1 : -1;  // an even or odd order of the axes
+  const double sign = (i + 1) % 3 == j ? 1 : -1;  // 1 for an even permutation of x y z, -1 for an
+                                                  // odd one
   const double a =
       std::sqrt(rotation(i, i) * rotation(i, i) + rotation(i, j) * rotation(i, j)) > kGimbalLock
           ? arc_tangent(-sign * rotation(j, k), rotation(k, k))

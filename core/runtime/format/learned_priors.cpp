@@ -7,8 +7,8 @@ namespace mocapress::runtime {
 
 namespace {
 
-/// Calls weight(index, step) for every mixing weight, then context(number, code, layout), where
-/// `layout` is that of the clips the priors were learned from.
+/// Parses learned priors. Calls weight(index, step) for every mixing weight, then context(number,
+/// code, layout) for each context; `layout` is that of the clips that the priors were learned from.
 template <typename Weight, typename Context>
 mcpr_result visit(const Bytes& learned, const Weight& weight, const Context& context) {
   Cursor cursor = learned.cursor();

@@ -14,7 +14,7 @@ inline constexpr std::size_t kAlignment = 32;  // equals MCPR_ALIGNMENT
 /// so that one function serves both to measure and to lay out.
 class Memory {
  public:
-  Memory() = default;  // measures
+  Memory() = default;  // a measuring instance
   Memory(void* memory, std::size_t size) : base_(static_cast<std::byte*>(memory)), size_(size) {}
 
   /// Returns uninitialised memory; null when measuring or when too little is left.
@@ -29,7 +29,7 @@ class Memory {
 
   std::uint64_t used() const { return used_; }
 
-  /// True if everything taken so far is within the memory, and aligned.
+  /// True if all that was taken so far fits into the memory, and the memory is aligned.
   bool holds() const {
     return base_ != nullptr && used_ <= size_ &&
            reinterpret_cast<std::uintptr_t>(base_) % kAlignment == 0;
@@ -41,7 +41,8 @@ class Memory {
   std::uint64_t used_ = 0;
 };
 
-/// True if memory from the caller can hold `needed` bytes. `too_small` is the message if not.
+/// Succeeds if memory from the caller is aligned and can hold `needed` bytes. `too_small` is the
+/// message if the memory is too small.
 inline mcpr_result check_memory(const void* memory, std::size_t size, std::uint64_t needed,
                                 const char* too_small) {
   if (memory == nullptr) return failure(MCPR_NO_MEMORY, 0, "no memory was given");

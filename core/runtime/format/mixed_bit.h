@@ -12,10 +12,10 @@
 
 namespace mocapress::runtime {
 
-/// Log odds are in 256ths: 256 = e.
+/// Log odds are natural logarithms, in 256ths: 256 stands for odds of e.
 inline constexpr std::int32_t kLogOddsRange = 2047;  // -8 ... 8
 
-/// The probability (65536ths) of log odds.
+/// The probability, in 65536ths, that belongs to log odds.
 constexpr std::int32_t squash(std::int32_t log_odds) {
   // 65536 / (1 + exp(-x / 2)) for x = -16 ... 16.
   constexpr std::array<std::int32_t, 33> kSquashed = {
@@ -28,21 +28,22 @@ constexpr std::int32_t squash(std::int32_t log_odds) {
   return (kSquashed[i] * (128 - share) + kSquashed[i + 1] * share + 64) >> 7;
 }
 
-/// The inverse of squash() for the upper 12 bits of a probability.
+/// The inverse of squash(), for the upper 12 bits of a probability.
 extern const std::array<std::int16_t, 4096> kStretched;
 
-/// A probability that follows the bits of one context, fast at first.
+/// The probability of a set bit in one context. It follows the bits that were coded: fast at first,
+/// then more slowly.
 struct AdaptiveBit {
   static constexpr std::uint16_t kSlowest = 250;
 
   std::uint16_t one = 32768;  // probability of a set bit, in 65536ths
-  std::uint16_t seen = 0;     // counts no further than the slowest rate
+  std::uint16_t seen = 0;     // number of bits seen, at most kSlowest
 
   void follow(bool bit);
 };
 
-/// The rate at which a context moves towards a bit, by the number of bits that it has seen, in
-/// 65536ths.
+/// For each number of bits that a context has seen: the rate at which its probability moves towards
+/// the next bit, in 65536ths.
 extern const std::array<std::int32_t, AdaptiveBit::kSlowest + 1> kRates;
 
 inline void AdaptiveBit::follow(bool bit) {
@@ -52,21 +53,23 @@ inline void AdaptiveBit::follow(bool bit) {
   if (seen < kSlowest) ++seen;
 }
 
-/// The weights of several contexts, in units of 1 / 65536.
+/// The mixing weights of several contexts; 65536 stands for 1.0.
 struct MixingWeights {
   static constexpr std::size_t kMost = 8;
   std::array<std::int32_t, kMost> of{};
 };
 
-/// Predicts one bit from several contexts, each of which saw some of the earlier bits. Every coded
-/// bit passes through here, so the code is inline and the number of contexts a template argument.
+/// Predicts one bit from several contexts, each of which has followed some of the earlier bits.
+/// Every coded bit passes through here, so the code is inline and the number of contexts a template
+/// argument.
 template <std::size_t count, std::size_t opinion_count = 0>
 class MixedBit {
  public:
   static constexpr std::size_t kAll = count + opinion_count;
   static_assert(kAll <= MixingWeights::kMost);
 
-  /// `opinions` are log odds that come from elsewhere; their weights follow those of the contexts.
+  /// `opinions` are log odds from other sources than contexts. Their weights come after those of
+  /// the contexts.
   MixedBit(const std::array<AdaptiveBit*, count>& contexts, MixingWeights& weights,
            const std::array<std::int32_t, opinion_count>& opinions = {})
       : contexts_(contexts), weights_(weights) {
@@ -81,16 +84,17 @@ class MixedBit {
 
   Probability one() const { return one_; }
 
-  /// For weights that start from priors, which may follow more slowly.
+  /// Learning rates, as shifts. Weights that start from priors follow at kSlower.
   static constexpr int kSlow = 17;
   static constexpr int kSlower = 18;
 
   void follow(bool bit, int slowness = kSlow) {
     constexpr std::int32_t kRate = 3;
-    constexpr std::int64_t kMost = 1 << 22;  // 64: hostile bytes cannot overflow
+    constexpr std::int64_t kMost = 1 << 22;  // stands for 64.0; a bound, so that hostile bytes
+                                             // cannot make a weight overflow
     const std::int32_t surprise = (bit ? 65536 : 0) - static_cast<std::int32_t>(one_);
     for (std::size_t i = 0; i < kAll; ++i) {
-      // 65536ths of weight; the product fits 64 bits by far.
+      // A change of the weight, before the shift; at most 2^16 * 2^11 * 3, so it cannot overflow.
       const std::int64_t step = static_cast<std::int64_t>(surprise) * evidence_[i] * kRate;
       const std::int64_t change = (step + (std::int64_t{1} << (slowness - 1))) >> slowness;
       weights_.of[i] = static_cast<std::int32_t>(

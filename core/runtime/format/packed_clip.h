@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A clip of a packed bank: FORMAT.md, "Packed clips". It has the sections of its .mcpr file, some
-// of them stored once for many clips.
+// A clip of a packed bank: FORMAT.md, "Packed clips". A packed clip has the same sections as a
+// .mcpr file, but the bank stores sections that several clips share only once.
 #pragma once
 
 #include <cstdint>
@@ -21,18 +21,19 @@ inline constexpr std::size_t kDescriptionBytes = 32;  // size of CLIP. Each clip
 inline constexpr std::size_t kFramesAt = 8;           // frames, u32, at this offset
 inline constexpr std::size_t kErrorsAt = 24;          // eps and max_error, f32 each
 
-/// Tag of the part that holds the bank's learned priors; files do not have it: learned_priors.h.
+/// Tag of the part that holds the bank's learned priors, which only banks have: learned_priors.h.
 inline constexpr char kLearned[] = "PRIO";
 
-/// Extra bytes allowed for a file whose joints were reordered. JNTS then has another length than in
-/// the bank, and the number of samples that a file may have depends on its length.
+/// Extra bytes in the count that bounds a clip's samples (most_values_of), if the bank stores the
+/// joints in another rotation order. JNTS may then be shorter in the bank than in the .mcpr file.
 inline constexpr std::size_t kReorderedRoom = 256;
 
-/// True if the size of a section is stored. The motion has none: it takes the bytes that are left.
+/// True if a packed clip stores the section's size. The motion has no stored size: it takes the
+/// bytes that are left.
 bool has_told_size(const Section& section);
 
-/// Reads the sections of a packed clip as its .mcpr has them. JNTS differs if orders() is not
-/// empty: then every joint that turns about three axes has them in the order x y z.
+/// Reads the sections of a packed clip, as they are in its .mcpr file. Only JNTS differs if
+/// orders() is not empty: then every joint that turns about three axes has them in the order x y z.
 class PackedSections {
  public:
   PackedSections(const mcpk_bank& bank, const BankEntry& entry)
@@ -44,16 +45,16 @@ class PackedSections {
   /// Reads the next section. Its payload is valid until the next call.
   mcpr_result next(Section& section);
 
-  /// Tiers of the clip that the bank still has, and the piece that each but the first adds to the
-  /// motion.
+  /// Number of the clip's tiers that the bank still has; and the piece that a tier adds to the
+  /// motion. The first tier has no piece.
   int tiers() const { return tiers_.present(); }
   Bytes piece(int tier) const { return bank_.bytes_of(tiers_.piece(tier, entry_.number)); }
 
-  /// The part that has the clip's joints; kOwnPart if the clip has them itself. Reads the outline
-  /// alone, not the clip.
+  /// Number of the part that holds the clip's joints; kOwnPart if the clip holds them itself. Reads
+  /// the clip's outline only.
   std::uint32_t joints_part();
 
-  /// Bytes of the clip that no section has taken.
+  /// Number of the clip's bytes that no section has taken.
   std::size_t left() const { return left_.left(); }
   std::size_t offset() const { return left_.offset(); }
 

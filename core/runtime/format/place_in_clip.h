@@ -10,22 +10,24 @@
 
 namespace mocapress::runtime {
 
-/// An instant this close to a frame counts as the frame. Converting seconds to frames rounds, and a
-/// frame costs less than an instant between two, most of all when playing at half the rate.
+/// An instant within this many frames of a frame counts as that frame. Converting seconds to frames
+/// rounds; and a frame is faster to compute than an instant between two, above all when playing at
+/// half the rate.
 inline constexpr float kAtFrame = 0x1p-16F;
 
-/// A position in the clip, or on the way from its last frame to its first.
+/// A position in the clip; or on the way from its last frame to its first: then `across` is the
+/// position between the two, 0 ... 1.
 struct PlaceInClip {
   double frame = 0;
   float across = 0;
 };
 
-/// Frames in one cycle of a loop; 0: not a loop.
+/// Number of frames in one cycle of a loop; 0: the clip is not a loop.
 constexpr int turn_frames_of(int frames, LoopKind loop) {
   return loop == LoopKind::None ? 0 : frames - (loop == LoopKind::Repeats ? 1 : 0);
 }
 
-/// The caller's rule for instants beyond the ends of a clip.
+/// The caller's rule for instants before the first frame or after the last.
 struct Wrapping {
   int frames = 1;
   LoopKind loop = LoopKind::None;
@@ -36,7 +38,7 @@ struct Wrapping {
            (wrap != MCPR_LOOP || turn_frames_of(frames, loop) > 0);
   }
 
-  /// Frames in one cycle; 0: nothing is repeated.
+  /// Number of frames in one cycle; 0: the clip is not repeated.
   int cycle() const {
     switch (wrap) {
       case MCPR_CLAMP:
@@ -62,7 +64,7 @@ struct Wrapping {
     if (!(within >= 0 && within < turn)) {
       within = std::fmod(frame, turn);
       if (within < 0) within += turn;
-      if (within >= turn) within = 0;  // a tiny negative instant rounds up to a whole cycle
+      if (within >= turn) within = 0;  // a tiny negative instant is rounded up to a whole cycle
     }
     if (within <= last) return {within, 0};
     if (wrap == MCPR_PING_PONG) return {2 * last - within, 0};

@@ -12,7 +12,7 @@ namespace mocapress::runtime {
 using Probability = std::uint32_t;
 inline constexpr Probability kEvenOdds = 32768;
 
-/// The last value of the range that decodes to a one; zeros lie above it.
+/// The largest code that decodes to a one; larger codes decode to a zero.
 constexpr std::uint32_t range_split(std::uint32_t low, std::uint32_t high, Probability one) {
   return low + static_cast<std::uint32_t>((static_cast<std::uint64_t>(high - low) * one) >> 16);
 }
@@ -22,7 +22,7 @@ constexpr bool leading_byte_is_settled(std::uint32_t low, std::uint32_t high) {
 }
 
 /// Decodes bits that a range coder wrote. Any bytes decode to something. Decoding fails, for good,
-/// when it has returned more bits than an encoder could have stored, which bounds the work by the
+/// once it has returned more bits than an encoder could have stored; this bounds the work by the
 /// number of bytes.
 class RangeDecoder {
  public:
@@ -50,14 +50,14 @@ class RangeDecoder {
     return bit;
   }
 
-  /// Makes decoding fail: a decoded number is out of bounds.
+  /// Makes decoding fail, because a decoded number is out of bounds.
   void refuse() { refused_ = true; }
 
   bool refused() const { return refused_; }
   bool exhausted() const { return next_ > size_ + kRegister; }
   bool failed() const { return refused_ || exhausted(); }
 
-  /// True if all bytes were read, as after the encoder's last bit.
+  /// True if all bytes were read, as is the case after the last coded bit.
   bool is_at_end() const { return next_ >= size_; }
 
   /// Bytes read so far.

@@ -17,7 +17,8 @@ constexpr bool failed(const mcpr_result& result) {
   return result.status != MCPR_OK;
 }
 
-/// Ends a call of the C interface: writes the report, unless it is null, and returns the status.
+/// Ends a call of the C interface: writes the report, unless `report` is null, and returns the
+/// status.
 constexpr mcpr_status tell(mcpr_result* report, const mcpr_result& result) {
   if (report != nullptr) *report = result;
   return result.status;

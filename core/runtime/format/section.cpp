@@ -18,7 +18,7 @@ constexpr std::array<std::uint32_t, 256> crc_table() {
 
 constexpr std::array<std::uint32_t, 256> kCrcTable = crc_table();
 
-/// Updates a running CRC with more bytes. The result is not yet inverted.
+/// Updates a running CRC with more bytes. The caller inverts the final result.
 std::uint32_t crc_of(std::uint32_t crc, const std::uint8_t* bytes, std::size_t size) {
   for (std::size_t i = 0; i < size; ++i) crc = crc >> 8 ^ kCrcTable[(crc ^ bytes[i]) & 0xFF];
   return crc;

@@ -7,7 +7,7 @@
 
 namespace mocapress::runtime {
 
-inline constexpr std::uint32_t kLeastSegment = 256;  // frames; bounds the fixed cost of a segment
+inline constexpr std::uint32_t kLeastSegment = 256;  // frames; each segment has a fixed cost
 
 /// Segments of `length` frames; the last may be shorter. Neighbours share `overlap` frames. A
 /// single segment has the length of the clip, and no overlap.
@@ -30,11 +30,12 @@ struct SegmentLayout {
     return frames + static_cast<std::int64_t>(count() - 1) * overlap;
   }
 
-  /// Consecutive frames that come from the same one or two segments.
+  /// Consecutive frames that lie in the same segment, or in the same two segments.
   struct Stretch {
-    int segment;  // the later one
-    int frames;   // number, beginning with the frame asked for
-    int shared;   // position in the overlap with the previous segment, from 0; -1: past it
+    int segment;  // number of the segment; the later one of two
+    int frames;   // number of frames, from the requested one on
+    int shared;   // position in the overlap with the previous segment, from 0 on; -1: not in an
+                  // overlap
   };
   constexpr Stretch stretch_at(int frame) const {
     const int segment = hop() > 0 ? std::min(frame / hop(), count() - 1) : 0;
@@ -50,10 +51,11 @@ constexpr bool may_be_segments(std::uint32_t frames, std::uint32_t length, std::
   return length >= kLeastSegment && length < frames && overlap >= 1 && overlap <= length / 2;
 }
 
-/// Blending weight of the later of two segments at overlap position `shared`.
+/// Blending weight of the later of two segments, at position `shared` of their overlap.
 float share_of_later(const SegmentLayout& layout, int shared);
 
-/// Blends the samples of two segments. Every operation is rounded to a float.
+/// Blends the samples of two segments. Every operation is rounded to a float, so that all decoders
+/// give the same bits.
 float blended(float earlier, float later, float share_of_later);
 
 }  // namespace mocapress::runtime

@@ -35,8 +35,8 @@ bool NeighbourFinder::same_shape(const JointTree& tree, int a, int b) const {
   return of_a == of_b;
 }
 
-/// Numbers subtrees by shape, children first: a subtree has the number of the first joint with an
-/// equal one.
+/// Numbers the subtrees by shape, children first. Subtrees of equal shape get the same number: the
+/// joint that was found first.
 void NeighbourFinder::number_shapes(const JointTree& tree) const {
   std::fill_n(table_, table_size_, -1);
   for (int j = tree.joints - 1; j >= 0; --j) {
@@ -55,8 +55,9 @@ void NeighbourFinder::number_shapes(const JointTree& tree) const {
   }
 }
 
-/// If a joint's parent mirrors another joint, the joint mirrors that joint's child in the same
-/// place. Otherwise it mirrors the last earlier sibling of the same shape that mirrors none itself.
+/// Finds the mirror of each joint. If the parent mirrors another joint, the mirror is that joint's
+/// child at the same place among its children. Otherwise it is the last earlier sibling of the same
+/// shape that has no mirror.
 void NeighbourFinder::find_mirrors(const JointTree& tree) const {
   std::fill_n(mirror_, tree.joints, -1);
   for (int parent = 0; parent < tree.joints; ++parent) {
@@ -79,8 +80,8 @@ void NeighbourFinder::find(const JointTree& tree, SignalNeighbours* neighbours) 
   number_shapes(tree);
   find_mirrors(tree);
   int channel = 0;
-  int* const last_of = first_child_;  // last channel at or above each joint; reuses memory that is
-                                      // free by now
+  int* const last_of = first_child_;  // last channel at or above each joint; uses the memory of
+                                      // first_child_, which is no longer needed
   for (int j = 0; j < tree.joints; ++j) {
     first_channel_[j] = channel;
     int last = tree.parents[j] < 0 ? -1 : last_of[tree.parents[j]];

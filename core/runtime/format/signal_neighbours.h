@@ -9,20 +9,20 @@ namespace mocapress::runtime {
 
 /// Earlier signals that resemble a signal; -1: none.
 struct SignalNeighbours {
-  int sibling = -1;  // the previous channel of the joint or, for its first, the last one of the
+  int sibling = -1;  // the joint's previous channel; for its first channel, the last channel of the
                      // joints above
-  int mirror = -1;   // on the other side of the body
+  int mirror = -1;   // the same channel on the other side of the body
 };
 
-/// The skeleton as far as neighbours depend on it.
+/// The properties of the skeleton from which neighbours are found.
 struct JointTree {
   int joints;
   const std::int16_t* parents;  // -1: a root; else an earlier joint
   const std::uint8_t* channel_counts;
 };
 
-/// Finds the neighbours of channels from the skeleton alone: FORMAT.md, 6.4. Takes time in
-/// proportion to joints^2 at worst.
+/// Finds the neighbours of channels from the skeleton alone: FORMAT.md, 6.4. In the worst case, the
+/// time grows as joints^2.
 class NeighbourFinder {
  public:
   NeighbourFinder(Memory& memory, int joints);
@@ -39,16 +39,17 @@ class NeighbourFinder {
   // Arrays with one element per joint; -1: none.
   int* first_child_;
   int* next_sibling_;
-  int* shape_;  // number of the joint's shape. Subtrees with equal numbers are equally large and
-                // have the same channels
+  int* shape_;  // number of the joint's shape: subtrees with the same number have equal structure
+                // and channels
   int* mirror_;
   int* first_channel_;
-  // A hash table from shapes of subtrees to joints.
+  // A hash table from the shapes of subtrees to joints.
   std::uint32_t table_size_;  // a power of 2
   int* table_;
 };
 
-/// Sets the neighbours of an IK correction's offsets, `count` signals after the first `first`.
+/// Sets the neighbours of an IK correction's offsets: `count` signals, the first of which has
+/// number `first`.
 void set_correction_neighbours(int first, int count, SignalNeighbours* neighbours);
 
 }  // namespace mocapress::runtime

@@ -8,7 +8,8 @@
 namespace mocapress::runtime {
 namespace {
 
-constexpr std::uint64_t kMostBytes = 0xFFFFFFFFU;  // for a section, and for a file with tiers
+constexpr std::uint64_t kMostBytes = 0xFFFFFFFFU;  // limit for a tier, and for a whole file with
+                                                   // tiers
 constexpr std::size_t kMostBytesOfSize = 5;
 
 }  // namespace

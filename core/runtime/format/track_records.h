@@ -14,10 +14,10 @@
 
 namespace mocapress::runtime {
 
-/// Curves with samples beyond this are decoded in double precision, as channels are.
+/// Curves with larger samples are decoded in double precision, as channels are.
 inline constexpr float kTrackDoublePrecision = 8;
 
-/// Tracks which field of a track record the next byte belongs to.
+/// Finds out which field of a track record the next byte belongs to.
 class TrackFields {
  public:
   static constexpr int kCount = 6;  // node name's length, node name, track name's length, track
@@ -34,7 +34,7 @@ class TrackFields {
 
  private:
   int field_ = 0;
-  int left_ = 0;  // bytes left of a name
+  int left_ = 0;  // remaining bytes of a name
 };
 
 using TrackByteCoder = RecordByteCoder<TrackFields>;
@@ -54,7 +54,7 @@ struct TrackRecord {
   bool steps() const { return (flags & kSteps) != 0; }
 };
 
-/// Consecutive frames with one value, equal to the bit.
+/// Consecutive frames whose values are equal bit by bit.
 struct TrackRun {
   std::uint32_t end;  // one past its last frame
   float value;
@@ -67,7 +67,7 @@ class RunCoder {
   /// CoefficientCoder.
   template <typename Bits>
   void code(Bits& bits, std::uint32_t first, std::uint32_t frames, TrackRun& run) {
-    const bool goes_on = first > 0;  // not the first run of the track
+    const bool goes_on = first > 0;  // true: not the first run of the track
     if (code_bit(bits, is_last_[goes_on], run.end == frames)) {
       run.end = frames;
     } else {
@@ -81,7 +81,7 @@ class RunCoder {
  private:
   static constexpr std::int32_t kRecent = 16;
 
-  /// Codes a value as a reference to a recent one, or in full.
+  /// Codes a value as its place among recent values, or else in full.
   template <typename Bits>
   void code_value(Bits& bits, DigitCoder& coder, float& value) {
     auto pattern = bit_pattern<std::uint32_t>(value);
@@ -95,7 +95,7 @@ class RunCoder {
         coded =
             coded << 1 | static_cast<std::uint32_t>(bits.code((pattern >> d & 1) != 0, kEvenOdds));
       pattern = coded;
-      --place;  // drops the oldest
+      --place;  // the oldest recent value is dropped
     } else {
       pattern = recent_[static_cast<std::size_t>(place)];
     }
@@ -111,7 +111,7 @@ class RunCoder {
   std::array<std::uint32_t, kRecent> recent_ = {0, 0x3F800000};  // 0.0, 1.0, then zeros
 };
 
-/// Each curve has the previous one as its neighbour.
+/// Makes the previous curve the only neighbour of each curve.
 inline void set_track_neighbours(int curves, SignalNeighbours* neighbours) {
   for (int s = 0; s < curves; ++s) neighbours[s] = {s - 1, -1};
 }
@@ -119,8 +119,8 @@ inline void set_track_neighbours(int curves, SignalNeighbours* neighbours) {
 /// Parses the next track's record.
 mcpr_result read_track_record(Cursor& cursor, TrackRecord& record);
 
-/// Decodes all but the curves: head.record_bytes into `records`, and head.runs into `runs`, ordered
-/// by held track. Checks all records.
+/// Decodes everything but the curves: head.record_bytes into `records`, and head.runs into `runs`,
+/// ordered by held track. Checks all records.
 mcpr_result decode_tracks(const TracksHead& head, std::uint32_t frames, TrackByteCoder& coder,
                           std::uint8_t* records, TrackRun* runs);
 

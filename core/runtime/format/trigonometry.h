@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Sine, cosine and their inverses in double precision. Those of C libraries differ from machine to
-// machine in the last bit; these give the same bits everywhere, since they only add, multiply,
-// divide and take roots, and error by less than one unit in the last place (the inverses: two).
+// Sine, cosine and their inverses in double precision. The functions of C libraries differ between
+// machines in the last bit. These give the same bits everywhere, because they only add, multiply,
+// divide and take roots. Their error is less than one unit in the last place (inverses: two).
 #pragma once
 
 #include <cmath>
@@ -17,12 +17,13 @@ struct SineAndCosine {
   double cosine;
 };
 
-/// radians. Beyond a million radians, which no motion has, whole turns are taken off with the error
-/// of a rounded pi.
+/// Sine and cosine of an angle in radians. Beyond a million radians, which no motion reaches, whole
+/// turns are subtracted first, with the error of a rounded pi.
 inline SineAndCosine sine_and_cosine(double angle) {
   if (std::abs(angle) > 0x1p20) angle = std::fmod(angle, 2 * kPi);
-  // Takes off quarter turns, in three parts: products with the first two are exact. `rest` is what
-  // rounding `near` lost. Adding `round` leaves a whole number in the lowest bits.
+  // Subtracts quarter turns. pi / 2 is split into three parts, so that the products with the first
+  // two are exact. `rest` is the rounding error of `near`. Adding kRound leaves a whole number in
+  // the lowest bits.
   constexpr double kRound = 0x1.8p52;
   const double counted = angle * (2 / kPi) + kRound;
   const double quarters = counted - kRound;
@@ -30,7 +31,7 @@ inline SineAndCosine sine_and_cosine(double angle) {
   const double second = quarters * 0x1.0b4611a6p-34;
   const double near = first - second;
   const double rest = ((first - near) - second) - quarters * 0x1.3198a2e037073p-69;
-  // Taylor's series at near + rest, within an eighth of a turn.
+  // Taylor series at near + rest, which is at most an eighth of a turn.
   const double z = near * near;
   const double odd =
       z * (-1.0 / 6 +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Constant rotations before and after a joint's angles: FORMAT.md, AXES.
+// Constant rotations before and after the rotation of a joint's channels: FORMAT.md, AXES.
 #pragma once
 
 #include <cmath>
@@ -10,12 +10,12 @@
 
 namespace mocapress::runtime {
 
-inline constexpr int kTurnBits = 5;     // width of each of six numbers
-inline constexpr int kFixedTurns = 16;  // units in half a turn
+inline constexpr int kTurnBits = 5;     // bits of each of the six coded numbers
+inline constexpr int kFixedTurns = 16;  // units per half turn
 inline constexpr std::uint32_t kTurnedAxesBytes = 4;
 
-/// True if a joint's axes may be turned: it has a parent, and three rotation channels about three
-/// different axes.
+/// True if a joint's axes may be turned: it has a parent, and its rotation channels turn about
+/// three different axes.
 inline bool may_turn_axes(const JointModel& joint) {
   int axes = 0;
   int turns = 0;

@@ -35,8 +35,8 @@ constexpr ScaleWeights kScaleWeights = {
      {247, 45, 34, 119, 69, 79, 13, 19, 18, 18, 206, 13, 137, 1, 162, 3072, 54, 26}}};
 
 void SignalPrediction::begin() {
-  constexpr std::int32_t kRidge = 40 << 12;  // initial regularisation: as many past observations of
-                                             // zero for each tap
+  constexpr std::int32_t kRidge = 40 << 12;  // initial regularisation: as if each tap had been 1.0
+                                             // (64) in 40 observations of the value 0
   products.fill(0);
   for (int i = 0; i < kTaps; ++i) product(i, i) = kRidge;
   errors.fill(0);
@@ -82,7 +82,7 @@ void SignalPrediction::follow(const std::int16_t* taps, int error) {
   }
   if (!any) return;
   if (++seen == kMostSeen) halve();
-  // Updates the weights that would change most.
+  // Updates the weights with the largest remaining errors.
   for (int move = 0; move < kMoves; ++move) {
     int most = 0;
     std::int64_t largest = -1;
@@ -102,8 +102,8 @@ void SignalPrediction::follow(const std::int16_t* taps, int error) {
   }
 }
 
-// RestPrediction uses 32-bit sums and 16-bit products, which vector instructions compute several at
-// a time. Weights stay within 4, and errors within 5 kFarthest.
+// RestPrediction uses 32-bit sums and 16-bit products, since vector instructions compute several of
+// those at once. They cannot overflow: weights are at most 4.0, and errors at most 5 kFarthest.
 
 int RestPrediction::of(const Taps& taps) const {
   std::int32_t sum = 1 << 11;
@@ -141,8 +141,7 @@ const PredictionKernels* prediction_of(mcpr_path path) {
     case Kernels::None:
       break;
     case Kernels::Plain:
-    case Kernels::Four:  // vectors of four are no faster: most of the work is on integers of 64
-                         // bits
+    case Kernels::Four:  // no faster with vectors of four: most of the work is on 64-bit integers
       return &kPlainPrediction;
     case Kernels::Avx2:
 #ifdef MOCAPRESS_HAS_AVX2

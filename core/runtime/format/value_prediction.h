@@ -15,11 +15,12 @@
 
 namespace mocapress::runtime {
 
-/// Scales of coefficients, four per octave; kScaleOfOne stands for 1.
+/// Number of scales (typical magnitudes) of coefficients, four per octave. kScaleOfOne stands for
+/// 1.
 inline constexpr int kScales = 64;
 inline constexpr int kScaleOfOne = 12;
 
-/// log2(v) in 256ths, linear between powers of two. v > 0.
+/// log2(v) in 256ths for v > 0, linear between powers of two.
 inline int log2_256(std::uint32_t v) {
   const int digits = static_cast<int>(std::bit_width(v));
   const std::uint32_t mantissa = digits > 9 ? v >> (digits - 9) : v << (9 - digits);
@@ -29,15 +30,16 @@ inline int log2_256(std::uint32_t v) {
 /// 65536 / 2^((scale - kScaleOfOne) / 4), rounded.
 extern const std::array<std::int32_t, kScales> kInverseScales;
 
-/// Weight of each feature around a coefficient in the estimate of its magnitude, by level. 1024 =
-/// 1.0. Fitted to corpus/train.
+/// Weights of the features around a coefficient, for the estimate of its magnitude: one set per
+/// level. 1024 stands for 1.0. Fitted to corpus/train.
 inline constexpr int kScaleFeatures = 18;
 inline constexpr int kScaleLevels = 8;
 using ScaleWeights = std::array<std::array<std::int16_t, kScaleFeatures>, kScaleLevels>;
 extern const ScaleWeights kScaleWeights;
 
-/// Recursive least squares for one signal: predicts a coefficient as a weighted sum of those around
-/// it, and learns the weights. Values are divided by their expected scale, in 64ths.
+/// Recursive least squares for one signal: predicts a coefficient as a weighted sum of the
+/// coefficients around it, and learns the weights. Values are divided by their expected scale, in
+/// 64ths.
 struct SignalPrediction {
   static constexpr int kTaps = 24;
   static constexpr int kFarthest = 1023;
@@ -50,10 +52,10 @@ struct SignalPrediction {
   /// Learns from a decoded value: `error` = value - prediction.
   void follow(const std::int16_t* taps, int error);
 
-  std::array<std::int32_t, kTaps * kTaps> products;  // correlations of taps, row by row
-  std::array<std::int64_t, kTaps> errors;            // correlation of each tap with the error that
-                                                     // the weights leave
-  std::array<std::int32_t, kTaps> weights;           // 16384 = 1.0
+  std::array<std::int32_t, kTaps * kTaps> products;  // sums of products of two taps, row by row
+  std::array<std::int64_t, kTaps> errors;   // for each tap: sum of its products with the error that
+                                            // the weights leave
+  std::array<std::int32_t, kTaps> weights;  // 16384 = 1.0
   std::int32_t seen;
 
   static constexpr std::int32_t kMostSeen = 512;  // observations after which all statistics are
@@ -73,10 +75,10 @@ struct SignalPrediction {
   }
 };
 
-/// Predicts the error that SignalPrediction leaves, from the same coefficients and those of other
-/// signals. Normalised least mean squares: learns slowly and costs little.
+/// Predicts the error that SignalPrediction leaves, from the same coefficients and from those of
+/// more signals. Normalised least mean squares: learns slowly and costs little.
 struct RestPrediction {
-  static constexpr int kTaps = 56;  // the first are SignalPrediction's
+  static constexpr int kTaps = 56;  // the first ones are those of SignalPrediction
   using Taps = std::array<std::int16_t, kTaps>;
 
   void begin() { weights.fill(0); }
@@ -85,18 +87,19 @@ struct RestPrediction {
   /// Learns from a decoded value: `error` = error left by SignalPrediction - prediction.
   void follow(const Taps& taps, int error);
 
-  /// Step size: each weight changes by this times its tap.
+  /// Step size: a weight changes by the step times its tap.
   static std::int16_t step_of(int error, std::int32_t squares) {
     constexpr std::int32_t kRate = 121635;  // 0.116 * 2^20
     return static_cast<std::int16_t>(error * kRate / squares);
   }
-  static constexpr std::int32_t kRidge = 58 * 640;  // added to the squares of the taps
+  static constexpr std::int32_t kRidge = 58 * 640;  // added to the sum of the taps' squares
   static constexpr std::int32_t kMost = 4 << 20;    // bound for a weight
 
   std::array<std::int32_t, kTaps> weights;  // 2^20 = 1.0
 };
 
-/// Predicting and learning of both classes for one instruction set. All compute the same integers.
+/// Functions of both classes for one instruction set. All instruction sets compute the same
+/// integers.
 struct PredictionKernels {
   int (*of_signal)(const SignalPrediction&, const std::int16_t* taps);
   void (*signal_follows)(SignalPrediction&, const std::int16_t* taps, int error);
@@ -108,7 +111,7 @@ struct PredictionKernels {
                     std::int32_t inverse, RestPrediction::Taps& taps);
 };
 
-/// Null if the build or the machine does not have the path.
+/// The kernels of a path; null if the build or the machine does not have it.
 const PredictionKernels* prediction_of(mcpr_path path);
 
 inline const PredictionKernels& best_prediction() {
@@ -116,10 +119,10 @@ inline const PredictionKernels& best_prediction() {
 }
 
 extern const PredictionKernels kPlainPrediction;
-extern const PredictionKernels kAvx2Prediction;  // if the build has AVX2
+extern const PredictionKernels kAvx2Prediction;  // only in a build with AVX2
 
-/// Bound for the value in normalised(). Larger values give the same result, but their product with
-/// `inverse` might not fit 32 bits.
+/// Bound for `value` in normalised(). Larger values give the same result, but their product with
+/// `inverse` might overflow 32 bits.
 constexpr std::int32_t largest_normal(std::int32_t inverse) {
   return ((SignalPrediction::kFarthest + 1) << 10) / inverse + 1;
 }
@@ -133,15 +136,15 @@ inline std::int16_t normalised(std::int32_t value, std::int32_t inverse) {
 /// 2^30 / (1 + exp(i / 4)), i = 0 ... 64.
 extern const std::array<std::int32_t, 65> kLogisticTails;
 
-/// Distribution of a value: logistic, around its prediction. Its scale is 0.7 of the mean absolute
-/// deviation.
+/// Probability distribution of a value: a logistic distribution around its prediction. Its scale is
+/// 0.7 of the mean absolute deviation.
 class ExpectedValue {
  public:
   /// `mean` is in 64ths; `deviation`, the mean absolute deviation, in 256ths, > 0.
   ExpectedValue(std::int64_t mean, std::int32_t deviation)
       : mean_(mean), inverse_((1463 << 10) / std::max(deviation, 16)) {}
 
-  /// Log odds of a bit from this distribution, and from one half as wide.
+  /// Log odds of a bit, from this distribution and from one that is half as wide.
   using Opinions = std::array<std::int32_t, 2>;
 
   /// A probability from each of the two distributions, in units of 2^-30.
@@ -156,7 +159,7 @@ class ExpectedValue {
     return {kWhole - above(32 - 64 * value, 0), kWhole - above(32 - 64 * value, 1)};
   }
 
-  /// Mirrors the distribution once the sign is known, so that what follows is about magnitudes.
+  /// Mirrors the distribution if the value is negative, so that it then describes magnitudes.
   void fold(bool minus) { mean_ = minus ? -mean_ : mean_; }
 
   /// Log odds of `part` given `whole`.
@@ -182,7 +185,7 @@ class ExpectedValue {
     return far < 0 ? kWhole - tail : tail;
   }
 
-  /// Log odds of `part` given `whole`; 0 if `whole` is too small to say anything.
+  /// Log odds of `part` given `whole`; 0 if `whole` is too improbable to tell.
   static std::int32_t log_odds(std::int32_t part, std::int32_t whole) {
     if (whole < 256) return 0;
     const int shift =

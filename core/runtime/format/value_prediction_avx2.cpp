@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// value_prediction.cpp for AVX2. Computes the same integers.
+// The kernels of value_prediction.h for AVX2. They compute the same integers as
+// value_prediction.cpp.
 #include "core/runtime/format/value_prediction.h"
 #include "core/runtime/processor/processor.h"
 
@@ -26,7 +27,7 @@ MOCAPRESS_AVX2 inline __m256i four_as_longs(const std::int32_t* from) {
   return _mm256_cvtepi32_epi64(_mm_loadu_si128(reinterpret_cast<const __m128i*>(from)));
 }
 
-/// Masks the upper half of each lane, so that numbers of 16 bits can be multiplied by a cheaper
+/// Clears the upper half of each lane, so that numbers of 16 bits can be multiplied by a cheaper
 /// instruction than _mm256_mullo_epi32.
 MOCAPRESS_AVX2 inline __m256i low_halves(__m256i numbers) {
   return _mm256_and_si256(numbers, _mm256_set1_epi32(0xFFFF));
@@ -44,7 +45,8 @@ MOCAPRESS_AVX2 inline __m256i size_of_longs(__m256i v) {
   return _mm256_sub_epi64(_mm256_xor_si256(v, sign), sign);
 }
 
-constexpr int kLongs = SignalPrediction::kTaps / 4;  // vectors of kTaps numbers
+constexpr int kLongs = SignalPrediction::kTaps / 4;  // vectors of 64-bit integers that hold kTaps
+                                                     // numbers
 constexpr int kInts = SignalPrediction::kTaps / 8;
 
 MOCAPRESS_AVX2 int of_signal(const SignalPrediction& prediction, const std::int16_t* taps) {
@@ -63,7 +65,7 @@ MOCAPRESS_AVX2 int of_signal(const SignalPrediction& prediction, const std::int1
                                                    2 * SignalPrediction::kFarthest));
 }
 
-/// Index of the first of the largest errors.
+/// Index of the largest error; the first of equal ones.
 MOCAPRESS_AVX2 int most_in_error(const SignalPrediction& prediction) {
   __m256i sizes[kLongs];
   for (int v = 0; v < kLongs; ++v)
@@ -83,8 +85,8 @@ MOCAPRESS_AVX2 int most_in_error(const SignalPrediction& prediction) {
   return std::countr_zero(found);
 }
 
-/// AVX2 has no arithmetic shift of 64-bit lanes: this is added before a logical shift, and
-/// subtracted after it.
+/// Makes up for an arithmetic shift of 64-bit lanes, which AVX2 lacks: kBias is added before a
+/// logical shift, and kBias, shifted too, is subtracted after it.
 constexpr std::int64_t kBias = std::int64_t{1} << 62;
 
 MOCAPRESS_AVX2 void signal_follows(SignalPrediction& prediction, const std::int16_t* taps,
