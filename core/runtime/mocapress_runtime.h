@@ -51,12 +51,12 @@ extern "C" {
 #define MCPR_VERSION_PATCH 0
 #define MCPR_VERSION (MCPR_VERSION_MAJOR * 10000 + MCPR_VERSION_MINOR * 100 + MCPR_VERSION_PATCH)
 
-/* Alignment, in bytes, of banks, and of all memory to build in or to work in. Files, and arrays
- * that are written to, such as poses, may have any that suits their type. */
+/* Alignment, in bytes, of banks and of all memory to build in or to work in. Files, and output
+ * arrays such as poses, need only the alignment of their type. */
 #define MCPR_ALIGNMENT 32
 
-/* Before every function. Define it when the decoder goes into a shared library, for example as
- * __declspec(dllexport) where it is compiled and __declspec(dllimport) where it is used. */
+/* Goes before every function. Define it when the decoder is part of a shared library, for example
+ * as __declspec(dllexport) where it is compiled and __declspec(dllimport) where it is used. */
 #ifndef MCPR_API
 #define MCPR_API
 #endif
@@ -78,15 +78,15 @@ typedef enum mcpr_status {
 /* The report of a call, with the place and the cause of a failure. */
 typedef struct mcpr_result {
   mcpr_status status;
-  size_t offset;       /* the first offending byte in the file; 0 if no byte is at fault */
+  size_t offset;       /* the first byte in the file that is wrong; 0 if no byte is at fault */
   const char* message; /* a constant string in English; never null */
 } mcpr_result;
 
 /* A short English name for a status, such as "damaged file". Never null. */
 MCPR_API const char* mcpr_status_message(mcpr_status status);
 
-/* Limits for files. A file beyond any of the first five is refused before anything is decoded, and
- * one beyond resident_bytes once mcpr_read has decoded it. */
+/* Limits for files. A file that exceeds one of the first five is refused before anything is
+ * decoded. One that exceeds resident_bytes is refused after mcpr_read has decoded it. */
 typedef struct mcpr_limits {
   uint32_t frames;
   uint32_t joints;
@@ -96,19 +96,22 @@ typedef struct mcpr_limits {
   size_t scratch_bytes; /* limit for mcpr_info.read_bytes */
   size_t resident_bytes;
   uint32_t solver_iterations; /* cap on the IK solver's iterations per limb and frame; the format's
-                                 solvers take up to 60 or 12. Fewer are faster and less exact */
-  uint32_t tiers;             /* number of tiers to read of a file that has some, and may end after
-                                 them: see mcpr_tier_of. 0: all */
+                                 solvers take up to 60 or 12. Fewer iterations are faster and less
+                                 exact */
+  uint32_t tiers;             /* number of tiers to read of a file that has tiers; the file may end
+                                 after them, see mcpr_tier_of. 0: all */
 } mcpr_limits;
 
 /* Sets *out to the limits of the format. Every valid file is within them: 2^22 frames, 4096 joints,
  * 24576 channels, 2^26 values, 608 MiB of scratch memory, 272 MiB for the resident form, 60
- * iterations, all tiers. Set lower ones where files come from strangers; higher have no effect. */
+ * iterations, all tiers. Set lower limits where files come from strangers; higher limits have no
+ * effect. */
 MCPR_API void mcpr_default_limits(mcpr_limits* out);
 
 /* ---------------------------------------------------------------- opening */
 
-/* The contents of a file as its headers state them. The first five as in mcpr_clip_info. */
+/* The contents of a file, as its headers state them. The first five members mean the same as in
+ * mcpr_clip_info. */
 typedef struct mcpr_info {
   double sample_rate;
   uint32_t frames;
@@ -119,38 +122,43 @@ typedef struct mcpr_info {
                           correction, clip ends, turned axes */
   size_t read_bytes;   /* scratch memory that mcpr_read needs. For a segmented clip: one decoded
                           segment plus motion_bytes */
-  float error;         /* cm, RMS against the original when encoded, with the tiers that the limits
-                          ask for; 0: not known. Informative */
-  float max_error;     /* cm, the largest of any point at any frame. Likewise */
-  uint32_t tiers;      /* number in the whole file; 1: it can be read only as a whole */
+  float error;         /* root-mean-square error in cm against the original, measured by the
+                          encoder, with the tiers that the limits ask for; 0: not known. Informative
+                          */
+  float max_error;     /* largest error of any point at any frame, in cm; 0: not known. Informative
+                        */
+  uint32_t tiers;      /* number of tiers in the whole file; 1: it can be read only as a whole */
 } mcpr_info;
 
-/* Reads the headers of a file into *info, and checks all checksums of what the limits ask for. Null
- * `limits` are the default ones. Fails with any status from MCPR_NOT_A_CLIP to MCPR_LIMIT. */
+/* Reads the headers of a file into *info, and verifies all checksums in the part of the file that
+ * the limits ask for. If `limits` is null, the default limits apply. Fails with any status from
+ * MCPR_NOT_A_CLIP to MCPR_LIMIT. */
 MCPR_API mcpr_status mcpr_inspect(const void* file, size_t size, const mcpr_limits* limits,
                                   mcpr_info* info, mcpr_result* report);
 
-/* A tier: a part of a file, from its start, that holds a coarser motion. The last tier is the whole
- * motion. */
+/* A tier: the first bytes of a file, which are enough for a coarser motion. The last tier is the
+ * whole file. */
 typedef struct mcpr_tier {
-  size_t bytes;            /* the file's first bytes, which are enough for this tier */
-  uint32_t bands_left_out; /* finest bands that the motion then lacks, see mcpr_clip_info.bands */
-  float error;     /* cm, RMS against the original when encoded; 0: not known. That of the last
-                      tier is in mcpr_info, not here. Informative */
-  float max_error; /* cm, the largest of any point at any frame. Likewise */
+  size_t bytes;            /* number of bytes from the start of the file that are enough for this
+                              tier */
+  uint32_t bands_left_out; /* number of the finest bands that the motion then lacks, see
+                              mcpr_clip_info.bands */
+  float error;     /* root-mean-square error in cm against the original, measured by the encoder; 0:
+                      not known. For the last tier it is in mcpr_info, not here. Informative */
+  float max_error; /* largest error of any point at any frame, in cm. Like `error` */
 } mcpr_tier;
 
-/* The first bytes of a file in which mcpr_tier_of finds the tiers. */
+/* mcpr_tier_of needs at most this many bytes from the start of a file. */
 #define MCPR_TIERS_HEAD_BYTES 133
 
-/* Describes a tier of a file of which `size` bytes, from its start, are there. To play a file while
- * the rest is on its way: load as many bytes as the first tier has, and read them with
- * mcpr_limits.tiers = 1; then load the bytes up to the next tier's, and read the file again with
- * tiers = 2. Fails with MCPR_ARGUMENT if the file has no such tier, or none at all. */
+/* Describes a tier of a file whose first `size` bytes have been loaded. To play a file while the
+ * rest is loading: load as many bytes as the first tier has, and read them with mcpr_limits.tiers =
+ * 1; then load up to the size of the next tier, and read the file again with tiers = 2. Fails with
+ * MCPR_ARGUMENT if the file has no such tier, or no tiers at all. */
 MCPR_API mcpr_status mcpr_tier_of(const void* file, size_t size, uint32_t tier, mcpr_tier* out,
                                   mcpr_result* report);
 
-/* Decodes a file, or its first tiers, into `scratch`, of at least mcpr_info.read_bytes. Sets
+/* Decodes a file, or its first tiers, into `scratch`, which has at least mcpr_info.read_bytes. Sets
  * *resident_bytes to the memory that mcpr_build needs. The file is not needed afterwards. Takes
  * time in proportion to values + joints^2 + 2^15 * size at most. Fails as mcpr_inspect does. */
 MCPR_API mcpr_status mcpr_read(const void* file, size_t size, const mcpr_limits* limits,
@@ -160,23 +168,24 @@ MCPR_API mcpr_status mcpr_read(const void* file, size_t size, const mcpr_limits*
 /* A clip in its resident form: skeleton, motion and tracks in one block of bytes. */
 typedef struct mcpr_clip mcpr_clip;
 
-/* Builds the resident form in `resident`, of the size that mcpr_read told, and points *clip to it.
- * `scratch` is the memory that mcpr_read filled, at the same address, and not needed afterwards.
- * The resident form contains no pointers: within one program and version it may be moved and copied
- * as bytes. For a segmented clip this takes as long as mcpr_read. */
+/* Builds the resident form in `resident`, which has the size that mcpr_read returned, and points
+ * *clip to it. `scratch` is the memory that mcpr_read filled, at the same address; it is not needed
+ * afterwards. The resident form contains no pointers: within one program and version it may be
+ * moved and copied as bytes. For a segmented clip, building takes as long as mcpr_read. */
 MCPR_API mcpr_status mcpr_build(void* scratch, size_t scratch_size, void* resident,
                                 size_t resident_size, const mcpr_clip** clip, mcpr_result* report);
 
-/* Memory for mcpr_load. `allocate` gives memory with this alignment, a power of two, or null if it
- * has none; `release` takes it back. */
+/* Memory for mcpr_load. `allocate` returns memory with the given alignment, a power of two, or null
+ * if there is none; `release` takes it back. */
 typedef struct mcpr_allocator {
   void* (*allocate)(void* context, size_t size, size_t alignment);
   void (*release)(void* context, void* memory);
   void* context;
 } mcpr_allocator;
 
-/* mcpr_inspect, mcpr_read and mcpr_build in one call. The clip is one piece of the allocator's
- * memory, to be released by it. Everything else has been released, also after a failure. */
+/* Does what mcpr_inspect, mcpr_read and mcpr_build do, in one call. The clip is one piece of memory
+ * from the allocator; release it with the allocator. All other memory is released before the call
+ * returns, also after a failure. */
 MCPR_API mcpr_status mcpr_load(const void* file, size_t size, const mcpr_limits* limits,
                                const mcpr_allocator* allocator, const mcpr_clip** clip,
                                mcpr_result* report);
@@ -228,13 +237,13 @@ MCPR_API int32_t mcpr_find_joint(const mcpr_clip* clip, const char* name);
 
 /* ---------------------------------------------------------------- decoding */
 
-/* The unit of instants in a request. */
+/* The unit of the instants in a request. */
 typedef enum mcpr_time { MCPR_FRAMES = 0, MCPR_SECONDS = 1 } mcpr_time;
 
-/* The pose before the first frame and after the last. The caller chooses for any clip; only
- * MCPR_LOOP needs a clip that is a loop, and gives MCPR_ARGUMENT otherwise. In a loop the character
- * starts each cycle at the same place: the caller adds up the distance and the turn of the cycles,
- * see mcpr_sample_motion. */
+/* The pose before the first frame and after the last. The caller may choose any wrap for any clip,
+ * with one exception: MCPR_LOOP needs a clip that is a loop, and otherwise gives MCPR_ARGUMENT. In
+ * a loop the character starts each cycle at the same place: the caller adds up the distance and the
+ * turn of the cycles, see mcpr_sample_motion. */
 typedef enum mcpr_wrap {
   MCPR_CLAMP = 0,      /* the first or the last frame */
   MCPR_LOOP = 1,       /* another cycle, of loop_frames frames. If the first frame follows the last,
@@ -249,7 +258,7 @@ typedef enum mcpr_wrap {
   MCPR_LOOP_HOLD = 5   /* a cycle of `frames`, at the end of which the last frame is held */
 } mcpr_wrap;
 
-/* The values that decoding returns for each frame. */
+/* The kind of values that decoding returns for each frame. */
 typedef enum mcpr_output {
   MCPR_CHANNELS = 0, /* 1 float per channel, in cm or radians, in the order of the request */
   MCPR_LOCAL = 1,    /* 7 floats per joint: the quaternion w x y z from the joint's space to its
@@ -258,7 +267,7 @@ typedef enum mcpr_output {
   MCPR_POSITIONS = 2 /* 3 floats per joint: its origin x y z in world space, in cm */
 } mcpr_output;
 
-/* The instruction set to compute with. All give the same bits. */
+/* The instruction set to compute with. All instruction sets give the same bits. */
 typedef enum mcpr_path {
   MCPR_PATH_BEST = 0, /* the fastest that exists */
   MCPR_PATH_PLAIN = 1,
@@ -271,12 +280,13 @@ typedef enum mcpr_path {
 /* 1 if this build and this machine have the path, else 0. */
 MCPR_API int mcpr_path_exists(mcpr_path path);
 
-/* A request for decoding. All zero: every channel, in full detail, without IK correction. */
+/* A request for decoding. If all members are zero: every channel, in full detail, without IK
+ * correction. */
 typedef struct mcpr_request {
   mcpr_output output;
   int apply_ik;             /* 1: apply the clip's IK correction, if it has one */
   uint32_t bands_left_out;  /* number of finest bands to leave out. Each halves the rate at which
-                               the rest is sampled */
+                               the remaining motion is sampled */
   const uint16_t* channels; /* channels to decode, in any order, without duplicates; null: all.
                                Allowed for MCPR_CHANNELS only */
   uint32_t channel_count;   /* length of `channels`; 0 if that is null */
@@ -295,14 +305,14 @@ MCPR_API size_t mcpr_frame_values(const mcpr_clip* clip, const mcpr_request* req
 MCPR_API size_t mcpr_scratch_bytes(const mcpr_clip* clip, const mcpr_request* request);
 
 /* Decodes frames `first` to `first + count - 1` into `out`, frame after frame: count rows of
- * mcpr_frame_values() floats. For a subset of channels only those are computed, unless the IK
+ * mcpr_frame_values() floats. If the request lists channels, only those are computed, unless the IK
  * correction turns one of them. */
 MCPR_API mcpr_status mcpr_decode_frames(const mcpr_clip* clip, const mcpr_request* request,
                                         uint32_t first, uint32_t count, float* out, void* scratch,
                                         size_t scratch_size, mcpr_result* report);
 
-/* Decodes the pose at one finite instant into mcpr_frame_values() floats. Whole numbers of frames
- * give exactly that frame. Between two frames the channels and the offsets of effectors are
+/* Decodes the pose at one finite instant into mcpr_frame_values() floats. A whole number of frames
+ * gives exactly that frame. Between two frames, the channels and the offsets of effectors are
  * interpolated linearly, and the IK correction is solved for that instant. */
 MCPR_API mcpr_status mcpr_decode_moment(const mcpr_clip* clip, const mcpr_request* request,
                                         double time, float* out, void* scratch, size_t scratch_size,
@@ -310,29 +320,30 @@ MCPR_API mcpr_status mcpr_decode_moment(const mcpr_clip* clip, const mcpr_reques
 
 /* ---------------------------------------------------------------- poses at any instant */
 
-/* A cooked clip: laid out for sampling poses at any instant, several times as fast as with
- * mcpr_decode_moment, in about three times the bytes of the coded motion. One little-endian block
- * without pointers, aligned to MCPR_ALIGNMENT: it may be copied, written to disk, and used in place
- * when mapped from there. It has the joints of the clip that it was cooked from, in the same order,
- * but not their names and parents. It has the same scalar tracks. */
+/* A cooked clip: a form of a clip that is laid out for sampling poses at any instant. It is several
+ * times as fast as mcpr_decode_moment, and takes about three times the bytes of the coded motion.
+ * It is one little-endian block without pointers, aligned to MCPR_ALIGNMENT: it may be copied,
+ * written to disk, and used in place when mapped from there. It has the joints of the clip that it
+ * was cooked from, in the same order, but not their names and parents. It has the same scalar
+ * tracks. */
 typedef struct mcpr_cooked mcpr_cooked;
 
 #define MCPR_MOST_DETAIL_BANDS 5
 
-/* Options of cooking. Null options are all zero. */
+/* Options of cooking. A null pointer means that all are zero. */
 typedef struct mcpr_cook_options {
   int apply_ik;   /* 1: apply the clip's IK correction, if it has one, once and for all */
-  float ik_error; /* cm: how far cooking the correction may move a joint at any frame, beside
+  float ik_error; /* how far, in cm, cooking the correction may move a joint at any frame, beside
                      rounding. 0: not at all, which takes far more memory, see SAMPLING.md */
   int skeleton;   /* 1: keep the joints' names, parents and offsets, about 50 bytes a joint, for
-                     mcpr_cooked_joint. Clips of a bank have them there */
+                     mcpr_cooked_joint. Clips in a cooked bank need not: the bank keeps them */
   uint32_t detail_bands; /* 1 to MCPR_MOST_DETAIL_BANDS: how many of the finest bands stay details;
                             coarser ones become samples. With fewer a pose is faster and the clip
                             larger, see SAMPLING.md. 0: 4 or 5, whichever suits memory */
 } mcpr_cook_options;
 
-/* The bytes of scratch memory that cooking needs; 0 without a clip. They are in proportion to
- * frames * channels of the longest segment; with apply_ik, of the whole clip. */
+/* The bytes of scratch memory that cooking needs; 0 without a clip. They grow with frames *
+ * channels of the longest segment; with apply_ik, of the whole clip. */
 MCPR_API size_t mcpr_cook_scratch_bytes(const mcpr_clip* clip, const mcpr_cook_options* options);
 
 /* Sets *bytes to the size of the cooked form. Takes as long as mcpr_cook. Fails with MCPR_LIMIT if
@@ -341,23 +352,22 @@ MCPR_API mcpr_status mcpr_cook_size(const mcpr_clip* clip, const mcpr_cook_optio
                                     void* scratch, size_t scratch_size, size_t* bytes,
                                     mcpr_result* report);
 
-/* Cooks a clip into `memory`, of the size that mcpr_cook_size told, and points *cooked to it. The
- * clip is not needed afterwards. Fails as mcpr_cook_size does. */
+/* Cooks a clip into `memory`, which has the size that mcpr_cook_size returned, and points *cooked
+ * to it. The clip is not needed afterwards. Fails as mcpr_cook_size does. */
 MCPR_API mcpr_status mcpr_cook(const mcpr_clip* clip, const mcpr_cook_options* options,
                                void* scratch, size_t scratch_size, void* memory, size_t size,
                                const mcpr_cooked** cooked, mcpr_result* report);
 
-/* mcpr_load and mcpr_cook in one call, with the cooked clip as one piece of the allocator's memory.
- */
+/* Does what mcpr_load and mcpr_cook do, in one call. The cooked clip is one piece of memory from
+ * the allocator; release it with the allocator. */
 MCPR_API mcpr_status mcpr_load_cooked(const void* file, size_t size, const mcpr_limits* limits,
                                       const mcpr_cook_options* options,
                                       const mcpr_allocator* allocator, const mcpr_cooked** cooked,
                                       mcpr_result* report);
 
-/* Opens a block that mcpr_cook made earlier; *cooked points into `memory`. check = 0 looks at the
- * head only, and trusts the rest. check = 1 verifies every byte, so that blocks from anywhere are
- * safe to sample. Fails with MCPR_NOT_A_CLIP, MCPR_UNKNOWN_VERSION, MCPR_DAMAGED or MCPR_INVALID.
- */
+/* Opens a block that mcpr_cook made earlier; *cooked points into `memory`. check = 0 reads the head
+ * only, and trusts the rest. check = 1 verifies every byte, so that blocks from anywhere are safe
+ * to sample. Fails with MCPR_NOT_A_CLIP, MCPR_UNKNOWN_VERSION, MCPR_DAMAGED or MCPR_INVALID. */
 MCPR_API mcpr_status mcpr_open_cooked(const void* memory, size_t size, int check,
                                       const mcpr_cooked** cooked, mcpr_result* report);
 
@@ -371,7 +381,7 @@ typedef struct mcpr_cooked_info {
                             transforms, and tables of which channel moves which joint */
 } mcpr_cooked_info;
 
-/* Sets *out to the dimensions of a cooked clip; all zero if it is null. */
+/* Sets *out to the dimensions of a cooked clip; all zero if `cooked` is null. */
 MCPR_API void mcpr_cooked_describe(const mcpr_cooked* cooked, mcpr_cooked_info* out);
 
 /* A joint's local transform. */
@@ -397,20 +407,20 @@ typedef enum mcpr_layout {
 } mcpr_layout;
 
 /* Receives a pose joint by joint, for an engine that keeps poses in a form of its own. `write` gets
- * the joint's place in the output, counted up from 0, and its transform, which is valid during the
- * call only. It must not throw. */
+ * a joint's place in the output, counted up from 0, and its transform, which is valid only during
+ * the call. `write` must not throw. */
 typedef struct mcpr_writer {
   void (*write)(void* context, uint32_t joint, const mcpr_transform* transform);
   void* context;
 } mcpr_writer;
 
-/* The axes, unit and order of numbers that an engine wants. All zero: the clip's own, as the top of
- * this file tells. */
+/* The axes, the unit of length and the order of quaternions that an engine wants. If all members
+ * are zero: the clip's own convention, which the top of this file describes. */
 typedef struct mcpr_convention {
-  int8_t axes[3]; /* the clip's axis that each of the engine's x y z is: 1 x, 2 y, 3 z; negative:
-                     the opposite direction. All zero: 1 2 3 */
+  int8_t axes[3]; /* for each of the engine's axes x y z, the axis of the clip that it is: 1 x, 2 y,
+                     3 z; negative: the opposite direction. All zero: 1 2 3 */
   uint8_t w_last; /* 1: quaternions x y z w; 0: w x y z */
-  float length;   /* multiplied to centimetres: 0.01 gives metres; 0: 1 */
+  float length;   /* factor on lengths in centimetres: 0.01 gives metres; 0: 1 */
 } mcpr_convention;
 
 /* The conventions of some engines. */
@@ -427,15 +437,17 @@ MCPR_API mcpr_status mcpr_convention_of(mcpr_engine engine, mcpr_convention* out
                                         mcpr_result* report);
 
 /* A subset of a cooked clip's joints, prepared in advance. Sampling a selection is as fast as
- * sampling all joints; a list of joints in the request is slower, as it is looked up each time. */
+ * sampling all joints. A list of joints in the request is slower, because it is looked up in each
+ * call. */
 typedef struct mcpr_selection mcpr_selection;
 
-/* The number of finest detail bands that can be left out of poses seen from far away. Without
- * 1, 2, 3 or 4 of them, movement faster than about 2, 4, 8 or 16 frames is lost. SAMPLING.md tells
- * the error and the time saved. */
+/* The most bands of finest details that can be left out, for poses seen from far away. Without 1,
+ * 2, 3 or 4 of them, movement faster than about 2, 4, 8 or 16 frames is lost. SAMPLING.md tells the
+ * error and the time saved. */
 #define MCPR_MOST_BANDS_LEFT_OUT 4
 
-/* A request for sampling. All zero: the transforms of all joints, time in frames, clamped. */
+/* A request for sampling. If all members are zero: the transforms of all joints, time in frames,
+ * clamped. */
 typedef struct mcpr_sample_request {
   mcpr_layout layout;
   mcpr_time unit;
@@ -461,13 +473,14 @@ typedef struct mcpr_sample_request {
   size_t scratch_size;
 } mcpr_sample_request;
 
-/* The bytes that a selection of this many joints takes, about 1.5 KB for 30 joints; 0 without a
- * clip, or if it has fewer joints. */
+/* The bytes that a selection of `joint_count` joints takes, about 1.5 KB for 30 joints; 0 without a
+ * clip, or if the clip has fewer joints. */
 MCPR_API size_t mcpr_selection_bytes(const mcpr_cooked* cooked, uint32_t joint_count);
 
-/* Makes a selection in `memory`, of mcpr_selection_bytes(), and points *selection to it. Poses list
- * the joints in the order of `joints`, which has no duplicates and is not needed afterwards.
- * Neither clip nor selection may be moved after this. A selection works with its own clip only. */
+/* Makes a selection in `memory`, which has mcpr_selection_bytes(), and points *selection to it.
+ * Poses list the joints in the order of `joints`, which has no duplicates and is not needed
+ * afterwards. Neither the clip nor the selection may be moved after this call. A selection works
+ * with its own clip only. */
 MCPR_API mcpr_status mcpr_make_selection(const mcpr_cooked* cooked, const uint16_t* joints,
                                          uint32_t joint_count, void* memory, size_t size,
                                          const mcpr_selection** selection, mcpr_result* report);
@@ -475,42 +488,43 @@ MCPR_API mcpr_status mcpr_make_selection(const mcpr_cooked* cooked, const uint16
 /* The number of floats, 4 bytes each, that one pose takes; 0 if the request is not possible. */
 MCPR_API size_t mcpr_sample_values(const mcpr_cooked* cooked, const mcpr_sample_request* request);
 
-/* The bytes of scratch memory that sampling needs: 0 for a clip of up to 1,100 columns,
- * which are its moving channels and a few more, so for about 350 joints that turn about three axes.
- * A list of joints and stepped joints count, too, and so do the transforms from which the last
- * three layouts are made. A larger clip needs 192 KiB at most. */
+/* The bytes of scratch memory that sampling needs; 0 for a clip of up to 1,100 columns. Columns are
+ * the clip's moving channels and a few more: 1,100 suffice for about 350 joints that turn about
+ * three axes. A list of joints needs memory, too, and so do stepped joints and the last three
+ * layouts. No request needs more than 192 KiB. */
 MCPR_API size_t mcpr_sample_scratch_bytes(const mcpr_cooked* cooked,
                                           const mcpr_sample_request* request);
 
 /* Samples the local transforms at one finite instant into mcpr_sample_values() floats. Between two
- * frames channels are interpolated linearly, as in mcpr_decode_moment, and so are angles that a
- * cooked IK correction changed. An instant within 2^-16 frames of a frame gives that frame. Results
- * are within 5e-4 radians and 2e-3 cm of mcpr_decode_moment (with an IK correction: at frames), and
- * all paths give the same bits. */
+ * frames, channels are interpolated linearly, as in mcpr_decode_moment; so are angles that a cooked
+ * IK correction changed. An instant within 2^-16 frames of a frame gives that frame. Results are
+ * within 5e-4 radians and 2e-3 cm of mcpr_decode_moment (with an IK correction: at frames), and all
+ * paths give the same bits. */
 MCPR_API mcpr_status mcpr_sample(const mcpr_cooked* cooked, const mcpr_sample_request* request,
                                  double time, void* out, mcpr_result* report);
 
-/* Asks the processor for the first `bytes` of a cooked clip, mcpr_cooked_info.bytes for all, and
- * does not wait for them. For a clip that was not sampled for a while: ask for it while another is
- * sampled, and it takes half of the time, see SAMPLING.md. mcpr_sample_crowd asks for its clips
- * itself. Changes nothing; null is ignored. */
+/* Asks the processor to load the first `bytes` of a cooked clip into its caches, and does not wait
+ * for them. mcpr_cooked_info.bytes asks for the whole clip. Call this for a clip that was not
+ * sampled for a while, before another clip is sampled: then sampling the first clip takes half of
+ * the time, see SAMPLING.md. mcpr_sample_crowd does this itself. Nothing changes; null is ignored.
+ * */
 MCPR_API void mcpr_prefetch_hint(const mcpr_cooked* cooked, size_t bytes);
 
 /* A cursor caches some frames of a clip around the last instant, which makes playing forwards or
  * backwards faster. Each player needs its own. Instants may be asked for in any order, and the
- * result depends on the instant alone. It differs from mcpr_sample by rounding, within the same
- * bounds. */
+ * result depends on the instant alone. Results differ from those of mcpr_sample by rounding, within
+ * the same bounds. */
 typedef struct mcpr_cursor mcpr_cursor;
 
 /* The bytes that a cursor takes, at most 8192; 0 without a clip. */
 MCPR_API size_t mcpr_cursor_bytes(const mcpr_cooked* cooked);
 
-/* Makes a cursor in `memory`, of mcpr_cursor_bytes(), and points *cursor to it. The clip may not be
- * moved after this. */
+/* Makes a cursor in `memory`, which has mcpr_cursor_bytes(), and points *cursor to it. The clip may
+ * not be moved after this call. */
 MCPR_API mcpr_status mcpr_make_cursor(const mcpr_cooked* cooked, void* memory, size_t size,
                                       mcpr_cursor** cursor, mcpr_result* report);
 
-/* As mcpr_sample, using and updating the cached frames. */
+/* Samples as mcpr_sample does, but uses and updates the frames that the cursor caches. */
 MCPR_API mcpr_status mcpr_sample_next(mcpr_cursor* cursor, const mcpr_sample_request* request,
                                       double time, void* out, mcpr_result* report);
 
@@ -521,7 +535,7 @@ typedef struct mcpr_character {
   const mcpr_cooked* clip;
   const mcpr_selection* selection; /* a selection of the clip's joints; null: all */
   double time;                     /* the instant, in the unit of the request */
-  void* out; /* room for the pose: mcpr_sample_values() floats; or its writer */
+  void* out; /* room for the pose: mcpr_sample_values() floats; or an mcpr_writer */
   mcpr_wrap wrap;
   uint32_t bands_left_out; /* this and those below: as in mcpr_sample_request */
   const int16_t* parents;
@@ -529,7 +543,7 @@ typedef struct mcpr_character {
   uint32_t stepped_count;
 } mcpr_character;
 
-/* The settings that all characters share. All zero: transforms, time in frames. */
+/* The settings that all characters share. If all members are zero: transforms, time in frames. */
 typedef struct mcpr_crowd_request {
   mcpr_layout layout;
   mcpr_time unit;
@@ -544,14 +558,15 @@ typedef struct mcpr_crowd_request {
 /* The bytes of scratch memory that mcpr_sort_crowd needs: about 96 per character. */
 MCPR_API size_t mcpr_sort_crowd_scratch_bytes(uint32_t count);
 
-/* Sorts the characters, in place, into the order in which mcpr_sample_crowd is fastest: by clip,
- * bands left out, and frame. It stays nearly right while time advances: not every frame needs it.
- * Fails as mcpr_sample_crowd does. */
+/* Sorts the characters in place, into the order in which mcpr_sample_crowd is fastest: by clip,
+ * bands left out, and frame. The order stays nearly right while time advances, so characters need
+ * not be sorted at every frame. Fails as mcpr_sample_crowd does. */
 MCPR_API mcpr_status mcpr_sort_crowd(const mcpr_crowd_request* request, mcpr_character* characters,
                                      uint32_t count, void* scratch, size_t scratch_size,
                                      mcpr_result* report);
 
-/* The bytes of scratch memory that mcpr_sample_crowd needs: about 320 KB for any number. */
+/* The bytes of scratch memory that mcpr_sample_crowd needs: about 320 KB for any number of
+ * characters. */
 MCPR_API size_t mcpr_crowd_scratch_bytes(void);
 
 /* Samples the pose of each character, as mcpr_sample does. Any order is allowed. Several threads
@@ -574,8 +589,8 @@ MCPR_API mcpr_status mcpr_sample_motion(const mcpr_cooked* cooked,
                                         double from, double to, mcpr_transform* out,
                                         mcpr_result* report);
 
-/* The same for the part of a joint's motion that mcpr_split_root takes out of a pose: on the ground
- * and about the axis that points up. */
+/* As mcpr_sample_motion, but only for the part of the motion that mcpr_split_root takes out of a
+ * pose: the movement on the ground and the turn about the axis that points up. */
 MCPR_API mcpr_status mcpr_sample_ground_motion(const mcpr_cooked* cooked,
                                                const mcpr_sample_request* request, uint32_t joint,
                                                double from, double to, mcpr_transform* out,
@@ -588,9 +603,10 @@ MCPR_API mcpr_status mcpr_sample_ground_motion(const mcpr_cooked* cooked,
 MCPR_API mcpr_status mcpr_cooked_joint(const mcpr_cooked* cooked, uint32_t joint, mcpr_joint* out,
                                        mcpr_result* report);
 
-/* Return the identity of a skeleton: 64 bits made from names, parents, offsets and end sites of all
- * joints. It is the same for a clip, its cooked form and in a bank, on every machine. 0: no clip,
- * or a cooked clip that has no skeleton. Takes time in proportion to the joints: keep it. */
+/* Return a hash that identifies a skeleton: 64 bits made from names, parents, offsets and end sites
+ * of all joints. A clip, its cooked form and its copy in a bank have the same hash, on every
+ * machine. 0: no clip, or a cooked clip that has no skeleton. Takes time in proportion to the
+ * joints: keep the result. */
 MCPR_API uint64_t mcpr_skeleton_hash(const mcpr_clip* clip);
 MCPR_API uint64_t mcpr_cooked_skeleton_hash(const mcpr_cooked* cooked);
 
@@ -601,7 +617,7 @@ typedef struct mcpr_skeleton {
   const int16_t* parents;   /* -1: a root; may be null, but then mcpr_map_gaps.moved is 0 */
 } mcpr_skeleton;
 
-/* The joints that a clip and an engine's skeleton do not share. */
+/* The differences between the joints of a clip and of an engine's skeleton. */
 typedef struct mcpr_map_gaps {
   uint32_t missing; /* joints of the skeleton that the clip does not have: they get the bind pose */
   uint32_t unused;  /* joints of the clip that the skeleton does not have: they are left out */
@@ -610,18 +626,19 @@ typedef struct mcpr_map_gaps {
 } mcpr_map_gaps;
 
 /* Finds the joints of an engine's skeleton in a clip by their names, compared byte for byte. Sets
- * map[j] to the clip's number of joint j, the first with its name, or to -1 if it has none. Takes
- * joints * joints comparisons: do it once for each skeleton, not for each clip. The second function
- * needs a clip cooked with mcpr_cook_options.skeleton. */
+ * map[j] to the number of the clip's first joint that has the name of joint j, or to -1 if there is
+ * none. Takes joints * joints comparisons: do it once for each skeleton, not for each clip. The
+ * second function needs a clip cooked with mcpr_cook_options.skeleton. */
 MCPR_API mcpr_status mcpr_map_joints(const mcpr_clip* clip, const mcpr_skeleton* skeleton,
                                      int16_t* map, mcpr_map_gaps* gaps, mcpr_result* report);
 MCPR_API mcpr_status mcpr_map_cooked_joints(const mcpr_cooked* cooked,
                                             const mcpr_skeleton* skeleton, int16_t* map,
                                             mcpr_map_gaps* gaps, mcpr_result* report);
 
-/* Puts a clip's pose of `clip_joints` joints onto an engine's skeleton of `joints` joints: each
- * takes the transform that `map` names, or that of the bind pose. `bind` has one transform per
- * joint of the skeleton, in the pose's convention. `out` overlaps neither pose. */
+/* Transfers a clip's pose of `clip_joints` joints to an engine's skeleton of `joints` joints. Joint
+ * j takes the transform of the clip's joint map[j], or that of the bind pose if map[j] is -1.
+ * `bind` has one transform per joint of the skeleton, in the pose's convention. `out` overlaps
+ * neither pose. */
 MCPR_API mcpr_status mcpr_remap_pose(const int16_t* map, uint32_t joints,
                                      const mcpr_transform* bind, const mcpr_transform* pose,
                                      uint32_t clip_joints, mcpr_transform* out,
@@ -629,11 +646,11 @@ MCPR_API mcpr_status mcpr_remap_pose(const int16_t* map, uint32_t joints,
 
 /* ---------------------------------------------------------------- blending */
 
-/* Poses are blended as arrays of mcpr_transform, one per joint, in the parents' spaces: what
- * mcpr_sample gives with MCPR_TRANSFORMS and without `parents`. All poses of a call have the same
- * joints in the same order. Rotations are unit quaternions; q and -q count as the same. README.md
- * shows how the functions go together. They use arithmetic alone and give the same bits on every
- * machine. */
+/* Poses are blended as arrays of mcpr_transform, one per joint, in the parents' spaces: as
+ * mcpr_sample gives them with MCPR_TRANSFORMS and without `parents`. All poses of a call have the
+ * same joints in the same order. Rotations are unit quaternions; q and -q count as the same.
+ * README.md shows how the functions work together. They use arithmetic alone and give the same bits
+ * on every machine. */
 typedef struct mcpr_pose_form {
   uint32_t joints;                   /* transforms in each pose */
   const mcpr_convention* convention; /* that of the poses; null: the clip's own */
@@ -646,40 +663,40 @@ typedef struct mcpr_weighted_pose {
   const float* joint_weights; /* a mask: one number per joint, multiplied to `weight`; null: 1 */
 } mcpr_weighted_pose;
 
-/* Blends poses: *out = the sum of weight * pose, over the sum of the weights, joint by joint. So
- * weights need not add up to 1. Rotations are added the shorter way round, each as it lies to the
- * sum of those before it, and normalised. Weights are 0 to 10^6; below 10^-6 they count as 0. A
- * joint for which only one pose counts takes it bit by bit; one for which none counts takes the
- * first pose. `out` may be one of the poses. */
+/* Blends poses: *out = the sum of weight * pose, divided by the sum of the weights, joint by joint.
+ * So weights need not add up to 1. Rotations are added as quaternions, and the sum is normalised;
+ * each rotation takes the sign that is nearer to the sum of those before it. Weights are 0 to 10^6;
+ * weights below 10^-6 count as 0. If only one pose counts for a joint, the joint takes its
+ * transform bit by bit; if none counts, that of the first pose. `out` may be one of the poses. */
 MCPR_API mcpr_status mcpr_blend(const mcpr_pose_form* form, const mcpr_weighted_pose* poses,
                                 uint32_t count, mcpr_transform* out, mcpr_result* report);
 
-/* Lays a pose over another: each joint of `pose` goes towards `layer` by its weight, 0 to 1, the
- * shorter way round. Weight 0 leaves a joint as it is, weight 1 copies that of the layer. */
+/* Lays a pose over another: each joint of `pose` moves towards `layer` by its weight, 0 to 1;
+ * rotations go the shorter way round. Weight 0 leaves a joint as it is, weight 1 copies that of the
+ * layer. */
 MCPR_API mcpr_status mcpr_blend_layer(const mcpr_pose_form* form, const mcpr_weighted_pose* layer,
                                       mcpr_transform* pose, mcpr_result* report);
 
-/* Sets *out to what a pose adds to a base: rotation * inverse(base rotation), and the difference of
- * the translations. `out` may be `pose` or `base`. */
+/* Sets *out to the difference between a pose and a base pose: rotation * inverse(base rotation),
+ * and the difference of the translations. `out` may be `pose` or `base`. */
 MCPR_API mcpr_status mcpr_pose_difference(const mcpr_pose_form* form, const mcpr_transform* pose,
                                           const mcpr_transform* base, mcpr_transform* out,
                                           mcpr_result* report);
 
-/* Adds such a difference to a pose: rotation = difference * rotation, translation + difference. A
- * weight, 0 to 1, adds a part of it: rotations go the shorter way round from no turn to the whole
- * one. */
+/* Adds a difference from mcpr_pose_difference to a pose: rotation = difference * rotation,
+ * translation = translation + difference. With a weight, 0 to 1, only that part is added: of a
+ * rotation, that part of its angle, the shorter way round. */
 MCPR_API mcpr_status mcpr_blend_additive(const mcpr_pose_form* form,
                                          const mcpr_weighted_pose* difference, mcpr_transform* pose,
                                          mcpr_result* report);
 
-/* Takes the part of a root's transform that moves and turns it on the ground out of the pose:
- * root before = *ground * root after. *ground has the place on the ground and the turn about the
- * axis that points up; the root keeps its height and its tilt. If a root lies so that it faces
- * nowhere, *ground does not turn. */
+/* Takes the movement on the ground out of a root's transform: root before = *ground * root after.
+ * *ground has the place on the ground and the turn about the axis that points up; the root keeps
+ * its height and its tilt. If a root lies so that it faces nowhere, *ground does not turn. */
 MCPR_API mcpr_status mcpr_split_root(const mcpr_convention* convention, mcpr_transform* root,
                                      mcpr_transform* ground, mcpr_result* report);
 
-/* The way in which a joint is mirrored. */
+/* The rule for mirroring a joint. */
 typedef struct mcpr_mirror_joint {
   uint16_t partner; /* the joint whose mirror image it takes */
   float before[4];  /* constant rotations before and after that image, w x y z */
@@ -696,8 +713,8 @@ MCPR_API mcpr_status mcpr_make_mirror(const mcpr_pose_form* form, const mcpr_tra
                                       const int16_t* parents, const uint16_t* partners, int axis,
                                       mcpr_mirror_joint* mirror, mcpr_result* report);
 
-/* Mirrors a pose at the plane through the origin that is perpendicular to `axis`, by what
- * mcpr_make_mirror prepared for it. `out` and `pose` do not overlap. */
+/* Mirrors a pose at the plane through the origin that is perpendicular to `axis`. mcpr_make_mirror
+ * has prepared `mirror` for the same axis. `out` and `pose` do not overlap. */
 MCPR_API mcpr_status mcpr_mirror_pose(const mcpr_pose_form* form, const mcpr_mirror_joint* mirror,
                                       int axis, const mcpr_transform* pose, mcpr_transform* out,
                                       mcpr_result* report);
@@ -725,8 +742,8 @@ typedef struct mcpr_track {
 /* The scalar tracks of a clip, in the clip's memory. */
 typedef struct mcpr_tracks mcpr_tracks;
 
-/* The tracks of a built or cooked clip, with the same values to the bit; null if it has none, which
- * the functions below accept. */
+/* The tracks of a built or of a cooked clip; both have exactly the same values. Null if the clip
+ * has no tracks; the functions below accept null. */
 MCPR_API const mcpr_tracks* mcpr_clip_tracks(const mcpr_clip* clip);
 MCPR_API const mcpr_tracks* mcpr_cooked_tracks(const mcpr_cooked* cooked);
 
@@ -737,11 +754,11 @@ MCPR_API mcpr_status mcpr_track_describe(const mcpr_tracks* tracks, uint32_t tra
                                          mcpr_result* report);
 
 /* The index of the first track with this kind, node and name, compared byte for byte; -1 if there
- * is none. A null node or name matches any. Searches all tracks. */
+ * is none. If node or name is null, any node or name matches. Searches all tracks. */
 MCPR_API int32_t mcpr_find_track(const mcpr_tracks* tracks, mcpr_track_kind kind, const char* node,
                                  const char* name);
 
-/* A request for tracks. All zero: every track. */
+/* A request for tracks. If all members are zero: every track, instants in frames, clamped. */
 typedef struct mcpr_track_request {
   const uint16_t* tracks; /* tracks to decode, in any order, without duplicates; null: all */
   uint32_t track_count;   /* length of `tracks`; 0 if that is null */
@@ -753,7 +770,8 @@ typedef struct mcpr_track_request {
 /* The number of floats that one frame takes, one per track; 0 if the request is not possible. */
 MCPR_API size_t mcpr_track_values(const mcpr_tracks* tracks, const mcpr_track_request* request);
 
-/* The bytes of scratch memory that the next two functions need. For 0 a null pointer will do. */
+/* The bytes of scratch memory that the next two functions need. If that is 0, `scratch` may be
+ * null. */
 MCPR_API size_t mcpr_track_scratch_bytes(const mcpr_tracks* tracks,
                                          const mcpr_track_request* request);
 
@@ -764,25 +782,27 @@ MCPR_API mcpr_status mcpr_track_frames(const mcpr_tracks* tracks, const mcpr_tra
                                        size_t scratch_size, mcpr_result* report);
 
 /* Decodes the tracks at one finite instant into mcpr_track_values() floats. A track that does not
- * step goes linearly from frame to frame, and from the last to the first as the wrap says. */
+ * step is interpolated linearly between frames, and from the last frame to the first as the wrap
+ * says. */
 MCPR_API mcpr_status mcpr_track_moment(const mcpr_tracks* tracks, const mcpr_track_request* request,
                                        double time, float* out, void* scratch, size_t scratch_size,
                                        mcpr_result* report);
 
-/* A switch that changed: a track that steps. */
+/* A change in the value of a track that steps, such as a switch. */
 typedef struct mcpr_change {
-  double time;    /* a frame, in the unit of the request; beyond the clip it is in another cycle */
-  uint32_t track; /* its place in the request, or its number if all were asked for */
+  double time;    /* the frame of the change, in the unit of the request; beyond the clip's frames,
+                     it is in another cycle */
+  uint32_t track; /* the track's place in the request, or its number if all tracks were asked for */
   float value;    /* the value after the change, on the way from `from` to `to` */
 } mcpr_change;
 
-/* Lists what changed of the tracks that step on the way from one instant to another, for events:
- * at the frames in (from, to], or at those in (to, from], latest first, if `to` is earlier. So
- * calls that start where the one before ended tell each change once. Sets *count to their number,
- * and writes as many as `capacity` allows; `changes` may be null if that is 0. Takes time in
- * proportion to the frames between. Fails with MCPR_ARGUMENT if these are more than 2^22, or
- * further than frame 2^52. On the way back of MCPR_PING_PONG mcpr_track_moment has the value after
- * a change from just behind its frame on, not at it. */
+/* Lists the changes of the tracks that step, on the way from one instant to another, for events: at
+ * the frames in (from, to], or, if `to` is earlier, at those in (to, from], latest first. So if
+ * each call starts where the previous one ended, every change is listed once. Sets *count to the
+ * number of changes, and writes at most `capacity` of them; `changes` may be null if `capacity` is
+ * 0. Takes time in proportion to the number of frames in between. Fails with MCPR_ARGUMENT if these
+ * are more than 2^22, or if an instant is beyond frame 2^52. On the way back of MCPR_PING_PONG, the
+ * value of mcpr_track_moment changes just behind the frame of a change, not at the frame. */
 MCPR_API mcpr_status mcpr_track_changes(const mcpr_tracks* tracks,
                                         const mcpr_track_request* request, double from, double to,
                                         mcpr_change* changes, uint32_t capacity, uint32_t* count,
@@ -790,22 +810,23 @@ MCPR_API mcpr_status mcpr_track_changes(const mcpr_tracks* tracks,
 
 /* ---------------------------------------------------------------- banks */
 
-/* Many clips in one file, .mcpk, which stores what they share (skeletons, tags, parts of names)
- * once. A packed bank holds compressed clips, which mcpk_read decodes as mcpr_read does a file. A
- * cooked bank holds cooked clips, which mcpk_cooked gives in place. The bank is the bytes of the
- * file, aligned to MCPR_ALIGNMENT, in memory or mapped from disk; they must stay there while the
- * bank is in use. A mapped file that somebody cuts short meanwhile ends the program by a signal
- * (SIGBUS), as any mapped file does: replace banks instead of writing into them, or read them into
- * memory. Clips are numbered in the byte order of their names. Any number of threads may use a
- * bank. A bank of the other form gives MCPR_ARGUMENT, a damaged index MCPR_DAMAGED. */
+/* Many clips in one file, .mcpk, which stores only once what clips share (skeletons, tags, parts of
+ * names). A packed bank holds compressed clips, which mcpk_read decodes as mcpr_read decodes a
+ * file. A cooked bank holds cooked clips, which mcpk_cooked gives in place. An mcpk_bank is the
+ * bytes of the file, aligned to MCPR_ALIGNMENT, in memory or mapped from disk; they must stay there
+ * while the bank is in use. If somebody cuts a mapped file short meanwhile, a signal (SIGBUS) ends
+ * the program, as with any mapped file: replace banks instead of writing into them, or read them
+ * into memory. Clips are numbered in the byte order of their names. Any number of threads may use a
+ * bank. A function that needs the other form of bank gives MCPR_ARGUMENT, a damaged index
+ * MCPR_DAMAGED. */
 typedef struct mcpk_bank mcpk_bank;
 
 /* Longest name of a clip, in bytes, with its terminating zero. */
 #define MCPK_NAME_BYTES 256
 
-/* Opens a bank; *bank points to `memory`. check = 0 looks at the head only, in the same time for
- * any number of clips, and trusts the rest. check = 1 verifies every byte, so that banks from
- * anywhere are safe to use. check = 2 verifies all but the clips, which may be loaded later: see
+/* Opens a bank; *bank points to `memory`. check = 0 reads the head only, in the same time for any
+ * number of clips, and trusts the rest. check = 1 verifies every byte, so that banks from anywhere
+ * are safe to use. check = 2 verifies everything but the clips, which may be loaded later: see
  * mcpk_place. Fails as mcpr_open_cooked does. */
 MCPR_API mcpr_status mcpk_open(const void* memory, size_t size, int check, const mcpk_bank** bank,
                                mcpr_result* report);
@@ -821,7 +842,7 @@ typedef struct mcpk_info {
                           as many; in a packed one some of these numbers are no skeleton's */
 } mcpk_info;
 
-/* Sets *out to the dimensions of a bank; all zero if it is null. */
+/* Sets *out to the dimensions of a bank; all zero if `bank` is null. */
 MCPR_API void mcpk_describe(const mcpk_bank* bank, mcpk_info* out);
 
 /* The number of the clip with this name; -1 if there is none. Compares about log2(clips) names. */
@@ -838,43 +859,47 @@ MCPR_API const char* mcpk_tag(const mcpk_bank* bank, uint32_t clip, uint32_t num
 MCPR_API const char* mcpk_key(const mcpk_bank* bank, uint32_t number);
 MCPR_API const char* mcpk_value(const mcpk_bank* bank, uint32_t number);
 
-/* The bytes at the beginning of a bank that mcpk_open reads with check = 0. */
+/* The number of bytes at the start of a bank that mcpk_open reads with check = 0. */
 #define MCPK_HEAD_BYTES 104
 
-/* Tells where the bytes of a clip are, counted from the beginning of the bank; with `clip` =
- * mcpk_info.clips, where the shared data is that follows all clips. So single clips of a bank, for
- * example on a server, can be loaded: load the head, and open it with check = 0 and the size of the
- * whole bank; load the shared data to its place, and open the bank with check = 2; then load clips
- * to their places, and call mcpk_check before using one. Memory between these places is not read.
- */
+/* Tells where the bytes of a clip are, counted from the beginning of the bank. With `clip` =
+ * mcpk_info.clips, tells where the shared data is, which follows all clips. So single clips of a
+ * bank can be loaded, for example from a server: load the head, and open it with check = 0 and the
+ * size of the whole bank; load the shared data to its place, and open the bank with check = 2; then
+ * load clips to their places, and call mcpk_check before using one. Memory between these places is
+ * not read. */
 MCPR_API mcpr_status mcpk_place(const mcpk_bank* bank, uint32_t clip, uint64_t* offset,
                                 uint64_t* bytes, mcpr_result* report);
 
-/* The number of tiers of the clips that have most; 1 if the bank has none, as cooked banks do, 0 if
- * it is null. Sets *present, unless that is null, to the number that the bank still has: it may
- * have been cut after any tier. Reads what follows the clips, which has to be there. */
+/* The largest number of tiers of any clip in the bank; 1 if the bank has no tiers, as cooked banks
+ * do; 0 if `bank` is null. Unless `present` is null, sets *present to the number of tiers that the
+ * bank still has: it may have been cut short after any tier. Reads the data that follows the clips,
+ * which has to be loaded. */
 MCPR_API uint32_t mcpk_tiers(const mcpk_bank* bank, uint32_t* present);
 
 /* Tells where the piece is that a tier adds to a clip, 0 < tier < mcpk_tiers(), counted from the
- * beginning of the bank, even if it is not present; without bytes if the clip has no such tier.
- * With `clip` = mcpk_info.clips: where the pieces of all clips are in this tier. Tier 0 is
- * mcpk_place. Load the pieces to their places in any order, but read a clip with mcpr_limits.tiers
- * = k only when its tiers 0 to k - 1 are there. */
+ * beginning of the bank, even if the piece is not loaded. *bytes is 0 if the clip has no such tier.
+ * With `clip` = mcpk_info.clips, tells where the pieces of all clips are in this tier. Tier 0 of a
+ * clip is where mcpk_place says. Load the pieces to their places in any order, but read a clip with
+ * mcpr_limits.tiers = k only when its tiers 0 to k - 1 are there. */
 MCPR_API mcpr_status mcpk_tier_place(const mcpk_bank* bank, uint32_t clip, uint32_t tier,
                                      uint64_t* offset, uint64_t* bytes, mcpr_result* report);
 
-/* Verifies a clip that was loaded after its bank was opened, so that it is safe to use. A packed
- * clip has no checksum of its own: damage that leaves its structure whole gives other motion. */
+/* Verifies a clip that was loaded after its bank was opened, so that the clip is safe to use. A
+ * packed clip has no checksum of its own: if damage leaves its structure valid, another motion is
+ * decoded. */
 MCPR_API mcpr_status mcpk_check(const mcpk_bank* bank, uint32_t clip, mcpr_result* report);
 
-/* As mcpr_inspect and mcpr_read, for a clip of a packed bank. mcpr_build then makes the clip. */
+/* Do what mcpr_inspect and mcpr_read do, for a clip of a packed bank. mcpr_build then makes the
+ * clip. */
 MCPR_API mcpr_status mcpk_inspect(const mcpk_bank* bank, uint32_t clip, const mcpr_limits* limits,
                                   mcpr_info* info, mcpr_result* report);
 MCPR_API mcpr_status mcpk_read(const mcpk_bank* bank, uint32_t clip, const mcpr_limits* limits,
                                void* scratch, size_t scratch_size, size_t* resident_bytes,
                                mcpr_result* report);
 
-/* As mcpr_load and mcpr_load_cooked, for a clip of a packed bank, or for its first tiers. */
+/* Do what mcpr_load and mcpr_load_cooked do, for a clip of a packed bank, or for its first tiers.
+ * */
 MCPR_API mcpr_status mcpk_load(const mcpk_bank* bank, uint32_t clip, const mcpr_limits* limits,
                                const mcpr_allocator* allocator, const mcpr_clip** loaded,
                                mcpr_result* report);
@@ -887,21 +912,22 @@ MCPR_API mcpr_status mcpk_load_cooked(const mcpk_bank* bank, uint32_t clip,
 MCPR_API mcpr_status mcpk_cooked(const mcpk_bank* bank, uint32_t clip, const mcpr_cooked** cooked,
                                  mcpr_result* report);
 
-/* The number of a clip's skeleton, below mcpk_info.skeletons; -1 if there is no such clip,
- * or, in a packed bank from elsewhere, if it shares its skeleton with no other clip. Clips with one
- * number have the same skeleton: the same names, parents and offsets. In a cooked bank clips with
- * different numbers have different ones. In a packed bank they may be the same, with other
- * channels: mcpr_skeleton_hash tells once a clip is built. */
+/* The number of a clip's skeleton, below mcpk_info.skeletons; -1 if there is no such clip, or if,
+ * in a packed bank from elsewhere, the clip shares its skeleton with no other clip. Clips with the
+ * same number have the same skeleton: the same names, parents and offsets. In a cooked bank, clips
+ * with different numbers have different skeletons. In a packed bank these may be the same but for
+ * their channels: once the clips are built, mcpr_skeleton_hash tells. */
 MCPR_API int32_t mcpk_skeleton(const mcpk_bank* bank, uint32_t clip);
 
-/* As mcpr_cooked_joint, for a clip of a cooked bank; the name is in the bank's memory. */
+/* Describes a joint as mcpr_cooked_joint does, for a clip of a cooked bank; the name is in the
+ * bank's memory. */
 MCPR_API mcpr_status mcpk_joint(const mcpk_bank* bank, uint32_t clip, uint32_t joint,
                                 mcpr_joint* out, mcpr_result* report);
 
-/* As mcpr_find_joint, for a clip of a cooked bank. */
+/* Finds a joint as mcpr_find_joint does, for a clip of a cooked bank. */
 MCPR_API int32_t mcpk_find_joint(const mcpk_bank* bank, uint32_t clip, const char* name);
 
-/* mcpr_skeleton_hash and mcpr_map_joints of a clip in a cooked bank. */
+/* Do what mcpr_skeleton_hash and mcpr_map_joints do, for a clip of a cooked bank. */
 MCPR_API uint64_t mcpk_skeleton_hash(const mcpk_bank* bank, uint32_t clip);
 MCPR_API mcpr_status mcpk_map_joints(const mcpk_bank* bank, uint32_t clip,
                                      const mcpr_skeleton* skeleton, int16_t* map,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The runtime for C++20: spans, and pointers that free what they point to. Nothing throws. Types
-// and calls mean what mocapress_runtime.h says; its other functions take the same pointers.
+// The runtime for C++20: spans, and pointers that free what they point to. Nothing throws.
+// mocapress_runtime.h explains the types and calls; its other functions take the same pointers.
 #ifndef MOCAPRESS_RUNTIME_HPP
 #define MOCAPRESS_RUNTIME_HPP
 
@@ -15,7 +15,7 @@
 
 namespace mcpr {
 
-/// A value; or, if a call failed, an empty one and the result of that call.
+/// A value. If a call failed: an empty value, and the result of that call.
 template <typename T>
 struct Expected {
   T value{};
@@ -60,23 +60,23 @@ struct Release {
   }
 };
 
-/// Owns a clip, a cooked clip, or memory for the runtime, and frees it at the end.
+/// Owns a clip, a cooked clip or memory for the runtime. Its destructor frees what it owns.
 template <typename T>
 using Owned = std::unique_ptr<T, Release>;
 
-/// Allocates memory with the alignment that the runtime needs. Null if there is none left:
-/// functions of the runtime accept that and report it.
+/// Allocates memory with the alignment that the runtime needs. Null if there is no memory left: the
+/// runtime's functions accept null and report it.
 inline Owned<void> allocate(std::size_t bytes) {
   return Owned<void>(::operator new (bytes, std::align_val_t{MCPR_ALIGNMENT}, std::nothrow));
 }
 
-/// The allocator of load() and load_cooked(), whose clips Release frees.
+/// The allocator that load() and load_cooked() use. Release frees its clips.
 inline constexpr mcpr_allocator kAllocator = {
     [](void*, std::size_t bytes, std::size_t) { return allocate(bytes).release(); },
     [](void*, void* memory) { Release()(memory); }, nullptr};
 
-/// Decodes a file, which is not needed afterwards. `limits` refuse files that are too large; null:
-/// the format's own. Fails as mcpr_load does.
+/// Decodes a file, which is not needed afterwards. Files beyond `limits` are refused; if `limits`
+/// is null, the format's own limits apply. Fails as mcpr_load does.
 inline Expected<Owned<const mcpr_clip>> load(std::span<const std::byte> file,
                                              const mcpr_limits* limits = nullptr) {
   const mcpr_clip* clip = nullptr;
@@ -95,7 +95,8 @@ inline Expected<Owned<const mcpr_cooked>> load_cooked(std::span<const std::byte>
   return {Owned<const mcpr_cooked>(result.status == MCPR_OK ? clip : nullptr), result};
 }
 
-/// Decodes a clip of a packed bank, or its first tiers as `limits` say. Fails as mcpk_load does.
+/// Decodes a clip of a packed bank, or only its first tiers if `limits` say so. Fails as mcpk_load
+/// does.
 inline Expected<Owned<const mcpr_clip>> load(const mcpk_bank* bank, std::uint32_t number,
                                              const mcpr_limits* limits = nullptr) {
   const mcpr_clip* clip = nullptr;
@@ -114,8 +115,8 @@ inline Expected<Owned<const mcpr_cooked>> load_cooked(const mcpk_bank* bank, std
   return {Owned<const mcpr_cooked>(result.status == MCPR_OK ? clip : nullptr), result};
 }
 
-/// The number of tiers that are whole in a file's first bytes: mcpr_limits.tiers for reading them.
-/// 0: none yet, or a file without tiers.
+/// The number of tiers that are complete in a file's first bytes. Set mcpr_limits.tiers to this
+/// number to read them. 0: no tier is complete, or the file has no tiers.
 inline std::uint32_t tiers_within(std::span<const std::byte> file) {
   std::uint32_t count = 0;
   for (mcpr_tier tier; mcpr_tier_of(file.data(), file.size(), count, &tier, nullptr) == MCPR_OK &&
@@ -124,8 +125,8 @@ inline std::uint32_t tiers_within(std::span<const std::byte> file) {
   return count;
 }
 
-/// Plays a cooked clip for one character. The clip must outlive the player. Each thread and each
-/// character needs its own.
+/// Plays a cooked clip for one character. The clip must outlive the player. Each character needs a
+/// player of its own, and a player serves one thread at a time.
 class Player {
  public:
   /// Makes a player with a cursor. Fails as mcpr_make_cursor does.
@@ -138,14 +139,15 @@ class Player {
     return player;
   }
 
-  /// Writes mcpr_sample_values() floats. Finds the scratch memory that very large clips need.
+  /// Samples a pose into mcpr_sample_values() floats. Allocates the scratch memory that very large
+  /// clips need.
   mcpr_result sample(mcpr_sample_request request, double time, std::span<float> out) {
     if (request.layout == MCPR_WRITER || out.size() < mcpr_sample_values(clip_, &request))
       return {MCPR_MEMORY, 0, "the pose has no room for all values"};
     return sample_into(out.data(), request, time);
   }
 
-  /// The same for a request of MCPR_TRANSFORMS.
+  /// Samples a pose into transforms. The layout of the request is MCPR_TRANSFORMS.
   mcpr_result sample(const mcpr_sample_request& request, double time,
                      std::span<mcpr_transform> pose) {
     if (pose.empty()) return sample(request, time, std::span<float>());
@@ -153,13 +155,13 @@ class Player {
     return sample(request, time, std::span(pose.data()->rotation, kValues * pose.size()));
   }
 
-  /// Gives one transform after the other to the writer.
+  /// Samples a pose, and passes the transforms to the writer, one after the other.
   mcpr_result sample(mcpr_sample_request request, double time, mcpr_writer& writer) {
     request.layout = MCPR_WRITER;
     return sample_into(&writer, request, time);
   }
 
-  /// Writes the local transform of each joint at an instant. Fails if `pose` has fewer transforms
+  /// Samples the local transform of each joint at an instant. Fails if `pose` has fewer transforms
   /// than the clip has joints.
   mcpr_result sample(double seconds, std::span<mcpr_transform> pose, mcpr_wrap wrap = MCPR_CLAMP) {
     mcpr_sample_request request = {};
@@ -184,8 +186,8 @@ class Player {
 
   const mcpr_cooked* clip_ = nullptr;
   mcpr_cursor* cursor_ = nullptr;
-  Owned<void> memory_;   // the cursor
-  Owned<void> scratch_;  // grows when a request needs more
+  Owned<void> memory_;   // memory of the cursor
+  Owned<void> scratch_;  // enlarged when a request needs more
   std::size_t scratch_bytes_ = 0;
 };
 

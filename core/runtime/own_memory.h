@@ -10,7 +10,7 @@
 
 namespace mocapress {
 
-/// Aligned memory for the decoder, which allocates none itself.
+/// Aligned memory for objects of the decoder, which never allocate memory themselves.
 class AlignedBytes {
  public:
   explicit AlignedBytes(std::size_t size) : size_(size), bytes_(allocate(size)) {}
@@ -31,7 +31,8 @@ class AlignedBytes {
   std::unique_ptr<std::byte, Free> bytes_;
 };
 
-/// Owns a decoder object constructed as Part(memory, arguments...), together with its memory.
+/// Owns an object of the decoder, constructed as Part(memory, arguments...), together with its
+/// memory.
 template <typename Part>
 class OwnMemory {
  public:

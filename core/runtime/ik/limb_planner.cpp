@@ -32,7 +32,7 @@ const char* LimbPlanner::plan(const JointModel* joints, const EffectorEnds* effe
   return nullptr;
 }
 
-/// Marks the joints above an effector. Returns null, or the error as a sentence.
+/// Marks the joints above an effector. Returns null, or an error as a sentence.
 const char* LimbPlanner::mark(int effector) {
   const std::uint32_t bit = std::uint32_t{1} << effector;
   const EffectorEnds& ends = effectors_[effector];
@@ -49,8 +49,8 @@ const char* LimbPlanner::mark(int effector) {
   return in_chain ? "an effector's chain must begin at a joint above it that turns" : nullptr;
 }
 
-/// Adds effectors one by one to the group they share a joint with, merging groups where necessary.
-/// This fixes the order of solving.
+/// Adds the effectors one by one, each to the group with which it shares a joint; merges groups if
+/// there are several. The order of the effectors in a group is the order of solving.
 void LimbPlanner::group_effectors() {
   std::uint32_t shares[kMostEffectors] = {};
   for (int j = 0; j < joint_count_; ++j)

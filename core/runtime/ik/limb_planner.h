@@ -9,8 +9,8 @@
 
 namespace mocapress::runtime {
 
-/// A joint whose origin is corrected, and the joint where its chain starts. All joints with
-/// rotation channels from the start down to the effector's parent may turn.
+/// A joint whose origin is corrected, and the joint at which its chain begins. All joints with
+/// rotation channels, from the chain's first joint down to the effector's parent, may turn.
 struct EffectorEnds {
   int joint;
   int top;
@@ -21,7 +21,7 @@ class LimbPlanner {
  public:
   LimbPlanner(Memory& memory, int joints);
 
-  /// Plans the limbs of at most kMostEffectors effectors. Returns null, or the error as a sentence.
+  /// Plans the limbs of at most kMostEffectors effectors. Returns null, or an error as a sentence.
   const char* plan(const JointModel* joints, const EffectorEnds* effectors, int count);
 
   int limb_count() const { return limb_count_; }
@@ -31,10 +31,10 @@ class LimbPlanner {
     return {groups_[limb].effector, static_cast<std::size_t>(groups_[limb].count)};
   }
 
-  /// A plan with the sizes of a limb; its pointers are not set.
+  /// A plan with a limb's numbers of elements. Its pointers are not set.
   LimbPlan size(int limb) const;
 
-  /// Memory for the arrays of a plan.
+  /// Memory for the arrays of a plan, which lay_out() fills.
   struct Room {
     std::uint16_t* effector_numbers;
     std::uint16_t* effector_links;
@@ -55,9 +55,9 @@ class LimbPlanner {
   bool is_two_bones(const LimbPlan& plan) const;
 
   int joint_count_;
-  std::uint32_t* path_;   // for each joint: effectors at or below it
-  std::uint32_t* chain_;  // for each joint: effectors that it may turn for
-  int* link_of_;          // for each joint: its link in the limb that is laid out
+  std::uint32_t* path_;   // for each joint: the effectors at or below it, one bit each
+  std::uint32_t* chain_;  // for each joint: the effectors in whose chains it turns, one bit each
+  int* link_of_;          // for each joint: its link number in the limb that lay_out() works on
   const JointModel* joints_ = nullptr;
   const EffectorEnds* effectors_ = nullptr;
   int effector_count_ = 0;

@@ -19,12 +19,12 @@ double miss(const Limb& limb, const Vector3* targets) {
   return largest;
 }
 
-/// The rotation about the angle's axis that minimises the squared distances of the effectors to
-/// their targets.
+/// The rotation about an angle's axis that minimises the sum of the squared distances between the
+/// effectors and their targets.
 double best_turn(const Limb& limb, int angle, const Vector3* targets) {
   const Vector3& axis = limb.axis(angle);
-  double along = 0;   // component of the targets along the effectors
-  double across = 0;  // component across them, in the direction of rotation
+  double along = 0;   // sum of the targets' components along the effectors' arms
+  double across = 0;  // the same across the arms, in the direction of rotation
   for (int e = 0; e < limb.plan().effectors; ++e) {
     if (!limb.moves(angle, e)) continue;
     const Vector3 arm = limb.position(e) - limb.center(angle);
@@ -45,16 +45,19 @@ SolveOutcome solve_cyclic_descent(Limb& limb, const Vector3* targets, int most_s
   return outcome;
 }
 
-constexpr double kLongestTurn = 0.35;  // radians in one step; a linearisation is not valid beyond
+constexpr double kLongestTurn = 0.35;  // radians per step; beyond that, the linear approximation is
+                                       // poor
 
-/// The knee's rotation that puts the foot at distance `reach` from the hip; the smaller of the two
-/// solutions. A target beyond the leg's length straightens the leg as far as the hinge allows.
+/// The rotation of the knee that brings the foot to the distance `reach` from the hip; the smaller
+/// of the two solutions. If the leg is too short, the knee is straightened as far as the hinge
+/// allows.
 double bend_for(const Limb& limb, double reach) {
   constexpr int kKnee = 3;
   const Vector3 thigh = limb.center(kKnee) - limb.center(0);
   const Vector3 shin = limb.position(0) - limb.center(kKnee);
   const Vector3& axis = limb.axis(kKnee);
-  // The squared length |thigh + shin rotated by t|^2 is constant + 2 (along cos t + across sin t).
+  // The squared distance |thigh + shin rotated by t|^2 is a constant + 2 (along cos t + across sin
+  // t).
   const double fixed = dot(axis, shin) * dot(axis, thigh);
   const double along = dot(thigh, shin) - fixed;
   const double across = dot(thigh, cross(axis, shin));
@@ -68,7 +71,7 @@ double bend_for(const Limb& limb, double reach) {
   return std::abs(one) < std::abs(other) ? one : other;
 }
 
-/// The shortest rotation from the direction of `from` to that of `to`. Neither may be zero.
+/// The shortest rotation that takes the direction of `from` to that of `to`. Neither may be zero.
 Matrix3 rotation_between(const Vector3& from, const Vector3& to) {
   const double length_of_from = norm(from);
   const double length_of_to = norm(to);
@@ -82,7 +85,7 @@ Matrix3 rotation_between(const Vector3& from, const Vector3& to) {
   Vector3 axis = cross(a, b);
   double w = 1 + cosine;
   if (w < 1e-12) {
-    // Half a turn: any perpendicular axis will do.
+    // Half a turn may be about any axis perpendicular to `from`.
     const int least = std::abs(a[0]) < std::abs(a[1]) ? (std::abs(a[0]) < std::abs(a[2]) ? 0 : 2)
                                                       : (std::abs(a[1]) < std::abs(a[2]) ? 1 : 2);
     Vector3 other;
@@ -94,9 +97,9 @@ Matrix3 rotation_between(const Vector3& from, const Vector3& to) {
   return rotation_of(w / size, axis[0] / size, axis[1] / size, axis[2] / size);
 }
 
-/// Solves two bones in closed form: the knee sets the foot's distance, then the hip its direction.
-/// Returns false, without changes, if the knee would jump: a leg that is almost straight bends a
-/// lot for a millimetre.
+/// Solves two bones in closed form: the knee sets the distance of the foot, then the hip its
+/// direction. Returns false, without changes, if the knee would turn by more than kLongestTurn: an
+/// almost straight leg bends a lot for a millimetre.
 bool solve_two_bones(Limb& limb, const Vector3& target) {
   const Vector3 wanted = target - limb.center(0);
   const double bend = bend_for(limb, norm(wanted));
@@ -107,7 +110,7 @@ bool solve_two_bones(Limb& limb, const Vector3& target) {
   return true;
 }
 
-/// The normal matrix of a damped least-squares step.
+/// The matrix of the normal equations of a damped least-squares step.
 class Normal {
  public:
   explicit Normal(int rows) : rows_(rows) {}
@@ -136,10 +139,10 @@ class Normal {
   double matrix_[kMostRows][kMostRows];
 };
 
-/// Takes one damped Newton step, the one that moves the limb least. `ease` weighs the angles: a
-/// larger one turns more.
+/// Takes one damped Newton step: of all steps, the one that moves the limb least. `ease` has a
+/// weight per angle; an angle with a larger weight turns more.
 void step_to(Limb& limb, const Vector3* targets, const double* ease) {
-  constexpr double kDamping = 0.01;  // relative to a normal matrix with values of about 1
+  constexpr double kDamping = 0.01;  // added to the diagonal, whose values are about 1
   const int angles = limb.plan().turns;
   const int rows = 3 * limb.plan().effectors;
   const auto jacobian = reinterpret_cast<double(*)[kMostAngles]>(limb.velocities());
@@ -172,9 +175,10 @@ void step_to(Limb& limb, const Vector3* targets, const double* ease) {
   limb.turn(step);
 }
 
-/// Angles whose rotation moves less of the limb turn more, so that an error of the ankle is not
-/// corrected by the hip. From a few centimetres away it comes close to the nearest pose in two or
-/// three steps. The damping keeps an almost straight leg from jerking at the knee.
+/// Solves by damped Newton steps; two bones in closed form. Angles that move less of the limb turn
+/// more, so that an error of the ankle is not corrected at the hip. From a few centimetres away,
+/// two or three steps come close to the nearest pose. The damping keeps an almost straight leg from
+/// jerking at the knee.
 SolveOutcome solve_nearest_pose(Limb& limb, const Vector3* targets, int most_steps) {
   SolveOutcome outcome{miss(limb, targets)};
   if (!(outcome.miss_cm > kReachedCm) || most_steps == 0) return outcome;

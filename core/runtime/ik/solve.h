@@ -11,10 +11,10 @@
 
 namespace mocapress::runtime {
 
-/// Distance at which an effector counts as having reached its target.
+/// An effector within this distance of its target has reached it.
 inline constexpr double kReachedCm = 0.01;
 
-/// Iteration limits of the format's solvers.
+/// Largest numbers of iterations of the two solvers.
 inline constexpr int kMostSweeps = 60;       // cyclic descent
 inline constexpr int kMostNewtonSteps = 12;  // nearest pose
 
@@ -23,9 +23,9 @@ struct SolveOutcome {
   int iterations = 0;
 };
 
-/// Changes the limb's angles, starting from the frame's, so that its effectors reach `targets` (cm,
-/// in world space, one for each). Comes as close as it can to a target out of reach.
-/// `most_iterations` may lower the format's limit, for a caller in a hurry.
+/// Changes the limb's angles so that its effectors reach `targets`, or come as close as they can.
+/// It starts from the angles of the frame. `targets` has one position per effector, in cm, in world
+/// space. `most_iterations` may lower the format's limit, for speed.
 SolveOutcome solve(Solver solver, Limb& limb, const Vector3* targets,
                    int most_iterations = kMostSweeps);
 

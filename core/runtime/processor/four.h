@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Vectors of four numbers, for what this build is compiled for. MOCAPRESS_FOUR is defined if there
-// are any. Each of the files below defines the same types and functions:
+// Vectors of four numbers for the instruction set that this build is compiled for. MOCAPRESS_FOUR
+// is defined if it has such vectors. Each of the files included below defines the same types and
+// functions:
 //   Floats4  four floats: load() store() all(), + - * / square_root() by element
 //   Ints4    four integers of 32 bits with wrap-around: load() store() all(), + - & ^ << and >>,
 //            which keeps signs
 //   Words8   eight integers of 16 bits
-// ARM of 32 bits has none: its vectors of floats flush denormals to zero, which gives other bits.
+// 32-bit ARM does not use its vectors: they flush denormal floats to zero, which gives other bits.
 #pragma once
 
 #include <cstddef>

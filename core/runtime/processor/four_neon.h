@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The types of four.h with NEON, which every ARM of 64 bits has.
+// The types of four.h with NEON, which every 64-bit ARM processor has.
 #pragma once
 
 #include <arm_neon.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernels that a path of the C interface stands for.
+// Maps a path of the C interface to the kernels that compute it.
 #pragma once
 
 #include "core/runtime/mocapress_runtime.h"
@@ -26,7 +26,7 @@ inline constexpr mcpr_path kPathOfFour = MCPR_PATH_WASM;
 inline constexpr mcpr_path kPathOfFour = MCPR_PATH_SSE2;
 #endif
 
-/// True if this machine, and its operating system, have AVX2.
+/// True if both the machine and its operating system support AVX2.
 inline bool has_avx2() {
 #if !defined(MOCAPRESS_HAS_AVX2)
   return false;
@@ -35,7 +35,8 @@ inline bool has_avx2() {
   __cpuid(leaf, 0);
   if (leaf[0] < 7) return false;
   __cpuid(leaf, 1);
-  constexpr int kSavesRegisters = 1 << 27;  // OSXSAVE: the system saves what XCR0 tells
+  constexpr int kSavesRegisters = 1 << 27;  // OSXSAVE: the system saves the registers that XCR0
+                                            // names
   if ((leaf[2] & kSavesRegisters) == 0 || (_xgetbv(0) & 6) != 6) return false;
   __cpuidex(leaf, 7, 0);
   return (leaf[1] & 1 << 5) != 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The instruction sets that this build has: AVX2 is chosen at run time, vectors of four (four.h)
-// at compile time. Refuses compilers and machines that cannot give the promised bits.
+// The instruction sets that this build has. AVX2 is chosen at run time; vectors of four (four.h)
+// are chosen at compile time. This file refuses compilers and machines that cannot give the
+// promised bits.
 #pragma once
 
 #include <cfloat>
@@ -19,8 +20,8 @@
     "the Mocapress runtime needs floats of 32 bits between operations: -msse2 -mfpmath=sse on x86"
 #endif
 
-// A function with MOCAPRESS_AVX2 may use AVX2, and may be called only if has_avx2(). GCC and clang
-// need an attribute for that; MSVC compiles the intrinsics anywhere.
+// Marks a function that uses AVX2. Call it only if has_avx2(). GCC and clang need an attribute to
+// compile such a function; MSVC does not.
 #if (defined(__x86_64__) && defined(__GNUC__)) || (defined(_M_X64) && defined(__clang__))
 #define MOCAPRESS_HAS_AVX2
 #define MOCAPRESS_AVX2 __attribute__((target("avx2")))
@@ -37,7 +38,7 @@
 #define MOCAPRESS_ALWAYS_INLINE inline
 #endif
 
-/// Unrolls the loop that follows.
+/// MOCAPRESS_UNROLL unrolls the loop that follows it.
 #ifdef __GNUC__
 #define MOCAPRESS_PRAGMA(words) _Pragma(#words)
 #define MOCAPRESS_UNROLL(times) MOCAPRESS_PRAGMA(GCC unroll times)

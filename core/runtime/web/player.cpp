@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The face of the runtime for mocapress.js: functions of numbers and addresses, which a WebAssembly
-// module can export. MOCAPRESS_COOKED_ALONE leaves out what decodes .mcpr files and packed banks.
+// The functions of the runtime that mocapress.js calls. They take numbers and addresses only, so
+// that a WebAssembly module can export them. MOCAPRESS_COOKED_ALONE leaves out the functions that
+// decode .mcpr files and packed banks.
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -32,7 +33,8 @@ struct TrackRecord {
   std::int32_t steps;
 };
 
-/// A sentence about the last call that failed. Each thread has a module of its own.
+/// Error message of the last call that failed. Each thread runs a module of its own, with its own
+/// message.
 char last_error[256];
 
 void set_error(const char* message) {
@@ -75,10 +77,11 @@ class Memory {
 
 constexpr mcpr_track_request kAllTracks = {};
 
-/// A cooked clip: from a cooked bank, or cooked here.
+/// A cooked clip: either one of a cooked bank, or one that this class has cooked.
 class Clip {
  public:
-  /// Reads a clip by `inspect` and `read`, which know whether it is a file or in a packed bank.
+  /// Decodes and cooks a clip by calling `inspect` and `read`. These know whether the clip is a
+  /// file or lies in a packed bank.
   template <typename Inspect, typename Read>
   bool open(const Inspect& inspect, const Read& read) {
     Memory scratch;
@@ -98,7 +101,7 @@ class Clip {
     return cook() && prepare_tracks();
   }
 
-  /// Opens a clip of a cooked bank, which is sampled where it lies.
+  /// Opens a clip of a cooked bank, and samples it in the bank's memory.
   bool open_cooked(const mcpk_bank* bank, std::uint32_t number) {
     bank_ = bank;
     number_ = number;
@@ -164,7 +167,8 @@ class Clip {
   bool cook() {
     mcpr_cook_options options = {};
     options.apply_ik = 1;
-    options.ik_error = error_;  // exact, it would take up to ten times the memory
+    options.ik_error = error_;  // with an error of 0, the cooked clip would take up to ten times
+                                // the memory
     const std::size_t scratch_bytes = mcpr_cook_scratch_bytes(clip_, &options);
     Memory scratch;
     std::size_t bytes = 0;
@@ -183,13 +187,13 @@ class Clip {
            track_scratch_.reserve(mcpr_track_scratch_bytes(tracks_, &kAllTracks));
   }
 
-  const mcpr_clip* clip_ = nullptr;  // null: the clip is one of a cooked bank
+  const mcpr_clip* clip_ = nullptr;  // null: the clip belongs to a cooked bank
   const mcpk_bank* bank_ = nullptr;
   std::uint32_t number_ = 0;
   const mcpr_cooked* cooked_ = nullptr;
   const mcpr_tracks* tracks_ = nullptr;
   Dimensions dimensions_ = {};
-  float error_ = 0;  // cm, of the file; 0: not known
+  float error_ = 0;  // root-mean-square error that the file states, in cm; 0: not known
   JointRecord joint_ = {};
   TrackRecord track_ = {};
   Memory resident_;
@@ -248,7 +252,7 @@ T* made(const Open& open) {
 
 #define MOCAPRESS_EXPORT extern "C" __attribute__((visibility("default"), used))
 
-// A null pointer means failure; web_error() tells the reason.
+// These functions return null on failure; web_error() then tells the reason.
 
 MOCAPRESS_EXPORT const char* web_error() {
   return last_error;
@@ -269,20 +273,20 @@ MOCAPRESS_EXPORT const mcpk_bank* web_open_bank(const void* memory, std::size_t 
   return succeeded(mcpk_open(memory, size, 1, &bank, &report)) ? bank : nullptr;
 }
 
-/// Opens the head of a bank whose other bytes are not there yet.
+/// Opens the head of a bank whose other bytes have not been loaded yet.
 MOCAPRESS_EXPORT const mcpk_bank* web_open_head(const void* memory) {
   const mcpk_bank* bank = nullptr;
   return succeeded(mcpk_open(memory, SIZE_MAX, 0, &bank, &report)) ? bank : nullptr;
 }
 
-/// Opens a bank whose clips are not there yet, in memory for the whole bank.
+/// Opens a bank whose clips have not been loaded yet. The memory has room for the whole bank.
 MOCAPRESS_EXPORT const mcpk_bank* web_open_shared(const void* memory, std::size_t size) {
   const mcpk_bank* bank = nullptr;
   return succeeded(mcpk_open(memory, size, 2, &bank, &report)) ? bank : nullptr;
 }
 
-/// Returns two numbers: the place of a clip's part of a tier and its bytes; in tier 0 for the
-/// number after the last clip, those of the data after all clips.
+/// Returns two numbers: the offset and the size of the bytes that a tier adds to a clip. In tier 0,
+/// the number after the last clip stands for the data that follows all clips.
 MOCAPRESS_EXPORT const double* web_place(const mcpk_bank* bank, std::uint32_t number,
                                          std::uint32_t tier) {
   static double place[2];
@@ -303,7 +307,7 @@ MOCAPRESS_EXPORT double web_bank_bytes(const mcpk_bank* bank) {
   return static_cast<double>(mcpr::describe(bank).bytes);
 }
 
-/// Those that the bank still has.
+/// Returns the number of tiers that the bank still has.
 MOCAPRESS_EXPORT std::uint32_t web_bank_tiers(const mcpk_bank* bank) {
   std::uint32_t present = 0;
   mcpk_tiers(bank, &present);
@@ -335,8 +339,8 @@ MOCAPRESS_EXPORT Clip* web_open_cooked(const mcpk_bank* bank, std::uint32_t numb
 
 #ifndef MOCAPRESS_COOKED_ALONE
 
-/// Returns the number of tiers of a file of which only the first bytes need be there; 0 if it has
-/// none, -1 on failure.
+/// Returns the number of tiers of a file, of which only the first bytes need to be loaded; 0 if it
+/// has no tiers, -1 on failure.
 MOCAPRESS_EXPORT int web_tiers(const void* file, std::size_t size) {
   mcpr_tier tier;
   int count = 0;
@@ -345,7 +349,8 @@ MOCAPRESS_EXPORT int web_tiers(const void* file, std::size_t size) {
   return report.status == MCPR_ARGUMENT || succeeded(report.status) ? count : -1;
 }
 
-/// Returns three numbers about a tier: bytes of the file's start, RMS and largest error in cm.
+/// Returns three numbers about a tier: its bytes from the file's start, its root-mean-square error
+/// and its largest error, both in cm.
 MOCAPRESS_EXPORT const double* web_tier(const void* file, std::size_t size, std::uint32_t number) {
   static double numbers[3];
   mcpr_tier tier;
@@ -356,8 +361,8 @@ MOCAPRESS_EXPORT const double* web_tier(const void* file, std::size_t size, std:
   return numbers;
 }
 
-/// Opens a file, which is not needed afterwards, or its first tiers, after which it may end.
-/// tiers = 0: the whole file.
+/// Opens a file or, if tiers > 0, only its first tiers; the file may then end after these. The file
+/// is not needed afterwards.
 MOCAPRESS_EXPORT Clip* web_open(const void* file, std::size_t size, std::uint32_t tiers) {
   mcpr_limits limits = mcpr::default_limits();
   limits.tiers = tiers;
@@ -384,7 +389,8 @@ MOCAPRESS_EXPORT Clip* web_open_packed(const mcpk_bank* bank, std::uint32_t numb
   });
 }
 
-/// Returns 0 for a clip of a cooked bank, which has no frames to decode: it is sampled.
+/// Returns 1 if frames of the clip can be decoded; 0 for a clip of a cooked bank, which can only be
+/// sampled.
 MOCAPRESS_EXPORT int web_is_decoded(const Clip* clip) {
   return clip->is_decoded() ? 1 : 0;
 }
@@ -414,7 +420,7 @@ MOCAPRESS_EXPORT const TrackRecord* web_track(Clip* clip, std::uint32_t number) 
   return clip->track(number);
 }
 
-// A wrap is the number of an mcpr_wrap.
+// `wrap` is the number of an mcpr_wrap.
 
 /// Returns one float for each track.
 MOCAPRESS_EXPORT const float* web_sample_tracks(Clip* clip, double frame, int wrap) {
