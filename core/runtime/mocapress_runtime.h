@@ -246,16 +246,17 @@ typedef enum mcpr_time { MCPR_FRAMES = 0, MCPR_SECONDS = 1 } mcpr_time;
  * turn of the cycles, see mcpr_sample_motion. */
 typedef enum mcpr_wrap {
   MCPR_CLAMP = 0,      /* the first or the last frame */
-  MCPR_LOOP = 1,       /* another cycle, of loop_frames frames. If the first frame follows the last,
-                          channels go linearly from one to the other, angles the shorter way round,
-                          and roots go on as they moved in the last frame */
+  MCPR_LOOP = 1,       /* the clip repeats in cycles of loop_frames frames. If the first frame comes
+                          one frame after the last, channels go linearly from one to the other,
+                          angles the shorter way round, and roots repeat their last step */
   MCPR_PING_PONG = 2,  /* forwards, then backwards, and so on */
-  MCPR_LOOP_JUMP = 3,  /* the last frame stands for the first: a cycle of frames - 1, without
-                          anything in between */
-  MCPR_LOOP_BLEND = 4, /* the first frame follows the last: a cycle of `frames`. From one to the
-                          other as in MCPR_LOOP; if the clip is not such a loop, roots go straight,
-                          too */
-  MCPR_LOOP_HOLD = 5   /* a cycle of `frames`, at the end of which the last frame is held */
+  MCPR_LOOP_JUMP = 3,  /* the clip repeats in cycles of frames - 1: instead of the last frame comes
+                          the first one, without a blend */
+  MCPR_LOOP_BLEND = 4, /* the clip repeats in cycles of `frames`: the first frame comes one frame
+                          after the last. From one to the other as in MCPR_LOOP; if the clip is not
+                          such a loop, roots go straight, too */
+  MCPR_LOOP_HOLD = 5   /* the clip repeats in cycles of `frames`: the last frame is held until the
+                          first one comes */
 } mcpr_wrap;
 
 /* The kind of values that decoding returns for each frame. */
@@ -402,8 +403,9 @@ typedef enum mcpr_layout {
                         the convention, and of scale x, y, z, which is 1. Places after the last
                         joint have no translation and no rotation */
   MCPR_HALVES = 4,   /* mcpr_transform in half floats (IEEE 754 binary16, rounded to nearest): 8
-                        uint16_t per joint. A length of 1000 is rounded to 0.5: ask for metres */
-  MCPR_WRITER = 5    /* the output is an mcpr_writer, which gets joint after joint */
+                        uint16_t per joint. Lengths of up to 1024 are rounded to multiples of 0.5:
+                        ask for metres */
+  MCPR_WRITER = 5    /* the output is an mcpr_writer, which receives joint after joint */
 } mcpr_layout;
 
 /* Receives a pose joint by joint, for an engine that keeps poses in a form of its own. `write` gets
@@ -427,7 +429,7 @@ typedef struct mcpr_convention {
 typedef enum mcpr_engine {
   MCPR_MOCAPRESS = 0, /* the clip's own */
   MCPR_GLTF = 1,      /* metres, right-handed, y up, x y z w */
-  MCPR_GODOT = 2,     /* the same */
+  MCPR_GODOT = 2,     /* the same as MCPR_GLTF */
   MCPR_UNITY = 3,     /* metres, left-handed, y up, x y z w: the clip's x is negated */
   MCPR_UNREAL = 4,    /* centimetres, left-handed, z up, x y z w: y and z are exchanged */
   MCPR_BLENDER = 5    /* metres, right-handed, z up, w x y z: x -z y */
@@ -468,8 +470,8 @@ typedef struct mcpr_sample_request {
                               numbers; others than those of the output are ignored. All together
                               take the time of another pose at most */
   uint32_t stepped_count;  /* length of `stepped` */
-  void* scratch;           /* memory to work in, where mcpr_sample_scratch_bytes() asks for it; not
-                              shared by threads at a time */
+  void* scratch;           /* memory to work in, if mcpr_sample_scratch_bytes() is not 0; not shared
+                              by threads at the same time */
   size_t scratch_size;
 } mcpr_sample_request;
 
@@ -621,8 +623,9 @@ typedef struct mcpr_skeleton {
 typedef struct mcpr_map_gaps {
   uint32_t missing; /* joints of the skeleton that the clip does not have: they get the bind pose */
   uint32_t unused;  /* joints of the clip that the skeleton does not have: they are left out */
-  uint32_t moved;   /* joints of both that hang from another joint in the clip. Their transforms are
-                       in the space of that one: retarget the clip, or they will be elsewhere */
+  uint32_t moved;   /* joints of both that have another parent in the clip. Their transforms are in
+                       the space of that parent: retarget the clip, or the joints will be in wrong
+                       places */
 } mcpr_map_gaps;
 
 /* Finds the joints of an engine's skeleton in a clip by their names, compared byte for byte. Sets
@@ -684,8 +687,8 @@ MCPR_API mcpr_status mcpr_pose_difference(const mcpr_pose_form* form, const mcpr
                                           mcpr_result* report);
 
 /* Adds a difference from mcpr_pose_difference to a pose: rotation = difference * rotation,
- * translation = translation + difference. With a weight, 0 to 1, only that part is added: of a
- * rotation, that part of its angle, the shorter way round. */
+ * translation = translation + difference. With a weight, 0 to 1, only a part is added: the rotation
+ * is interpolated from no turn to the whole difference, the shorter way round. */
 MCPR_API mcpr_status mcpr_blend_additive(const mcpr_pose_form* form,
                                          const mcpr_weighted_pose* difference, mcpr_transform* pose,
                                          mcpr_result* report);
@@ -839,7 +842,7 @@ typedef struct mcpk_info {
   int is_cooked;      /* 1: cooked, 0: packed */
   size_t table_bytes; /* the part of `bytes` that cooked clips share; 0 in a packed bank */
   uint32_t skeletons; /* numbers of skeletons are below this: see mcpk_skeleton. A cooked bank has
-                          as many; in a packed one some of these numbers are no skeleton's */
+                         as many skeletons; in a packed bank some of the numbers have no skeleton */
 } mcpk_info;
 
 /* Sets *out to the dimensions of a bank; all zero if `bank` is null. */

@@ -7,7 +7,7 @@
 namespace mocapress::runtime {
 namespace {
 
-// Outside of these, squares of sums would leave the range of floats.
+// Weights outside of these bounds could make squares of sums overflow or underflow.
 constexpr float kLightest = 1e-6F;
 constexpr float kHeaviest = 1e6F;
 
@@ -33,7 +33,7 @@ Real weights_of(const mcpr_weighted_pose& pose, std::uint32_t joint) {
                                        : weight * each_joint<Real>(pose.joint_weights + joint);
 }
 
-/// A weighted mean. The order of a quaternion's numbers does not matter to it.
+/// A weighted mean of transforms. Its code does not depend on the order of a quaternion's numbers.
 template <typename Real>
 class Mean {
  public:
@@ -41,7 +41,7 @@ class Mean {
       : turn_(weight * first.turn), shift_(weight * first.shift), total_(weight) {}
 
   void add(const Placed<Real>& placed, Real weight) {
-    // The sum never gets shorter by this, so it is never zero.
+    // The sign is chosen so that the sum does not get shorter. So it is never zero.
     turn_ = turn_ + negated_by(dot(turn_, placed.turn), weight) * placed.turn;
     shift_ = shift_ + weight * placed.shift;
     total_ = total_ + weight;
@@ -55,10 +55,11 @@ class Mean {
   Real total_;
 };
 
-/// The poses that count for a joint.
+/// Counts the poses that have a weight for a joint.
 struct Counted {
   std::uint32_t count = 0;
-  const mcpr_weighted_pose* last;  // the first pose if none counts
+  const mcpr_weighted_pose* last;  // the last of these poses; the first of all poses if there are
+                                   // none
 
   Counted(const mcpr_weighted_pose* poses, std::uint32_t number, std::uint32_t joint)
       : last(poses) {
@@ -70,7 +71,7 @@ struct Counted {
   }
 };
 
-/// The mean of the poses that count at one joint.
+/// Stores the mean of a joint's transforms in the poses that have a weight for it.
 void store_mean_of_some(const mcpr_weighted_pose* poses, std::uint32_t count, std::uint32_t joint,
                         mcpr_transform* out) {
   std::uint32_t i = 0;
@@ -82,7 +83,7 @@ void store_mean_of_some(const mcpr_weighted_pose* poses, std::uint32_t count, st
   mean.value().store(out + joint);
 }
 
-/// The mean of all poses.
+/// Stores the mean of the joints' transforms in all poses.
 template <typename Real>
 void store_mean(const mcpr_weighted_pose* poses, std::uint32_t count, std::uint32_t joint,
                 mcpr_transform* out) {
@@ -92,7 +93,7 @@ void store_mean(const mcpr_weighted_pose* poses, std::uint32_t count, std::uint3
   mean.value().store(out + joint);
 }
 
-/// Lays a pose over another at joints whose weights are neither 0 nor 1.
+/// Lays a pose over another, at joints whose weight is neither 0 nor 1.
 template <typename Real>
 void store_layered(const mcpr_weighted_pose& layer, std::uint32_t joint, mcpr_transform* pose) {
   const Real weight = weights_of<Real>(layer, joint);
@@ -101,7 +102,7 @@ void store_layered(const mcpr_weighted_pose& layer, std::uint32_t joint, mcpr_tr
   mean.value().store(pose + joint);
 }
 
-/// The mirror image at the plane perpendicular to an axis.
+/// The mirror image of a transform, at the plane through the origin perpendicular to an axis.
 template <typename Real>
 Placed<Real> mirrored(const Placed<Real>& placed, int axis) {
   const Real minus = all_joints<Real>(-1);
@@ -123,7 +124,7 @@ void keep_turn(const Turn<float>& turn, float (&wxyz)[4]) {
   wxyz[3] = turn.z;
 }
 
-/// A joint's turn in the character's space.
+/// The rotation of a joint in the character's space.
 Turn<float> turn_in_model(const PoseSpace& space, const mcpr_transform* pose,
                           const std::int16_t* parents, std::uint32_t joint) {
   Turn<float> turn = space.load<float>(pose + joint).turn;
@@ -137,7 +138,7 @@ Turn<float> turn_in_model(const PoseSpace& space, const mcpr_transform* pose,
 PoseSpace::PoseSpace(const mcpr_convention* convention) {
   if (convention == nullptr) return;
   w_last = convention->w_last != 0;
-  constexpr int kClipsUp = 2;  // y, counted from 1
+  constexpr int kClipsUp = 2;  // number of the y axis in mcpr_convention
   for (int i = 0; i < 3; ++i)
     if (std::abs(convention->axes[i]) == kClipsUp) up = i;
 }
@@ -150,7 +151,7 @@ bool blend(const mcpr_weighted_pose* poses, std::uint32_t count, std::uint32_t j
     has_mask = has_mask || poses[i].joint_weights != nullptr;
   }
   if (joints == 0) return true;
-  const Counted of_all(poses, count, 0);  // if no pose has a mask
+  const Counted of_all(poses, count, 0);  // the result for every joint if no pose has a mask
   const auto counted = [&](std::uint32_t j) {
     return (has_mask ? Counted(poses, count, j) : of_all).count;
   };
@@ -265,7 +266,8 @@ void mirror_pose(const PoseSpace& space, const mcpr_mirror_joint* mirror, int ax
   for_joints(joints, [&](auto real, std::uint32_t first) {
     using Real = decltype(real);
     mcpr_transform partners[kJointsOf<Real>];
-    mcpr_transform around[2][kJointsOf<Real>] = {};  // so that they load as poses do
+    mcpr_transform around[2][kJointsOf<Real>] = {};  // arrays of transforms, because these can be
+                                                     // loaded as poses are
     for (std::uint32_t i = 0; i < kJointsOf<Real>; ++i) {
       const mcpr_mirror_joint& joint = mirror[first + i];
       partners[i] = pose[joint.partner];

@@ -9,11 +9,11 @@
 
 namespace mocapress::runtime {
 
-/// A convention as far as blends depend on it: where quaternions have their w, and which axis is
-/// up.
+/// The parts of a convention that blends depend on: the place of w in quaternions, and the axis
+/// that is up.
 struct PoseSpace {
   bool w_last = false;
-  int up = 1;  // the axis that points up, or down
+  int up = 1;  // number of the axis that points up, or down
 
   explicit PoseSpace(const mcpr_convention* convention);
 
@@ -32,7 +32,7 @@ struct PoseSpace {
   }
 };
 
-/// False if a weight is out of range.
+/// These return false if a weight is out of range.
 bool blend(const mcpr_weighted_pose* poses, std::uint32_t count, std::uint32_t joints,
            mcpr_transform* out);
 bool blend_layer(const mcpr_weighted_pose& layer, std::uint32_t joints, mcpr_transform* pose);
@@ -44,7 +44,7 @@ void take_difference(const PoseSpace& space, const mcpr_transform* pose, const m
 
 void split_root(const PoseSpace& space, mcpr_transform& root, mcpr_transform& ground);
 
-/// True if partners are mutual and hang from partners.
+/// True if each partner's partner is the joint itself, and partners have partners as parents.
 bool are_partners(const std::uint16_t* partners, const std::int16_t* parents, std::uint32_t joints);
 void make_mirror(const PoseSpace& space, const mcpr_transform* bind, const std::int16_t* parents,
                  const std::uint16_t* partners, int axis, std::uint32_t joints,

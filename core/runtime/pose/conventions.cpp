@@ -10,18 +10,18 @@ namespace {
 
 constexpr std::int8_t kOwnAxes[3] = {1, 2, 3};
 
-/// The numbers of one joint in a pose of arrays.
+/// The numbers of one joint in a pose of the layout MCPR_ARRAYS.
 struct InArrays {
   float* rotation;  // w x y z
   float* translation;
-  std::size_t stride;  // from one number to the next
+  std::size_t stride;  // distance from one number to the next
 
   InArrays(std::uint32_t joints, std::uint32_t joint, float* pose)
       : rotation(pose + joint), translation(rotation + std::size_t{4} * joints), stride(joints) {}
 };
 
-/// The numbers of one joint in a pose of transforms. They lie side by side, which the compiler has
-/// to know for loops over them to be fast.
+/// The numbers of one joint in a pose of transforms. They are adjacent: `stride` is a constant, so
+/// that the compiler makes fast loops over them.
 struct InTransforms {
   float* rotation;
   float* translation;
@@ -54,7 +54,7 @@ void place_in_parent(const Joint& parent, const Joint& joint) {
         parent.translation[i * parent.stride] + (t[i] + 2 * (p[0] * c[i] + d[i]));
 }
 
-/// m = parent * m, of matrices 3 x 4.
+/// m = parent * m, for 3 x 4 matrices.
 void multiply(const float* parent, float* m) {
   for (int column = 0; column < 4; ++column) {
     const float x = m[column];
@@ -68,11 +68,11 @@ void multiply(const float* parent, float* m) {
   }
 }
 
-/// The clip's axes that are those of an engine, with their signs.
+/// For each axis of an engine: the clip's axis that it is, and its sign.
 struct AxisMap {
   int from[3];
   float sign[3];
-  float hand = 1;  // -1: a mirror image
+  float hand = 1;  // -1 if the engine's axes have the other handedness
 
   explicit AxisMap(const mcpr_convention& convention) {
     const bool own = convention.axes[0] == 0;

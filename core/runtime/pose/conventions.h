@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Turns sampled poses into an engine's axes, unit of length, order of quaternions and space.
+// Converts sampled poses to an engine's axes, unit of length, order of quaternions and space.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +14,12 @@ bool is_convention(const mcpr_convention& convention);
 /// True if each joint's parent comes before it.
 bool are_parents(const std::int16_t* parents, std::uint32_t joints);
 
-/// Moves the joints from their parents' spaces to the character's; quaternions are w x y z.
+/// Converts a pose from the spaces of the joints' parents to the character's space. Quaternions
+/// must be w x y z.
 void place_in_model(mcpr_layout layout, const std::int16_t* parents, std::uint32_t joints,
                     float* pose);
 
-/// Converts a pose of the clip's convention.
+/// Converts a pose from the clip's convention to the given one.
 void convert(const mcpr_convention& convention, mcpr_layout layout, std::uint32_t joints,
              float* pose);
 

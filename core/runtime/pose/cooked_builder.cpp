@@ -33,8 +33,8 @@ bool is_inverse(const Matrix3& a, const Matrix3& b) {
   return is_identity;
 }
 
-/// Writes the table of AroundKind::Inverses for one joint: the directions of its three axes. For an
-/// odd order of axes the last one is mirrored.
+/// Writes one joint's part of the table for AroundKind::Inverses: the directions of its three axes.
+/// For an odd permutation of the axes, the third direction is negated.
 void put_turned_axes(const Matrix3& parent_from_axes, const int (&axes)[3], bool is_odd,
                      float* to) {
   for (int row = 0; row < 3; ++row)
@@ -44,7 +44,7 @@ void put_turned_axes(const Matrix3& parent_from_axes, const int (&axes)[3], bool
     }
 }
 
-/// Writes the table of AroundKind::Any for one joint.
+/// Writes one joint's part of the table for AroundKind::Any.
 void put_quaternions(const Matrix3& before, const Matrix3& after, float* to) {
   for (const Matrix3* const side : {&before, &after})
     for (const double value : quaternion_from(*side).wxyz) {
@@ -75,8 +75,8 @@ mcpr_result CookedBuilder::prepare() {
   return result;
 }
 
-/// Keeps one band less, which saves time at every instant, unless that makes the clip more than 1 %
-/// larger.
+/// Chooses the number of detail bands. One band less saves time at every instant; it is left out
+/// unless that makes the clip more than 1 % larger.
 void CookedBuilder::choose_bands() {
   constexpr std::uint64_t kMostPercent = 101;
   const auto [fewest, most] = columns_.bands();
@@ -167,7 +167,7 @@ std::uint64_t CookedBuilder::lay_out(CookedBlock& block, CookedBlock& tables, st
   return head.bytes;
 }
 
-/// Stores names, parents and offsets of the joints, with the size of all that.
+/// Stores a skeleton item, after its size: names, parents and offsets of the joints.
 void CookedBuilder::lay_out_skeleton(CookedBlock& block) {
   const char* const names = clip_.at<char>(clip_.names);
   const JointModel* const models = clip_.joint_models();
@@ -194,7 +194,7 @@ void CookedBuilder::lay_out_skeleton(CookedBlock& block) {
   }
 }
 
-/// Stores the end corrections. Few channels need one, so only nonzero values are kept.
+/// Stores the end corrections. Few channels have one, so only nonzero values are stored.
 void CookedBuilder::lay_out_ends(CookedBlock& block, mcpr_cooked& head) {
   const int ends = head.end_reaches.count();
   const int columns = kGroup * columns_.row_groups();
@@ -248,7 +248,8 @@ void CookedBuilder::lay_out_joints(CookedBlock& tables, mcpr_cooked& head) {
           origin[axis_of(channel.kind)] += channel.constant;
       }
       if (joint.has_axes) rotation = rotation * joint.axes_from_joint;
-      // Zeroes a rotation that is not used, so that more tables are equal and shared in a bank.
+      // This rotation is not used. The identity makes tables of more clips equal, so that a bank
+      // shares them.
       if (is_turned) rotation = {};
       const Quaternion q = quaternion_from(rotation);
       for (int i = 0; i < 4; ++i) rest[j].rotation[i] = static_cast<float>(q.wxyz[i]);

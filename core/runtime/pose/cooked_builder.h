@@ -12,22 +12,22 @@
 
 namespace mocapress::runtime {
 
-/// Makes a cooked clip from the resident form. Takes over the coefficients of the fine bands
-/// unchanged, and turns the coarse bands into samples.
+/// Makes a cooked clip from the resident form of a clip. The coefficients of the fine bands are
+/// kept unchanged, the coarse bands become samples.
 class CookedBuilder {
  public:
   /// If `memory` only measures, this counts bytes and does nothing else.
   CookedBuilder(Memory& memory, const mcpr_clip& clip, const mcpr_cook_options& options);
 
-  /// Decides on the layout of the cooked clip.
+  /// Analyses the clip, and chooses the layout of the cooked clip.
   mcpr_result prepare();
 
   /// Lays out the clip in zeroed memory, after prepare(), and returns its size. Without memory it
   /// only measures.
   std::uint64_t lay_out(std::byte* memory);
 
-  /// Lays out the clip with its tables in another block, whose offset 0 stays free. The caller sets
-  /// mcpr_cooked::tables, the distance to that block.
+  /// Lays out the clip, with its tables in another block. Offset 0 of that block stays free. The
+  /// caller must set mcpr_cooked::tables to the distance from the clip to that block.
   struct Size {
     std::uint64_t clip = 0;
     std::uint64_t tables = 0;

@@ -14,7 +14,7 @@
 namespace mocapress::runtime {
 namespace {
 
-/// Checks tables and rows one after the other; remembers a failure.
+/// Checks tables and rows, one after the other. `sound_` turns false at the first failure.
 class Checker {
  public:
   Checker(const mcpr_cooked& clip, const TableRange& tables)
@@ -63,7 +63,7 @@ class Checker {
     require(offset.bytes >= tables_.first && offset.bytes % alignment == 0 &&
             offset.bytes + size * count <= tables_.end);
   }
-  /// Checks all elements of a table, if the table lies within its range.
+  /// Checks that a table lies within its range, then checks all elements.
   template <typename T, typename Check>
   void each(TableOffset offset, std::uint32_t count, const Check& check) {
     require_array(offset, sizeof(T), count, alignof(T));
@@ -165,7 +165,7 @@ class Checker {
                     static_cast<std::uint64_t>(bundles_of(band.kind, rows)), 1);
   }
 
-  /// Checks entries; no column may be `columns` or more.
+  /// Checks a set of entries. Their columns must be below `columns`.
   void check_entries(const CookedEntries& entries, std::uint32_t columns) {
     if (entries.blocks == 0) return;
     require(entries.log2_rows <= kMostLog2RowsOfBlock);
@@ -182,7 +182,7 @@ class Checker {
   const mcpr_cooked& clip_;
   const TableRange tables_;
   const std::uint32_t columns_;
-  const std::uint32_t row_columns_;  // columns that have rows
+  const std::uint32_t row_columns_;  // number of columns that have rows
   bool sound_ = true;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The cooked form of a clip, in which the pose of any instant is a weighted sum of a few rows of
-// small numbers. One little-endian block without pointers, the same in memory and on disk:
+// The cooked form of a clip, in which the pose at any instant is a weighted sum of a few rows of
+// small numbers. It is one little-endian block without pointers, the same in memory and on disk:
 // SAMPLING.md describes it.
 #pragma once
 
@@ -22,32 +22,32 @@
 namespace mocapress::runtime {
 
 inline constexpr int kGroup = 8;              // columns, or joints, that are processed together
-inline constexpr int kMostGroupsOfPart = 16;  // so that 7 bits can address a column of a part
+inline constexpr int kMostGroupsOfPart = 16;  // so that 7 bits can number a column of a part
 inline constexpr int kMostColumns = 4096;     // in a clip
-inline constexpr int kDetailWindow = 8;       // rows of a detail band that contribute to an instant
-inline constexpr int kFinestWindow = 6;       // the same for the finest band
-inline constexpr int kCrumbWindow = 12;       // the same for crumbs (2-bit numbers), of which a
-                                              // bundle holds four rows
-inline constexpr int kSampleWindow = 6;       // rows of samples that contribute to an instant
-inline constexpr int kMostKeptBands = 5;      // detail bands of a part
-// Bit fields of an entry, which is added to a band's rows.
+inline constexpr int kDetailWindow = 8;  // most rows of a detail band that contribute to an instant
+inline constexpr int kFinestWindow = 6;  // the same for the finest band
+inline constexpr int kCrumbWindow = 12;  // the same for crumbs (2-bit numbers): a bundle of them
+                                         // has four rows
+inline constexpr int kSampleWindow = 6;  // most rows of samples that contribute to an instant
+inline constexpr int kMostKeptBands = 5;  // most detail bands of a part
+// Bit fields of an entry, see CookedEntries.
 inline constexpr int kColumnBits = 7;
 inline constexpr int kRowBits = 4;              // row number modulo 16
 inline constexpr int kEntriesBeyond = 7;        // entries that may be read after a band's last one
 inline constexpr int kSampleBytesBeyond = 4;    // bytes that may be read after the last samples
-inline constexpr int kMostLog2RowsOfBlock = 3;  // the blocks that contribute to an instant span at
-                                                // most 16 rows
+inline constexpr int kMostLog2RowsOfBlock = 3;  // the blocks of entries that contribute to an
+                                                // instant span at most 16 rows
 
-/// Storage of a band's detail rows: 2, 4, 8 or 16 bits per number. Rows are interleaved in bundles,
-/// as the instructions that multiply pairs expect them.
+/// Storage of a band's detail rows: numbers of 2, 4, 8 or 16 bits. Rows are interleaved in bundles,
+/// in the order in which the instructions that multiply pairs of numbers need them.
 enum class RowKind : std::uint8_t { None, Crumbs, Nibbles, Bytes, Words };
 
-/// Rows in a bundle.
+/// Number of rows in a bundle.
 constexpr int rows_together(RowKind kind) {
   return kind == RowKind::Crumbs ? 4 : 2;
 }
 
-/// Bytes of a bundle for one group.
+/// Size in bytes of a bundle of rows, for one group of columns.
 constexpr std::size_t bundle_bytes(RowKind kind) {
   switch (kind) {
     case RowKind::None:
@@ -63,47 +63,51 @@ constexpr std::size_t bundle_bytes(RowKind kind) {
   return 0;
 }
 
-/// Bundles of a band with this many rows, including those that may be read after the last.
+/// Number of bundles in a band of `rows` rows, with those that kernels may read beyond the last
+/// row.
 constexpr int bundles_of(RowKind kind, int rows) {
   const int even = rows < kDetailWindow ? kDetailWindow : (rows + 1) / 2 * 2;
   return kind == RowKind::Crumbs ? (even + 7) / 4 : even / 2;
 }
 
-/// The dense rows of one detail band of one part.
+/// The dense rows of a detail band of a part.
 struct CookedBand {
   std::uint32_t rows = 0;  // offset from the clip
   RowKind kind = RowKind::None;
   std::uint8_t padding[3] = {};
 };
 
-/// Values to add to a band's dense rows, for up to kMostGroupsOfPart groups of columns. An entry
-/// has 16 bits, from the lowest: column, row modulo 16, signed value.
+/// Numbers to add to a band's dense rows, where these have too few bits; for up to
+/// kMostGroupsOfPart groups of columns. An entry has 16 bits. From the lowest: column, row modulo
+/// 16, signed value.
 struct CookedEntries {
-  std::uint32_t begins = 0;    // offset from the clip: u16 start of each block's entries, u16 end
-                               // after the last one's, then the entries
+  std::uint32_t begins = 0;    // offset from the clip of: for each block, the index of its first
+                               // entry (u16); the number of entries (u16); the entries
   std::uint16_t blocks = 0;    // 0: no entries
-  std::uint8_t log2_rows = 0;  // rows of a block
+  std::uint8_t log2_rows = 0;  // logarithm of the number of rows in a block
   std::uint8_t padding = 0;
 };
 
-/// Groups of columns with the same storage.
+/// Consecutive groups of columns that are stored in the same way.
 struct CookedPart {
   std::uint16_t first_group = 0;
   std::uint16_t groups = 0;
-  std::uint8_t kept_bands = 0;      // number of detail bands kept, the finest; coarser ones become
+  std::uint8_t kept_bands = 0;      // number of detail bands, the finest ones; coarser bands become
                                     // samples
   std::uint8_t is_wide = 0;         // 1: samples have 24 bits, steps are floats; 0: samples have 16
-  std::uint16_t narrow_groups = 0;  // the first groups, whose samples have four bits less
+  std::uint16_t narrow_groups = 0;  // number of groups, the first ones, whose samples have four
+                                    // bits less
 
-  /// Bits of a group's samples: also the bytes that a row has of them.
+  /// Bits per sample in a group. A row has eight samples of the group, and so as many bytes.
   int sample_bits(int group) const {
     return (is_wide != 0 ? 24 : 16) - (group < narrow_groups ? 4 : 0);
   }
-  /// Number of narrow ones among the groups from `first` to `end`.
+  /// Number of narrow groups among the groups `first` ... `end` - 1.
   int narrow_within(int first, int end) const {
     return std::clamp<int>(narrow_groups, first, end) - first;
   }
-  /// Bytes of a row of samples before a group's. For the number of groups: of the whole row.
+  /// Offset in bytes of a group's samples within a row. For group number `groups`: size of the
+  /// whole row.
   std::ptrdiff_t sample_place(int group) const {
     return sample_bits(groups) * group - 4 * (group < narrow_groups ? group : narrow_groups);
   }
@@ -111,62 +115,64 @@ struct CookedPart {
 
 /// A part's data in one segment.
 struct CookedRows {
-  // Three arrays with one element per column: offset, scale of samples and step, each the upper
-  // half of a float, except for the steps of a wide part: these are floats.
+  // Offset of three arrays with one element per column: the offset of samples, the scale of
+  // samples, the quantisation step. Elements are upper halves of floats; but in a wide part, steps
+  // are whole floats.
   std::uint32_t scales = 0;
-  // Row by row, and group by group: whole numbers with a sign, put_sample() tells how. Samples are
-  // offset + number * scale.
+  // Offset of the samples: row by row, and in a row group by group. They are signed integers,
+  // stored as put_sample() does. A sample's value is offset + number * scale.
   std::uint32_t samples = 0;
-  std::uint32_t bands = 0;  // a CookedBand for each kept band, the finest first
-  float unit = 0;           // multiplied to all steps
+  std::uint32_t bands = 0;  // offset of a CookedBand for each kept band, the finest first
+  float unit = 0;           // factor on all steps
 };
 
-/// Size of `scales` for this many columns.
+/// Size in bytes of `scales` for a number of columns.
 constexpr std::uint64_t scale_bytes(bool is_wide, std::uint64_t columns) {
   return 2 * sizeof(std::uint16_t) * columns +
          (is_wide ? sizeof(float) : sizeof(std::uint16_t)) * columns;
 }
 
-/// Extends the upper half of a float to a float.
+/// Makes a float from its upper half.
 inline float from_upper_half(std::uint16_t half) {
   return bit_pattern<float>(std::uint32_t{half} << 16);
 }
 
-/// Offset of a table, in bytes from `mcpr_cooked::tables`. Clips of a bank may share tables.
+/// Offset of a table, in bytes from `mcpr_cooked::tables`. The clips of a bank may share tables.
 struct TableOffset {
   std::uint32_t bytes = 0;
 };
 
-/// Constant rotations before and after the axes of a group's joints.
+/// Kind of the constant rotations before and after the rotations of a group's joints.
 enum class AroundKind : std::uint8_t {
   None,
-  // The two are inverses of each other: a 3 x 3 matrix per joint, which maps rotations about the
-  // first, second and third axis to x, y and z. Each number is stored for
-  // all eight joints before the next.
+  // The rotations before and after are inverses of each other. The table has a 3 x 3 matrix per
+  // joint, which maps the rotations about the first, second and third axis to x, y and z. It has
+  // each number for all eight joints, then the next number.
   Inverses,
-  Any,  // the quaternion before, then the one after, w x y z, each number for all eight joints
+  Any,  // two quaternions w x y z per joint, before and after; each number for all eight joints
 };
 
-/// Floats in a group's table.
+/// Number of floats in a group's table.
 constexpr std::uint64_t floats_around(AroundKind kind) {
   if (kind == AroundKind::None) return 0;
   return (kind == AroundKind::Inverses ? 9 : 8) * std::uint64_t{kGroup};
 }
 
-/// Eight joints that rotate about up to three different axes each.
+/// Eight joints, each of which rotates about up to three different axes.
 struct RotorGroup {
-  std::uint16_t joint[kGroup] = {};  // kNoJoint: none
-  std::uint16_t vector[3] = {};      // groups of columns with the first, second and third half
-                                     // angles
-  std::uint8_t angles = 0;           // 1 to 3: number of vectors in use
-  std::uint8_t joints = 0;           // number of joints in `joint`
-  std::uint8_t has_angle[3] = {};    // one bit per joint
+  std::uint16_t joint[kGroup] = {};  // kNoJoint: no joint at this place
+  std::uint16_t vector[3] = {};  // numbers of the groups of columns that have the first, second and
+                                 // third half angles
+  std::uint8_t angles = 0;       // 1 to 3: number of vectors in use
+  std::uint8_t joints = 0;       // number of joints in `joint`
+  std::uint8_t has_angle[3] = {};    // for each vector: one bit per joint that has this angle
   std::uint8_t is_odd = 0;           // one bit per joint: its axes are an odd permutation of x y z
-  std::uint8_t first_axis[3] = {};   // one bit per joint whose first axis is x, y, z
-  std::uint8_t second_axis[3] = {};  // the same for the second axis; the third is the remaining one
+  std::uint8_t first_axis[3] = {};   // for x, y and z: one bit per joint whose first axis that is
+  std::uint8_t second_axis[3] = {};  // the same for the second axis; the third is the remaining
+                                     // axis
   AroundKind around_kind = AroundKind::None;
-  std::uint8_t are_near = 0;  // one bit per vector: all its half angles stay within an eighth of a
-                              // turn
+  std::uint8_t are_near = 0;  // one bit per vector: set if all its half angles stay within an
+                              // eighth of a turn
   TableOffset around = {};
   static constexpr std::uint16_t kNoJoint = 0xFFFF;
 };
@@ -184,7 +190,8 @@ struct AddedColumn {
   std::uint16_t to = 0;
 };
 
-/// A factor of the rotation of a joint in no group: a rotation about one axis, or a constant.
+/// A factor of the rotation of a joint that is in no RotorGroup: a rotation about one axis, or a
+/// constant rotation.
 struct OtherTurn {
   std::uint16_t joint = 0;
   std::uint16_t axis = 0;  // 0 1 2: x y z; kConstant: `column` is the TableOffset of a quaternion
@@ -192,7 +199,8 @@ struct OtherTurn {
   static constexpr std::uint16_t kConstant = 3;
 };
 
-/// Extrapolation of a column from the last frame of a loop to the first.
+/// The way a column continues after the last frame of a loop: straight to its first value, by the
+/// shorter way round, or by repeating its last step.
 enum class ColumnKind : std::uint8_t { Straight, HalfAngle, Root };
 
 }  // namespace mocapress::runtime
@@ -203,8 +211,8 @@ struct mcpr_cooked {
   char magic[4];
   std::uint32_t checksum;  // CRC-32 of `bytes`, and of everything from `version` on
   std::uint64_t bytes;     // size of the clip
-  std::int64_t tables;  // base of table offsets, relative to the clip; 0 outside banks. Not part of
-                        // the checksum
+  std::int64_t tables;     // offset from the clip of the block that table offsets count from; 0
+                           // outside banks. Not in the checksum
   std::uint32_t version;
   std::uint32_t skeleton_bytes;  // the part of `bytes` that does not grow with the motion
   double sample_rate;            // frames per second
@@ -213,7 +221,8 @@ struct mcpr_cooked {
   std::uint32_t segment_overlap;
   std::uint32_t joints;
   std::uint32_t groups;      // groups of columns
-  std::uint32_t row_groups;  // the first groups, which have rows; the others copy values
+  std::uint32_t row_groups;  // number of groups with rows, the first ones; the others copy values
+                             // of columns
   std::uint16_t parts;
   std::uint16_t segments;
   std::uint16_t rotor_groups;
@@ -223,25 +232,26 @@ struct mcpr_cooked {
   mocapress::runtime::Wavelet wavelet;
   mocapress::runtime::LoopKind loop;
   mocapress::runtime::EndReaches end_reaches;  // as in ENDS of FORMAT.md
-  std::uint8_t has_skeleton;  // 1: after the head, u32 bytes of a skeleton item, and the item
+  std::uint8_t has_skeleton;  // 1: after the head come the size of a skeleton item (u32), and the
+                              // item
   std::uint8_t unused;
   float end_units[mocapress::runtime::kMostEnds];
-  mocapress::runtime::TableOffset rest;        // an mcpr_transform per joint: its constant values
-  mocapress::runtime::TableOffset rotors;      // RotorGroup array
-  mocapress::runtime::TableOffset moving;      // MovingAxis array
-  mocapress::runtime::TableOffset added;       // AddedColumn array
-  mocapress::runtime::TableOffset turns;       // OtherTurn array
-  mocapress::runtime::TableOffset bases;       // floats: initial values of the columns without rows
-  mocapress::runtime::TableOffset part_table;  // CookedPart array
-  mocapress::runtime::TableOffset column_kinds;  // ColumnKind array; only if the loop's first frame
-                                                 // follows the last
+  mocapress::runtime::TableOffset rest;    // an mcpr_transform per joint: the parts of it that are
+                                           // constant
+  mocapress::runtime::TableOffset rotors;  // RotorGroup array
+  mocapress::runtime::TableOffset moving;  // MovingAxis array
+  mocapress::runtime::TableOffset added;   // AddedColumn array
+  mocapress::runtime::TableOffset turns;   // OtherTurn array
+  mocapress::runtime::TableOffset bases;  // floats: initial values of the columns that have no rows
+  mocapress::runtime::TableOffset part_table;    // CookedPart array
+  mocapress::runtime::TableOffset column_kinds;  // ColumnKind array; only for loops of kind Follows
   // Offsets from the clip.
-  std::uint32_t ends;     // for each end correction: one byte per group of columns, with a bit for
-                          // each column that it changes; then for these columns, end after end:
-                          // i16, in units of end_units times the step
-  std::uint32_t rows;     // CookedRows of each part, segment by segment
-  std::uint32_t entries;  // CookedEntries of kMostKeptBands bands, the finest first, for each
-                          // kMostGroupsOfPart groups; segment by segment
+  std::uint32_t ends;  // for each end correction: a byte per group of columns, with a bit per
+                       // column that it changes; then, for each end correction: an i16 per column
+                       // with a bit, in units of end_units * step
+  std::uint32_t rows;  // CookedRows of each part, segment by segment
+  std::uint32_t entries;  // for each segment, and in it for each kMostGroupsOfPart groups:
+                          // CookedEntries of kMostKeptBands bands, the finest first
   std::uint32_t tracks;   // mcpr_tracks; 0: the clip has none
 
   template <typename T>
@@ -256,7 +266,7 @@ struct mcpr_cooked {
   const std::uint8_t* end_marks(int end) const {
     return at<std::uint8_t>(ends) + static_cast<std::uint32_t>(end) * row_groups;
   }
-  /// Number of columns that the end corrections 0 ... `end` - 1 change, added up.
+  /// Number of values in the end corrections before correction `end`.
   std::uint32_t lacking_before(int end) const {
     std::uint32_t count = 0;
     for (const std::uint8_t* mark = end_marks(0); mark != end_marks(end); ++mark)
@@ -277,7 +287,7 @@ struct mcpr_cooked {
   const mocapress::runtime::CookedRows& rows_of(int segment, int p) const {
     return at<mocapress::runtime::CookedRows>(rows)[segment * parts + p];
   }
-  /// Number of sets of kMostGroupsOfPart groups; each set of groups has its own entries.
+  /// Number of sets of groups. A set has kMostGroupsOfPart groups, and entries of its own.
   int entry_parts() const {
     constexpr auto kMost = static_cast<std::uint32_t>(mocapress::runtime::kMostGroupsOfPart);
     return static_cast<int>((row_groups + kMost - 1) / kMost);
@@ -287,7 +297,7 @@ struct mcpr_cooked {
         entries)[(segment * entry_parts() + entry_part) * mocapress::runtime::kMostKeptBands +
                  band];
   }
-  /// Names and parents; no joints if they were not kept.
+  /// The joints' names, parents and offsets; without joints if these were not kept.
   mocapress::runtime::BankSkeleton skeleton() const {
     if (has_skeleton == 0) return mocapress::runtime::BankSkeleton({nullptr, 0, 0});
     std::uint32_t size = 0;
@@ -308,7 +318,7 @@ struct mcpr_cooked {
 
 namespace mocapress::runtime {
 
-/// True if this is a cooked clip, judging by its first bytes.
+/// True if the first bytes are those of a cooked clip.
 inline bool is_cooked(const mcpr_cooked* clip) {
   return clip != nullptr && std::memcmp(clip->magic, mcpr_cooked::kMagic, sizeof clip->magic) == 0;
 }

@@ -12,14 +12,16 @@ namespace mocapress::runtime {
 namespace {
 
 constexpr int kRowsAtATime = 128;
-constexpr double kFineStep = 0x1p-14;  // radians; step of angles that are cooked exactly
-constexpr int kFewestOctaves = -8;     // range of CookedCoefficients::octaves_
+constexpr double kFineStep = 0x1p-14;  // in radians; quantisation step of angles that are cooked
+                                       // exactly
+constexpr int kFewestOctaves = -8;     // this and the next: range of CookedCoefficients::octaves_
 constexpr int kMostOctaves = 24;
-/// Coefficients of less than this many steps become zero. Zeros take the least space, and many
-/// small coefficients together are worth less than what a finer step does with the same space.
+/// Coefficients below this many steps become zero, which takes the least space. That space reduces
+/// the error more if the step is made finer instead.
 constexpr double kLeastKept = 0.62;
 
-/// The nearest whole number, bounded: values of a hostile file may be beyond any integer.
+/// Rounds to the nearest integer within bounds. The values of a hostile file may be beyond all
+/// integers.
 std::int32_t whole(double steps) {
   return static_cast<std::int32_t>(std::lround(std::clamp(steps, -0x1p30, 0x1p30)));
 }
@@ -68,7 +70,7 @@ void CookedCoefficients::prepare() {
   if (ik_error_ > 0) choose_steps();
 }
 
-/// Decodes all frames with the IK correction. They have the end corrections as well.
+/// Decodes all frames with the IK correction, and with the end corrections.
 void CookedCoefficients::decode_corrected() {
   mcpr_request request{};
   request.apply_ik = 1;
@@ -76,8 +78,9 @@ void CookedCoefficients::decode_corrected() {
   FrameDecoder(memory, clip_, request).decode(0, clip_.segments.frames, corrected_);
 }
 
-/// Finds the coarsest steps that move no joint by more than the error asked for. Coarser steps move
-/// joints further, as a rule. If the finest do not suffice, the channels are cooked exactly.
+/// Finds, by bisection, the coarsest quantisation steps that move no joint by more than `ik_error`.
+/// Bisection works because coarser steps move joints further, as a rule. If the finest steps do not
+/// suffice, the channels are cooked exactly.
 void CookedCoefficients::choose_steps() {
   int first = kFewestOctaves;
   int last = kMostOctaves + 1;
@@ -95,8 +98,8 @@ void CookedCoefficients::choose_steps() {
   loaded_ = -1;
 }
 
-/// The largest distance, at any frame of a segment, between a joint's place as decoded and as
-/// fitted. cm
+/// The largest distance, in cm, between a joint's places as decoded and as cooked, at any frame of
+/// a segment.
 double CookedCoefficients::largest_move(int segment) {
   loaded_ = -1;
   load(segment);
@@ -122,8 +125,8 @@ double CookedCoefficients::largest_move(int segment) {
   return largest;
 }
 
-/// Recovers the coefficients as whole numbers. Unpacked values are close enough to multiples of the
-/// step to be rounded safely.
+/// Recovers the coefficients of a segment as whole numbers. Unpacked values are multiples of the
+/// step with a small rounding error, so rounding them is safe.
 void CookedCoefficients::load(int segment) {
   if (loaded_ == segment) return;
   loaded_ = segment;
@@ -151,7 +154,7 @@ void CookedCoefficients::load(int segment) {
     if (is_corrected_[s]) fit_corrected(s, segment);
 }
 
-/// Transforms the corrected samples of a channel.
+/// Transforms a channel's samples after IK correction to coefficients of its own.
 void CookedCoefficients::fit_corrected(int channel, int segment) {
   const int length = clip_.segments.frames_of(segment);
   const float* from = corrected_ +

@@ -12,33 +12,35 @@
 namespace mocapress::runtime {
 
 /// The coefficients of a clip's channels as whole numbers, one segment at a time. Channels that the
-/// IK correction turns are decoded with it and transformed again, as finely as `ik_error` asks;
-/// others keep the clip's coefficients.
+/// IK correction turns are decoded with the correction and transformed again, as finely as
+/// `ik_error` asks. Other channels keep the clip's coefficients.
 class CookedCoefficients {
  public:
   /// If `memory` only measures, this counts bytes and does nothing else.
   CookedCoefficients(Memory& memory, const ClipBlock& clip, const mcpr_cook_options& options);
 
-  /// Decodes the corrected channels. Must be called first.
+  /// Decodes the channels that the IK correction turns. Call it first.
   void prepare();
-  /// Whether a channel is corrected, and so finely that it needs samples in floats.
+  /// True if the IK correction turns the channel and is cooked exactly, which needs wide samples.
   bool is_fine(int channel) const { return is_corrected_[channel] && octaves_ == kExact; }
 
-  /// The end correction of a channel, which corrected channels have in their coefficients.
+  /// The value of an end correction for a channel; 0 if the IK correction turns the channel, since
+  /// its coefficients include the end corrections.
   float end_value(int end, int channel) const {
     return is_corrected_[channel] ? 0 : clip_.end_values(end)[channel];
   }
 
   void load(int segment);
 
-  // The following refer to the loaded segment.
+  // The following functions refer to the loaded segment.
   const Bands& bands() const { return bands_; }
-  double step(int channel) const { return steps_[channel]; }  // at depth 0
+  double step(int channel) const { return steps_[channel]; }  // quantisation step at depth 0
   std::int32_t value(int channel, int band, int row) const {
     return values_[std::ptrdiff_t{channel} * bands_.length(bands_.count - 1) + bands_[band].first +
                    row];
   }
-  /// The samples without the finest `left_out` bands. Valid until the next call.
+  /// The samples of a channel, reconstructed without the finest `left_out` bands. Valid until the
+  /// next call.
   std::span<double> samples_of(int channel, int left_out);
 
  private:
@@ -65,8 +67,8 @@ class CookedCoefficients {
   double* other_line_;
   double* samples_;
   float* corrected_ = nullptr;    // frames x channels
-  float* fitted_ = nullptr;       // the same of one segment, as cooked
-  JointPlace* places_ = nullptr;  // the corrected pose's, then the fitted one's
+  float* fitted_ = nullptr;       // the same as cooked, for one segment
+  JointPlace* places_ = nullptr;  // joints of the corrected pose, then of the pose as cooked
   std::byte* decoding_ = nullptr;
   std::uint64_t decoding_bytes_ = 0;
 };

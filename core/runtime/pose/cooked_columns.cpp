@@ -71,8 +71,8 @@ void CookedColumns::analyse_segment(int segment) {
   }
 }
 
-/// Notes how far an angle reaches in a segment. From the last frame of a loop to the first, a root
-/// continues its last step.
+/// Updates the largest magnitude of an angle with the frames of a segment. It includes the end of
+/// the step from the last frame of a loop to the next cycle, where a root repeats its last step.
 void CookedColumns::see_angles(int c, int segment) {
   Channel& channel = channels_[c];
   const std::span<const double> angles = coefficients_.samples_of(c, 0);
@@ -84,8 +84,8 @@ void CookedColumns::see_angles(int c, int segment) {
     see(2 * angles.back() - angles[angles.size() - 2]);
 }
 
-/// True if an angle stays within the range of near_sine_and_cosine(), with a margin for rounding to
-/// 16 bits.
+/// True if half of an angle stays within the range of near_sine_and_cosine(), with a margin for
+/// rounding to 16 bits.
 bool CookedColumns::is_near(const Channel& channel) const {
   constexpr double kEighth = 0.785398163;  // radians
   constexpr double kRoom = 2e-3;
@@ -93,14 +93,14 @@ bool CookedColumns::is_near(const Channel& channel) const {
   return channel.factor * furthest < kEighth - kRoom;
 }
 
-/// Finds the channels whose range is too large for 16-bit samples, or whose details are too large
-/// for integer weights. Such bands become samples.
+/// Marks the channels as wide whose range is too large for 16-bit samples, or whose details are too
+/// large for integer weights. Bands with such details become samples.
 void CookedColumns::choose_wide() {
   constexpr double kStill = 1e-7;  // cm or radians
   for (int c = 0; c < channel_count(); ++c) {
     Channel& channel = channels_[c];
     bool has_details = false;
-    int kept = bands_.most;  // bands that are small enough
+    int kept = bands_.most;  // number of the finest bands with small enough details
     for (int b = kMostKeptBands - 1; b >= 0; --b) {
       has_details |= channel.largest[b] != 0;
       if (b < kept && (channel.largest[b] > kMostValue || channel.reach[b] > kMostReach)) kept = b;
@@ -113,8 +113,8 @@ void CookedColumns::choose_wide() {
   }
 }
 
-/// Completes the last group of wide columns with the largest of the channels that have no column
-/// yet.
+/// Fills the last group of wide columns with more channels: of those without a column, the ones
+/// with the largest details.
 void CookedColumns::fill_wide() {
   int wide = 0;
   for (int c = 0; c < channel_count(); ++c) wide += channels_[c].is_wide ? 1 : 0;
@@ -140,8 +140,8 @@ int CookedColumns::new_group() {
   return groups_++;
 }
 
-/// Finds a free column for a channel, or starts a new group. Wide channels use the groups after the
-/// normal ones. -1: there is no room.
+/// Finds a free column for a channel, or starts a new group. Wide channels go to the groups after
+/// the normal ones. Returns -1 if there is no room.
 std::int32_t CookedColumns::place(int channel) {
   std::int32_t column = channels_[channel].is_wide ? kGroup * normal_groups_ : 0;
   while (column < kGroup * groups_ && !columns_[column].is_free) ++column;
@@ -191,7 +191,8 @@ void CookedColumns::place_joint(int j) {
   if (joint.has_axes) add(OtherTurn::kConstant, -1, true);
 }
 
-/// Places angles directly where rotors read them, for vectors that are more than half full.
+/// Places angles at the columns where a rotor group reads them, for vectors that are more than half
+/// full.
 bool CookedColumns::place_full_vectors() {
   for (int first = 0; first < rotor_count_; first += kGroup)
     for (int a = 0; a < 3; ++a) {
@@ -220,7 +221,8 @@ bool CookedColumns::place_full_vectors() {
   return true;
 }
 
-/// Places the remaining angles, and all other channels.
+/// Gives a column to each channel that changes and has none yet: to the wide channels, or to the
+/// others.
 bool CookedColumns::place_others(bool wide) {
   for (int c = 0; c < channel_count(); ++c) {
     Channel& channel = channels_[c];
@@ -231,7 +233,7 @@ bool CookedColumns::place_others(bool wide) {
   return true;
 }
 
-/// Whether four bits less suffice for the samples of a group.
+/// True if the samples of a group can do with four bits less.
 bool CookedColumns::is_narrow(int group, bool wide) const {
   const double steps = wide ? 0x1p20 : 0x1p12;
   return std::all_of(&columns_[kGroup * group], &columns_[kGroup * (group + 1)],
@@ -243,7 +245,7 @@ bool CookedColumns::is_narrow(int group, bool wide) const {
                      });
 }
 
-/// Makes parts of consecutive groups, and moves the narrow ones of each to its start.
+/// Divides consecutive groups into parts. Moves the narrow groups of each part to its start.
 void CookedColumns::add_parts(int first, int end, bool wide) {
   for (; first < end; first += kMostGroupsOfPart) {
     CookedPart& part = parts_[part_count_++];
@@ -267,7 +269,8 @@ void CookedColumns::add_parts(int first, int end, bool wide) {
   }
 }
 
-/// Adds groups of columns without rows, whose values are copied from other columns.
+/// Adds groups of columns that have no rows. Rotors read them; their values are copied from other
+/// columns.
 bool CookedColumns::place_gathered_vectors() {
   for (int first = 0; first < rotor_count_; first += kGroup)
     for (int a = 0; a < rotors_[first].angles; ++a) {
@@ -291,8 +294,8 @@ bool CookedColumns::place_gathered_vectors() {
 mcpr_result CookedColumns::place_columns() {
   const auto too_many = failure(MCPR_LIMIT, 0, "more channels than a cooked clip can have");
   for (std::uint32_t j = 0; j < clip_.joint_count; ++j) place_joint(static_cast<int>(j));
-  // Sorts by number of angles. Within those, joints with angles beyond an eighth of a turn come
-  // together: at the start, or for two angles at the end.
+  // Sorts by number of angles. Among joints with the same number, those with half angles beyond an
+  // eighth of a turn come first; with two angles, they come last.
   std::sort(rotors_, rotors_ + rotor_count_, [](const Rotor& a, const Rotor& b) {
     if (a.angles != b.angles) return a.angles > b.angles;
     if (a.are_near != b.are_near) {
@@ -317,7 +320,7 @@ mcpr_result CookedColumns::place_columns() {
   return kOk;
 }
 
-/// Notes where the channels are.
+/// Sets `column` of each channel that has a column.
 void CookedColumns::note_columns() {
   for (int k = 0; k < kGroup * groups_; ++k)
     if (columns_[k].channel >= 0) channels_[columns_[k].channel].column = k;
@@ -332,7 +335,8 @@ void CookedColumns::list_moving() {
   }
 }
 
-/// Adds the constant part of a translation to the first column that moves it.
+/// Adds the constant part of a translation to the first column that moves the joint along that
+/// axis.
 void CookedColumns::place_offsets() {
   for (int m = 0; m < moving_count_; ++m) {
     const JointModel& joint = clip_.joint_models()[moving_[m].joint];

@@ -14,48 +14,50 @@
 
 namespace mocapress::runtime {
 
-/// Assigns a clip's channels to columns: finds the channels that change, places them where the
-/// kernel for eight joints reads them, and lists how columns make poses.
+/// Assigns a clip's channels to columns. Finds the channels that change, gives them columns where
+/// the kernels for eight joints read them, and lists how columns make poses.
 class CookedColumns {
  public:
   struct Channel {
     double factor = 1;    // from the channel's value to the column's: 1/2 for angles
     double constant = 0;  // the value, if it never changes
-    double least = 0;     // range of the samples without the bands that may be kept
+    double least = 0;  // this and the next: range of the samples, reconstructed without the bands
+                       // that may be kept
     double most = 0;
-    double furthest = 0;  // largest magnitude at any frame, end corrections included; for angles
-    std::int32_t largest[kMostKeptBands] = {};  // largest magnitude in each of the finest bands
-    double reach[kMostKeptBands] = {};  // the same in cm, or in quarters of radians, which are
-                                        // promised alike
+    double furthest = 0;  // for angles: largest magnitude at any frame, end corrections included
+    std::int32_t largest[kMostKeptBands] = {};  // for each of the finest bands: largest magnitude
+                                                // of a coefficient, in steps
+    double reach[kMostKeptBands] = {};  // the same in cm or in quarter radians, whose errors have
+                                        // the same limit
     std::uint16_t joint = 0;
     std::uint8_t kind = 0;
     bool changes = false;
     bool is_wide = false;
     std::int32_t column = -1;
   };
-  /// A joint in a RotorGroup, with its channels about up to three axes.
+  /// A joint in a RotorGroup, with its channels that turn it about up to three axes.
   struct Rotor {
     std::uint16_t joint = 0;
     std::uint8_t angles = 0;
     std::uint8_t are_near = 7;  // one bit per angle that stays within a quarter of a turn
     std::uint16_t channel[3] = {};
 
-    /// Number of angles that do not.
+    /// Number of angles whose bit in are_near is 0.
     int far() const { return 3 - std::popcount(are_near); }
   };
   struct Column {
     std::int32_t channel = -1;  // -1: none
-    double base = 0;            // added to its values
+    double base = 0;            // value added to all samples
     double factor = 1;
-    bool is_free = false;  // available to any channel
+    bool is_free = false;  // true: the column can be given to any channel
   };
   struct Turn {
     OtherTurn made;
-    std::int32_t channel = -1;  // -1: a constant
-    bool is_after = false;      // the constant rotation after the angles, not the one before
+    std::int32_t channel = -1;  // channel of the angle; -1: a constant rotation
+    bool is_after = false;  // true: the constant rotation after the angles; false: the one before
   };
 
-  /// Numbers of detail bands that may be kept.
+  /// Range for the number of detail bands.
   struct BandRange {
     int fewest = 4;
     int most = 5;
@@ -65,20 +67,20 @@ class CookedColumns {
   CookedColumns(Memory& memory, const ClipBlock& clip, CookedCoefficients& coefficients,
                 BandRange bands);
 
-  /// Finds the needs of each channel, and assigns the columns.
+  /// Analyses each channel, and assigns the columns.
   mcpr_result place();
 
   BandRange bands() const { return bands_; }
-  /// Sets the number of detail bands kept in parts that are not wide.
+  /// Sets the number of detail bands in parts that are not wide.
   void keep_bands(int bands);
 
   int groups() const { return groups_; }
-  /// The number of groups with rows. The others copy values from these.
+  /// Number of groups with rows. The other groups copy values from these.
   int row_groups() const { return row_groups_; }
   const Channel& channel(int number) const { return channels_[number]; }
   const Column& column(int number) const { return columns_[number]; }
   std::span<const Rotor> rotors() const { return span_of(rotors_, rotor_count_); }
-  /// The groups of columns with a rotor group's angles.
+  /// The groups of columns with the angles of a rotor group.
   const int (&vectors(int rotor_group) const)[3] { return vectors_[rotor_group]; }
   std::span<const MovingAxis> moving() const { return span_of(moving_, moving_count_); }
   std::span<const AddedColumn> added() const { return span_of(added_, added_count_); }
@@ -109,15 +111,15 @@ class CookedColumns {
   void note_columns();
   void list_moving();
 
-  static constexpr std::int32_t kMostValue = 2047;  // largest kept coefficient; beyond it a band
-                                                    // becomes samples
-  static constexpr double kMostRange = 3.9;         // range of 16-bit samples, in radians or cm
-  // The largest step of samples with four bits less. Half of it is the error of a half angle, which
-  // the joint turns by twice, about up to three axes.
+  static constexpr std::int32_t kMostValue = 2047;  // largest coefficient of a detail band; bands
+                                                    // with larger ones become samples
+  static constexpr double kMostRange = 3.9;  // largest range of 16-bit samples, in radians or cm
+  // Largest quantisation step of samples with four bits less. A half angle is then off by at most
+  // half a step, and a joint by a whole step about each of up to three axes.
   static constexpr double kMostTurn = 1.5e-4;  // radians, of half angles
   static constexpr double kMostShift = 1e-3;   // cm
-  // Largest kept coefficient in the channel's unit: weights of 16 bits are 1.5e-5 off, and a sample
-  // takes several coefficients.
+  // Largest coefficient of a detail band in cm or quarter radians. 16-bit weights are off by up to
+  // 1.5e-5, and several coefficients contribute to a sample.
   static constexpr double kMostReach = 20;
 
   const ClipBlock& clip_;

@@ -12,9 +12,9 @@
 namespace mocapress::runtime {
 namespace {
 
-constexpr std::uint64_t kMostPerBlock = 20;    // entries per block on average, unless a block has
-                                               // one row
-constexpr std::uint64_t kMostEntries = 65535;  // in a band, because block starts have 16 bits
+constexpr std::uint64_t kMostPerBlock = 20;    // largest average number of entries per block, if
+                                               // blocks have more than one row
+constexpr std::uint64_t kMostEntries = 65535;  // in a band; the starts of blocks have 16 bits
 
 struct Limits {
   std::int32_t least;
@@ -37,7 +37,7 @@ constexpr Limits limits_of(RowKind kind) {
   return {-32768, 32767};
 }
 
-/// The rest of a value that dense rows of this kind cannot hold.
+/// The part of a value that dense rows of this kind have no bits for.
 constexpr std::int32_t left_by(RowKind kind, std::int32_t value) {
   const Limits limits = limits_of(kind);
   return value - std::clamp(value, limits.least, limits.most);
@@ -46,24 +46,25 @@ constexpr std::int32_t left_by(RowKind kind, std::int32_t value) {
 constexpr std::int32_t kLeastOfEntry = -(1 << (15 - kColumnBits - kRowBits));
 constexpr std::int32_t kMostOfEntry = -kLeastOfEntry - 1;
 
-/// Number of entries that add up to `value`.
+/// Number of entries needed to add up to `value`.
 constexpr std::uint64_t entries_for(std::int32_t value) {
   return static_cast<std::uint64_t>(value < 0 ? (value + kLeastOfEntry + 1) / kLeastOfEntry
                                               : (value + kMostOfEntry - 1) / kMostOfEntry);
 }
 
-/// The upper half of a float, rounded to the nearest or, with `up`, upwards.
+/// The upper half of a float, rounded to nearest; with `up`, to a magnitude that is not smaller.
 std::uint16_t upper_half(double value, bool up) {
-  constexpr double kMost = 0x1p127;  // so that rounding leaves it finite
+  constexpr double kMost = 0x1p127;  // a bound, so that rounding gives a finite number
   const auto bits =
       bit_pattern<std::uint32_t>(static_cast<float>(std::clamp(value, -kMost, kMost)));
   return static_cast<std::uint16_t>((bits + (up ? 0xFFFFU : 0x8000U)) >> 16);
 }
 
-/// Puts a sample into a group's zeroed row. Samples of 16 bits are words, one after the other.
-/// Those of 12 bits are three times four bytes: the lower eight bits of the first four samples, the
-/// upper four of these beside the lower four of the others, the upper eight of the others. Before
-/// samples of 20 or 24 bits stands a byte of each, its lowest.
+/// Adds a sample to a group's zeroed row. Samples of 16 bits are eight words. Samples of 12 bits
+/// take three times four bytes: the low eight bits of samples 0 to 3; bytes with the high four bits
+/// of samples 0 to 3 and, above these, the low four bits of samples 4 to 7; the high eight bits of
+/// samples 4 to 7. Samples of 20 or 24 bits: first the lowest byte of each sample, then the rest as
+/// samples of 12 or 16 bits.
 void put_sample(std::byte* row, int bits, int lane, long sample) {
   const auto put = [&](int at, long byte) { row[at] |= static_cast<std::byte>(byte & 0xFF); };
   if (bits > 16) {
@@ -87,7 +88,7 @@ class RowWriter {
       : block_(block), columns_(columns), coefficients_(coefficients) {}
 
   CookedRows put_part(const CookedPart& part);
-  /// Writes the entries. Call it after put_part() for all parts.
+  /// Writes the entries of a band. Call put_part() for all parts first.
   CookedEntries put_entries(int first_group, int depth);
 
  private:
@@ -107,8 +108,8 @@ class RowWriter {
   CookedBlock& block_;
   const CookedColumns& columns_;
   CookedCoefficients& coefficients_;
-  // The storage chosen for the bands of each group. A band that is not kept has neither dense rows
-  // nor entries.
+  // For each band of each group: the chosen kind of dense rows. A band that is not kept has neither
+  // dense rows nor entries.
   struct Chosen {
     RowKind kind = RowKind::None;
     bool is_kept = false;
@@ -130,7 +131,8 @@ CookedRows RowWriter::put_part(const CookedPart& part) {
   std::byte* const sample_rows = block_.at(rows.samples);
   for (int c = 0; sample_rows != nullptr && c < columns; ++c) {
     const CookedColumns::Column& from = columns_.column(kGroup * part.first_group + c);
-    const bool is_empty = from.channel < 0;  // every row is its base
+    const bool is_empty = from.channel < 0;  // true: the column has no channel, so all samples are
+                                             // its base
     double none = 0;
     const std::span<double> own =
         is_empty ? std::span(&none, 1) : coefficients_.samples_of(from.channel, kept);
@@ -161,8 +163,8 @@ CookedRows RowWriter::put_part(const CookedPart& part) {
   return rows;
 }
 
-/// Writes the steps of columns, and returns their common unit. Sums of integer weights carry a
-/// factor of 2^15.
+/// Writes the steps of a part's columns, and returns the factor that they share. The factor
+/// includes 2^-15, because integer weights have a factor of 2^15.
 float RowWriter::put_steps(const CookedPart& part, std::byte* scales) const {
   const int columns = kGroup * part.groups;
   const auto step_of = [&](int c) {
@@ -183,13 +185,13 @@ float RowWriter::put_steps(const CookedPart& part, std::byte* scales) const {
     const std::uint16_t step = upper_half(largest > 0 ? step_of(c) / largest : 0, false);
     std::memcpy(scales + 2 * c, &step, sizeof step);
   }
-  // Steps are the largest one divided by powers of sqrt(2). Rounding cuts every other of these by
-  // 1.07e-4, of which the unit adds half to all.
+  // Steps are the largest step divided by powers of sqrt(2). Stored as upper halves of floats,
+  // every other of these is 1.07e-4 too small. Half of that is added to all steps.
   return static_cast<float>(largest * 0x1p-15 * (1 + 0.535e-4));
 }
 
-/// Chooses the smallest kind of dense rows. A byte of entries counts more, because entries take
-/// time one by one.
+/// Chooses the kind of dense rows with the least cost. A byte of entries costs more than a byte of
+/// dense rows, because entries are added one by one.
 CookedBand RowWriter::put_band(const CookedPart& part, int depth) {
   constexpr std::uint64_t kEntryIsWorth = 15;  // cost of an entry, in quarters of a byte of dense
                                                // rows

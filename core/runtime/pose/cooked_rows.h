@@ -8,8 +8,8 @@
 
 namespace mocapress::runtime {
 
-/// Writes the rows of the loaded segment: samples and dense rows of each part, then the entries of
-/// all. `rows` and `entries` are null when measuring.
+/// Writes the rows of the loaded segment: the samples and dense rows of each part, then all
+/// entries. `rows` and `entries` are null when measuring.
 void lay_out_rows(CookedBlock& block, const CookedColumns& columns,
                   CookedCoefficients& coefficients, CookedRows* rows, CookedEntries* entries);
 

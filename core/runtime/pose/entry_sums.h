@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Entries and their weights one by one, for kernels whose vectors cannot look values up.
+// Adds entries one by one, for instruction sets whose vectors cannot look up weights.
 #pragma once
 
 #include <cstring>
@@ -8,7 +8,7 @@
 
 namespace mocapress::runtime {
 
-/// Puts each weight at its row number modulo 16, with zeros elsewhere.
+/// Stores each weight at its row number modulo 16, and zeros elsewhere.
 inline void place_weights(const std::int32_t* weights, int first_row, int shift,
                           std::int32_t* of_entry) {
   std::memset(of_entry, 0, 16 * sizeof *of_entry);
@@ -17,7 +17,8 @@ inline void place_weights(const std::int32_t* weights, int first_row, int shift,
         static_cast<std::int32_t>(static_cast<std::uint32_t>(weights[i]) << shift);
 }
 
-/// Adds each entry times the weight of its row to the sum that its lowest byte names.
+/// Adds each entry, multiplied by the weight of its row, to the sum whose index is the lowest byte
+/// of the entry.
 inline void add_one_by_one(const EntryRun& run, const std::int32_t* weights, std::int32_t* sums) {
   constexpr unsigned kRowMask = (1U << kRowBits) - 1;
   for (int i = 0; i < run.count; ++i) {

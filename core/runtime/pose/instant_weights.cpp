@@ -13,21 +13,21 @@ namespace mocapress::runtime {
 namespace {
 
 constexpr float kUpdate = 0.25F;
-constexpr float kMostWeight = 1.4F;  // times 2^14.5 this is less than 2^15
+constexpr float kMostWeight = 1.4F;  // largest weight; times 2^14.5 it is below 2^15
 
-/// 2^15 * 2^((depth - 1) / 2) * 2^(-depth / 2)
+/// The factor on integer weights of dense rows: 2^15 * 2^floor((depth - 1) / 2) * 2^(-depth / 2).
 constexpr float scale_of_band(int depth) {
   return depth % 2 == 0 ? 16384 : 23170.475F;
 }
 
-/// The shift from the weights of a band's rows to those of its entries. Entries are added before
-/// the sums are halved, which happens at every second band.
+/// The shift from the integer weights of a band's dense rows to those of its entries. These have a
+/// factor of 2^17 in every band, where dense rows have 2^15 * 2^floor((depth - 1) / 2).
 constexpr int entry_shift(int depth) {
   return 2 - (depth - 1) / 2;
 }
 
-/// Weights of a level's samples, split for the backward step: three odd ones from 2 * middle + 1
-/// on, four even ones from 2 * middle on.
+/// Weights of samples, split for one step backwards: those of three odd samples from 2 * middle + 1
+/// on, and of four even samples from 2 * middle on.
 struct Split {
   int middle;
   float odd[3];
@@ -41,7 +41,7 @@ constexpr Split split(const RowWeights& samples) {
   return {samples.first >> 1, {w[1], w[3], w[5]}, {w[0], w[2], w[4], 0}};
 }
 
-/// Splits from any position at or before the first sample.
+/// Splits the weights, from any `middle` at or before the first sample.
 Split split_from(int middle, const RowWeights& samples) {
   const auto at = [&](int i) {
     const int k = 2 * middle + i - samples.first;
@@ -50,7 +50,7 @@ Split split_from(int middle, const RowWeights& samples) {
   return {middle, {at(1), at(3), at(5)}, {at(0), at(2), at(4), at(6)}};
 }
 
-/// Weights of the even samples away from borders.
+/// Finds the weights of the even samples, away from the borders.
 constexpr void weigh_evens(Wavelet wavelet, const Split& samples, RowWeights& evens) {
   const InnerWeights inner = inner_weights(wavelet);
   const auto near = static_cast<float>(inner.near);
@@ -73,14 +73,14 @@ constexpr void weigh_details(const Split& samples, const RowWeights& evens, RowW
   for (int i = 0; i < 3; ++i) d[2 + i] += samples.odd[i];
 }
 
-/// The general case: for Haar, where an odd sample is predicted from the even one before it, and
-/// for signals with fewer than four even samples.
+/// Handles the general case: Haar wavelets, which predict an odd sample from the even one before
+/// it, and signals with fewer than four even samples.
 void weigh_one_by_one(Wavelet wavelet, int length, const RowWeights& samples, RowWeights& evens,
                       RowWeights& details) {
   constexpr int kRoom = 16;
   const int even_count = evens_in(length);
   const int odd_count = odds_in(length);
-  const int origin = (samples.first >> 1) - 4;  // row number of element 0
+  const int origin = (samples.first >> 1) - 4;  // row number of element 0 in the arrays below
   float even[kRoom] = {};
   float odd[kRoom] = {};
   for (int i = 0; i < 8; ++i) {
@@ -117,13 +117,13 @@ void weigh_one_by_one(Wavelet wavelet, int length, const RowWeights& samples, Ro
   put(odd, details);
 }
 
-/// Moves the weight of a row beyond a border to rows within.
+/// Moves the weights of rows beyond a border to rows within it.
 struct Fold {
   RowWeights& rows;
   float& at(int row) const { return rows.weight[row - rows.first]; }
   float take(int row) const { return std::exchange(at(row), 0.0F); }
   bool has(int row) const { return row >= rows.first && row < rows.first + 8; }
-  /// Extrapolates the row by the cubic through four rows, from `next` on in steps of `way`.
+  /// Replaces a row by its cubic extrapolation from four rows: `next`, next + way and so on.
   void to_cubic(int row, int next, int way) const {
     const float weight = take(row);
     if (weight == 0) return;
@@ -132,23 +132,25 @@ struct Fold {
   }
 };
 
-/// Weights away from the borders. They repeat with the frame's position between coarse samples, so
-/// each table covers one period.
+/// Tables of weights away from the borders. The weights repeat as the frame number grows, and each
+/// table covers one period.
 struct InnerTables {
   struct Band {
-    float at_frame[kDetailWindow];  // multiplied by scale_of_band()
-    float to_next[kDetailWindow];   // difference to the next frame's weights
+    float at_frame[kDetailWindow];  // weights of the window's rows at the frame, multiplied by
+                                    // scale_of_band()
+    float to_next[kDetailWindow];   // differences from these to the weights at the next frame
   };
   struct Samples {
     float at_frame[8];
     float to_next[8];
   };
-  // The bands one after the other, the finest first, with periods of 4, 8, 16 ... frames.
+  // Index of a band's weights. Bands come one after the other, the finest first, with periods of 4,
+  // 8, 16 ... frames.
   static constexpr int band_of(int depth, int frame) {
     const int length = 2 << depth;
     return length - 4 + (frame & (length - 1));
   }
-  // The samples after leaving out bands, with periods of 1, 2, 4 ... frames.
+  // Index of the samples' weights after leaving out bands. They have periods of 1, 2, 4 ... frames.
   static constexpr int samples_of(int left_out, int frame) {
     const int length = 1 << left_out;
     return length - 1 + (frame & (length - 1));
@@ -164,7 +166,7 @@ struct InnerTables {
 constexpr InnerTables inner_tables(Wavelet wavelet) {
   InnerTables tables;
   for (int frame = 0; frame < 2 << kMostKeptBands; ++frame) {
-    // Weights for the frame and for the next, in the same windows.
+    // Weights of the samples at `frame` and at the next frame, in windows with the same first row.
     RowWeights row[2] = {{frame, {1, 0}}, {frame, {0, 1}}};
     for (int depth = 0; depth <= kMostKeptBands; ++depth) {
       InnerTables::Samples& samples = tables.samples[InnerTables::samples_of(depth, frame)];
@@ -201,14 +203,14 @@ constexpr InnerTables inner_tables(Wavelet wavelet) {
 constexpr InnerTables kLinearTables = inner_tables(Wavelet::Linear);
 constexpr InnerTables kCubicTables = inner_tables(Wavelet::Cubic);
 
-/// True if a step of the transform stays away from the borders.
+/// True if one level of the transform, run backwards, stays away from the borders.
 bool is_inside(int first_sample, int length) {
   const int first_odd = first_sample >> 1;
-  // Three odd samples need two even ones on each side, and those need the details beside them.
+  // Three odd samples need two even ones on each side, and these need the details beside them.
   return first_odd > 1 && first_odd + 4 < odds_in(length);
 }
 
-/// The same weights in a window that starts at another row.
+/// The same weights in a window whose first row is `first`.
 RowWeights moved(const RowWeights& from, int first) {
   RowWeights to;
   to.first = first;
@@ -231,7 +233,7 @@ void set_samples(const RowWeights& from, int rows, SampleWeights& to) {
 void set_band(const PoseKernels& kernels, const RowWeights& from, int rows, int depth, float unit,
               BandWeights& to) {
   const int padded = std::max((rows + 1) / 2 * 2, kDetailWindow);
-  int before = 0;  // leading rows with weight zero
+  int before = 0;  // number of leading rows with weight zero
   while (before < kDetailWindow - 1 && from.weight[before] == 0) ++before;
   const int first = depth == 1 ? std::clamp((from.first + before) & ~1, 0, padded - kFinestWindow)
                                : std::clamp(from.first & ~1, 0, padded - kDetailWindow);
@@ -291,7 +293,7 @@ void InstantWeights::set(const PoseKernels& kernels, Wavelet wavelet, int length
   row.weight[1] = share;
   RowWeights details[kMostKeptBands];
   int rows[kMostKeptBands];
-  int inside = 0;  // levels, from the finest on, whose rows are away from the borders
+  int inside = 0;  // number of levels, from the finest on, whose rows are away from the borders
   for (levels = 0;; ++levels, length = evens_in(length)) {
     const bool is_last = levels == kept || length < kCoarsest;
     const bool goes_on_inside =
@@ -318,7 +320,7 @@ void InstantWeights::set(const PoseKernels& kernels, Wavelet wavelet, int length
     weigh_level(wavelet, length, row, evens, details[levels]);
     rows[levels] = odds_in(length);
     row = evens;
-    // Only the linear extrapolation after the last even sample has such large weights.
+    // Only the linear extrapolation after the last even sample makes weights that large.
     for (const float weight : details[levels].weight)
       while (std::abs(weight) > kMostWeight * unit) unit *= 2;
   }

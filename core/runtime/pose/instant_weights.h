@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The weight of each coefficient in a signal's value at one instant. Found by running the inverse
-// transform backwards, from the two frames around the instant up to the coarser bands. Away from
-// the borders weights come from tables, as they repeat with the frame's position between coarse
-// samples.
+// The weight that each coefficient has in a signal's value at one instant. The weights are found by
+// running the inverse transform backwards: from the two frames around the instant to coarser and
+// coarser bands. Away from the borders they come from tables, because they repeat with the frame's
+// position between coarse samples.
 #pragma once
 
 #include <cstdint>
@@ -14,15 +14,15 @@
 
 namespace mocapress::runtime {
 
-/// Weights of consecutive rows from `first` on. Rows that do not exist have weight zero.
+/// Weights of eight consecutive rows from `first` on. Rows that do not exist have weight zero.
 struct RowWeights {
   int first = 0;
   float weight[8] = {};
 };
 
-/// Runs one level of the inverse transform backwards: from weights of samples (six at most, of a
-/// signal of `length` >= 4) to those of the even samples and details that they are made of. Gives
-/// six even samples, and seven details starting at an even row.
+/// Runs one level of the inverse transform backwards. Given the weights of at most six samples, in
+/// a signal of `length` >= 4, finds those of the even samples and details from which these samples
+/// are made: at most six even samples, and seven details from an even row on.
 void weigh_level(Wavelet wavelet, int length, const RowWeights& samples, RowWeights& evens,
                  RowWeights& details);
 
@@ -31,17 +31,17 @@ struct SampleWeights {
   float of_row[kSampleWindow];
 };
 
-/// All weights at one instant of a segment: for each band those of its details, the finest first;
-/// and for the requested numbers of left-out bands those of the samples.
+/// All weights at one instant of a segment: of the details in each band, the finest first; and of
+/// the samples that remain when 0, 1, 2 ... bands are left out.
 struct InstantWeights {
   BandWeights band[kMostKeptBands];
   SampleWeights samples[kMostKeptBands + 1];
   int levels = 0;
-  float unit = 1;  // common factor of the integer weights of all bands
+  float unit = 1;  // factor by which the integer weights of all bands were divided
 
-  /// Sets the weights for an instant `share` after `frame` in a segment of `length` frames, using
-  /// up to `kept` bands. `wanted` has a bit for each number of bands whose samples are needed; the
-  /// highest is always included.
+  /// Finds the weights at the instant `share` after `frame`, in a segment of `length` frames with
+  /// up to `kept` bands. Bit n of `wanted`: the weights of samples without the n finest bands are
+  /// needed; those without all `kept` bands are always found.
   void set(const PoseKernels& kernels, Wavelet wavelet, int length, int frame, float share,
            int kept, unsigned wanted);
 };

@@ -16,7 +16,7 @@ double predicted(Wavelet wavelet, int odd, const double* evens, int even_count) 
   return sum;
 }
 
-/// Sum that the update step adds to an even sample for the details beside it.
+/// The number that the update step adds to an even sample, for the details beside it.
 double update(Wavelet wavelet, int even, const double* details, int odd_count) {
   if (wavelet == Wavelet::Haar) return even < odd_count ? 0.5 * details[even] : 0;
   const double after = details[even < odd_count ? even : even - 1];

@@ -12,7 +12,7 @@
 namespace mocapress::runtime {
 namespace {
 
-/// Sorts by clip, then bands left out, then frame. A finer order saves nothing.
+/// Sorts by clip, then by bands left out, then by whole frame. A finer order would save no time.
 std::uint64_t sort_key_of(const mcpr_crowd_request& request, const mcpr_character& character) {
   const PlaceInClip place =
       place_in_clip(*character.clip, request_of(request, character), character.time);
@@ -59,7 +59,7 @@ void CrowdSorter::sort(const mcpr_crowd_request& request, mcpr_character* charac
   std::copy_n(sorted_, count_, characters);
 }
 
-/// Radix sort, from the lowest byte on. Skips bytes that are equal in all keys.
+/// Sorts by radix, from the lowest byte on. Skips bytes that are equal in all keys.
 void CrowdSorter::sort_keys() {
   constexpr int kBytes = sizeof keys_->order;
   std::uint32_t counts[kBytes][256] = {};
@@ -97,12 +97,11 @@ PoseCrowd::Spot PoseCrowd::spot_of(const mcpr_crowd_request& request,
   return spot;
 }
 
-/// Chooses how many characters, from `first` on, should share lifted frames: the number that saves
-/// the most time.
+/// Chooses how many characters, from `first` on, share lifted frames, so that most time is saved.
 PoseCrowd::Together PoseCrowd::together(const mcpr_character* characters, std::uint32_t first,
                                         std::uint32_t end) const {
-  // Costs in instructions per group of columns: saved by each character whose frames are lifted;
-  // fixed cost of lifting; cost of each lifted frame.
+  // Instructions per group of columns: saved for each character whose frames are lifted; the fixed
+  // cost of lifting; the cost of each lifted frame.
   constexpr int kSaved = 470;
   constexpr int kLifting = 1600;
   constexpr int kFrame = 65;

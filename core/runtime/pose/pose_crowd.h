@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Poses many characters. Sorting them by clip and instant keeps a clip's tables, rows and branches
-// warm. Where many instants of a clip are close together, frames are lifted once for several
-// characters, as a cursor does.
+// Poses many characters. If they are sorted by clip and instant, a clip's tables and rows stay in
+// the caches, and branches are predicted well. Where several characters need nearby frames of one
+// clip, these frames are lifted (computed by the inverse transform) once for all of them, as a
+// cursor does.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,7 @@
 
 namespace mocapress::runtime {
 
-/// The sample request of one character.
+/// The sample request that poses one character.
 mcpr_sample_request request_of(const mcpr_crowd_request& request, const mcpr_character& character);
 
 /// Sorts characters in place.
@@ -36,7 +37,7 @@ class CrowdSorter {
   mcpr_character* sorted_;
 };
 
-/// Poses characters in the order given.
+/// Poses characters in the order of the array.
 class PoseCrowd {
  public:
   /// If `memory` only measures, this counts bytes and does nothing else.
@@ -46,19 +47,21 @@ class PoseCrowd {
             std::uint32_t count);
 
  private:
-  static constexpr std::uint32_t kAhead = 256;       // characters looked at in advance
-  static constexpr std::size_t kFrameBytes = 16384;  // bytes of lifted frames
-  static constexpr int kFewestLifted = 8;            // frames are lifted only if this many fit
-  // Work space for lifting, with which the entries of most clips are looked through once.
+  static constexpr std::uint32_t kAhead = 256;       // number of characters that are looked at in
+                                                     // advance
+  static constexpr std::size_t kFrameBytes = 16384;  // memory for lifted frames
+  static constexpr int kFewestLifted = 8;  // no frames are lifted if fewer than this many fit
+  // Work space for lifting, large enough to read the entries of most clips only once.
   static constexpr std::size_t kLiftingNumbers = 12 * kFrameBytes / sizeof(float);
   /// The instant of a character.
   struct Spot {
     double frame;
     float across;
-    std::int32_t before;  // first frame that it needs
-    std::int32_t last;    // last frame that it needs; below `before` if none can be lifted for it
+    std::int32_t before;  // first frame that the pose needs
+    std::int32_t last;    // last frame that the pose needs; less than `before` if its frames cannot
+                          // be lifted
   };
-  /// A run of characters that share lifted frames.
+  /// Consecutive characters that share lifted frames.
   struct Together {
     std::uint32_t count = 0;
     int last = 0;  // last lifted frame

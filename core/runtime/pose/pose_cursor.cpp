@@ -10,7 +10,8 @@
 namespace mocapress::runtime {
 namespace {
 
-/// The step of the inverse transform that makes `samples` from rows of the next coarser level.
+/// The level of the inverse transform that makes the given samples. Finds the even samples and
+/// details that it needs.
 LiftLevel level_below(Wavelet wavelet, int length, RowRange samples, bool only_evens) {
   LiftLevel level{.wavelet = wavelet,
                   .even_count = evens_in(length),
@@ -31,8 +32,8 @@ LiftLevel level_below(Wavelet wavelet, int length, RowRange samples, bool only_e
   return level;
 }
 
-/// Adds a band's entries, which add up to 16 bits, into rows of the columns from `first_column` on,
-/// where entries count theirs.
+/// Adds the entries of a band to rows of 16-bit sums. Column `first_column` of the entries is
+/// column 0 of `out`.
 void spread_entries(const mcpr_cooked& clip, const CookedEntries& entries, RowRange rows,
                     int first_column, int columns, std::int16_t* out) {
   const auto* const begins = clip.at<std::uint16_t>(entries.begins);
@@ -55,7 +56,7 @@ void spread_entries(const mcpr_cooked& clip, const CookedEntries& entries, RowRa
   }
 }
 
-/// The groups that two ranges share.
+/// The part of two ranges that they share.
 RowRange shared(RowRange a, RowRange b) {
   return {std::max(a.first, b.first), std::min(a.end, b.end)};
 }
@@ -98,10 +99,10 @@ bool mcpr_cursor::keep(const runtime::PoseKernels& kernels, int number, bool and
   const runtime::SegmentLayout::Stretch stretch = layout.stretch_at(number);
   const int first_of_stretch =
       layout.first(stretch.segment) + (stretch.segment > 0 ? layout.overlap : 0);
-  // Even frames can be made without the odd ones.
+  // At half the rate only even frames are cached: they can be made without the odd ones.
   const bool is_even = (number - layout.first(stretch.segment)) % 2 == 0;
   step = is_even && !and_next && std::abs(number - before) == 2 ? 2 : 1;
-  // Playing backwards: keep frames before the current ones.
+  // Playing backwards, so cache frames before the current one.
   first = number;
   if (number < before)
     first -=
@@ -120,11 +121,12 @@ void mcpr_cursor::keep_run(const runtime::PoseKernels& kernels, int from, int fr
   fill(kernels, clip->layout().stretch_at(from).segment, work);
 }
 
-/// Lifts groups in sets, as large as the work space allows for their entries.
+/// Lifts the groups of columns in sets, as large as the work space allows for their entries.
 void mcpr_cursor::fill(const runtime::PoseKernels& kernels, int segment,
                        std::span<std::int16_t> work) {
   using namespace runtime;
-  constexpr std::size_t kMostWork = std::size_t{1} << 30;  // most entries: an int counts them
+  constexpr std::size_t kMostWork = std::size_t{1} << 30;  // limit of the work space: an int counts
+                                                           // its numbers
   const SegmentLayout layout = clip->layout();
   LiftLevel levels[kMostKeptBands];
   int length = layout.frames_of(segment);

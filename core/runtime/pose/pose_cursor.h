@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A cache of consecutive frames for playing a clip, made by the inverse transform itself. Each
-// frame is computed the same way whatever was asked for before.
+// A cache of consecutive frames, for playing a clip. The frames are computed by the inverse
+// transform. A frame gets the same bits whatever was asked for before.
 #pragma once
 
 #include <cstddef>
@@ -18,22 +18,22 @@ struct mcpr_cursor {
   const mcpr_cooked* clip;
   std::int32_t first;     // first cached frame
   std::int32_t count;     // number of cached frames
-  std::int32_t capacity;  // most frames that fit; 0: none is cached
-  std::int32_t columns;   // floats of a frame
+  std::int32_t capacity;  // most frames that fit; 0: the cursor cannot cache frames
+  std::int32_t columns;   // number of floats in a frame
   std::int32_t step;      // 2: every second frame is cached, for playing at half the rate
-  std::int32_t last;      // frame asked for last
-  std::int32_t left_out;  // finest bands left out of the cached frames
-  // The frames follow as floats, kHead bytes from the beginning.
+  std::int32_t last;      // the frame that was asked for last
+  std::int32_t left_out;  // number of the finest bands left out of the cached frames
+  // The frames follow as floats, kHead bytes after the start of this struct.
 
-  /// Frames that fit into this many bytes; 0 if fewer than `fewest` do.
+  /// Number of frames that fit into this many bytes; 0 if fewer than `fewest` fit.
   static int capacity_for(const mcpr_cooked& clip, std::size_t bytes = kMostBytes - kHead,
                           int fewest = kFewestFrames);
   static std::size_t bytes_for(const mcpr_cooked& clip);
   /// A cursor without cached frames.
   static mcpr_cursor empty(const mcpr_cooked& clip, std::size_t bytes = kMostBytes - kHead,
                            int fewest = kFewestFrames);
-  /// Numbers of work space for lifting: at least the entries of one group in all rows of all
-  /// levels. With room for more groups a clip's entries are looked through less often.
+  /// Least work space for lifting, in 16-bit numbers: enough for the entries of one group, in all
+  /// rows of all levels. With room for more groups, the entries are read less often.
   static constexpr int kFewestNumbers =
       mocapress::runtime::kGroup *
       (2 * mocapress::runtime::kMostLiftedFrames + 8 * mocapress::runtime::kMostKeptBands);
@@ -43,12 +43,12 @@ struct mcpr_cursor {
            std::ptrdiff_t{(number - first) / step} * columns;
   }
 
-  /// Caches a frame, and with `and_next` the next one. Neither may be in an overlap of segments.
-  /// False if the cursor cannot cache frames. `work` has kFewestNumbers or more.
+  /// Caches a frame and, with `and_next`, the next one. Neither may lie in an overlap of segments.
+  /// Returns false if the cursor cannot cache frames. `work` has at least kFewestNumbers.
   bool keep(const mocapress::runtime::PoseKernels& kernels, int number, bool and_next,
             int left_out_bands, std::span<std::int16_t> work);
 
-  /// Caches a run of frames of one segment outside overlaps, as many as fit.
+  /// Caches a run of frames. They must fit, and lie in one segment, outside overlaps.
   void keep_run(const mocapress::runtime::PoseKernels& kernels, int from, int frames,
                 int left_out_bands, std::span<std::int16_t> work);
 

@@ -46,7 +46,7 @@ struct Floats {
   }
   void store(float* to) const { std::memcpy(to, lane, sizeof lane); }
 
-  /// Zeroes the lanes whose bit is not set.
+  /// Sets the lanes to zero whose bit in `bits` is not set.
   Floats only(unsigned bits) const {
     Floats out;
     for (int i = 0; i < kGroup; ++i) out.lane[i] = (bits >> i & 1) != 0 ? lane[i] : 0.0F;
@@ -182,8 +182,8 @@ struct RowPair {
   Wholes second;
 };
 
-/// Unpacks two rows of a bundle, without removing their bias; for crumbs, those that begin at
-/// `bit`.
+/// Unpacks two rows of a bundle, which keep the bias of bias_of(). A bundle of crumbs has four
+/// rows: `bit` is the position of the first of the two.
 template <RowKind kKind>
 RowPair pair_of(const std::byte* bundle, int bit) {
   RowPair out;
@@ -209,14 +209,14 @@ RowPair pair_of(const std::byte* bundle, int bit) {
   return out;
 }
 
-/// The bits of floats minus a constant.
+/// The bit patterns of floats, as integers, minus `less`.
 Wholes bits_less(const Floats& floats, std::uint32_t less) {
   Wholes out;
   for (int i = 0; i < kGroup; ++i) out.lane[i] = bit_pattern<std::uint32_t>(floats.lane[i]) - less;
   return out;
 }
 
-/// Multiplies a bundle of four rows of crumbs by their weights.
+/// Multiplies a bundle of four rows of crumbs by the rows' weights, and adds the products.
 Wholes times_crumbs(const std::byte* rows, const std::int16_t* weights) {
   Wholes out;
   for (int i = 0; i < kGroup; ++i) {
@@ -228,7 +228,7 @@ Wholes times_crumbs(const std::byte* rows, const std::int16_t* weights) {
   return out;
 }
 
-/// Quadrants of eight angles, from the low bits of a float that counts quarter turns.
+/// Quadrants of eight angles, from the lowest bits of a float that counts quarter turns.
 struct Quadrants {
   std::uint32_t lane[kGroup];
 

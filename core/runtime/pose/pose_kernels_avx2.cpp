@@ -16,7 +16,7 @@
 namespace mocapress::runtime::avx2_poses_of {
 namespace {
 
-/// Sets all bits of the lanes whose bit is set.
+/// A mask with all bits set in the lanes whose bit in `bits` is set.
 MOCAPRESS_AVX2 inline __m256 lanes_of(unsigned bits) {
   const __m256i of_lane = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
   const __m256i all = _mm256_set1_epi32(static_cast<int>(bits));
@@ -72,11 +72,11 @@ struct Wholes {
   MOCAPRESS_AVX2 static Wholes of_bytes(const void* from) {
     return {_mm256_cvtepu8_epi32(_mm_loadl_epi64(static_cast<const __m128i*>(from)))};
   }
-  /// Reads kSampleBytesBeyond bytes more.
+  /// Reads kSampleBytesBeyond bytes after the samples, too.
   MOCAPRESS_AVX2 static Wholes of_twelve_bits(const void* from) {
     const __m256i bytes =
         _mm256_broadcastsi128_si256(_mm_loadu_si128(static_cast<const __m128i*>(from)));
-    // Two bytes become the upper half of each lane; -1: zero.
+    // Puts two bytes into the upper half of each lane. -1 gives a zero byte.
     const __m256i places =
         _mm256_setr_epi8(-1, -1, 0, 4, -1, -1, 1, 5, -1, -1, 2, 6, -1, -1, 3, 7, -1, -1, 4, 8, -1,
                          -1, 5, 9, -1, -1, 6, 10, -1, -1, 7, 11);
@@ -109,15 +109,16 @@ MOCAPRESS_AVX2 inline Wholes operator<<(const Wholes& a, int bits) {
   return {_mm256_slli_epi32(a.lanes, bits)};
 }
 
-/// Puts each weight at its row number modulo 16, with zeros elsewhere.
+/// Stores each weight at its row number modulo 16, and zeros elsewhere.
 MOCAPRESS_AVX2 inline void place_entry_weights(const Wholes& whole, int first_row, int shift,
                                                std::int32_t* of_entry) {
   const __m256i lane = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
   const __m256i first = _mm256_set1_epi32(first_row & 7);
-  const __m256i turned =  // rotated to start at that lane
+  const __m256i turned =  // rotated, so that row number modulo 8 is the lane
       _mm256_permutevar8x32_epi32(_mm256_sll_epi32(whole.lanes, _mm_cvtsi32_si128(shift)),
                                   _mm256_sub_epi32(lane, first));
-  const __m256i is_next = _mm256_cmpgt_epi32(first, lane);  // the other eight rows
+  const __m256i is_next = _mm256_cmpgt_epi32(first, lane);  // lanes of rows in the other half of
+                                                            // the 16
   const int half = first_row & 8;
   _mm256_store_si256(reinterpret_cast<__m256i*>(of_entry + half),
                      _mm256_andnot_si256(is_next, turned));
@@ -125,7 +126,7 @@ MOCAPRESS_AVX2 inline void place_entry_weights(const Wholes& whole, int first_ro
                      _mm256_and_si256(is_next, turned));
 }
 
-/// The weights of two rows, in the halves of each lane.
+/// The weights of two rows: one in the lower half of each lane, one in the upper half.
 struct PairWeights {
   __m256i lanes;
 
@@ -158,8 +159,8 @@ struct RowPair {
   Wholes second;
 };
 
-/// Unpacks two rows of a bundle, without removing their bias; for crumbs, those that begin at
-/// `bit`.
+/// Unpacks two rows of a bundle, which keep the bias of bias_of(). A bundle of crumbs has four
+/// rows: `bit` is the position of the first of the two.
 template <RowKind kKind>
 MOCAPRESS_AVX2 MOCAPRESS_ALWAYS_INLINE RowPair pair_of(const std::byte* bundle, int bit) {
   if constexpr (kKind == RowKind::Crumbs || kKind == RowKind::Nibbles) {
@@ -214,7 +215,7 @@ struct Quadrants {
   }
 };
 
-/// Adds eight entries, or as many as there are.
+/// Adds eight entries; without kAll, only the first `count` of them.
 template <bool kAll>
 MOCAPRESS_AVX2 inline void add_eight(const std::uint16_t* entries, int count, __m256i low,
                                      __m256i high, std::int32_t* sums) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The kernels of pose_kernels.h with pairs of vectors of four: SSE2, NEON or WebAssembly.
+// The kernels of pose_kernels.h with SSE2, NEON or WebAssembly. Two vectors of four make one of
+// eight.
 #include "core/runtime/pose/pose_kernels.h"
 #include "core/runtime/processor/four.h"
 
@@ -15,7 +16,8 @@
 namespace mocapress::runtime::four_poses_of {
 namespace {
 
-/// All bits of the lanes whose bit is set, in the lower and the upper half of a group.
+/// Masks with all bits set in the lanes whose bit in `bits` is set, for the lower and for the upper
+/// half of a group.
 inline Ints4 lower_lanes(unsigned bits) {
   alignas(16) static constexpr std::int32_t kLanes[4] = {1, 2, 4, 8};
   return has_all(Ints4::all(static_cast<int>(bits)), Ints4::load(kLanes));
@@ -113,7 +115,7 @@ inline void place_entry_weights(const Wholes& whole, int first_row, int shift,
   place_weights(weights, first_row, shift, of_entry);
 }
 
-/// The weights of two rows, repeated four times.
+/// The weights of two rows, four times the pair.
 struct PairWeights {
   Words8 words;
 
@@ -146,8 +148,8 @@ struct RowPair {
   Wholes second;
 };
 
-/// Unpacks two rows of a bundle, without removing their bias; for crumbs, those that begin at
-/// `bit`.
+/// Unpacks two rows of a bundle, which keep the bias of bias_of(). A bundle of crumbs has four
+/// rows: `bit` is the position of the first of the two.
 template <RowKind kKind>
 inline RowPair pair_of(const std::byte* bundle, int bit) {
   if constexpr (kKind == RowKind::Crumbs || kKind == RowKind::Nibbles) {

@@ -7,17 +7,19 @@ namespace mocapress::runtime {
 namespace {
 
 constexpr std::uint32_t kFour = 4;         // joints in a vector
-constexpr std::uint32_t kFourValues = 40;  // translation, rotation and scale of these
+constexpr std::uint32_t kFourValues = 40;  // numbers in a vector: translation, rotation and scale
+                                           // of four joints
 
-/// Rounds to the nearest number of 16 bits, to the even one of two that are as near.
+/// Rounds to the nearest 16-bit float; halfway between two, to the even one.
 std::uint16_t half_of(float value) {
   const auto bits = bit_pattern<std::uint32_t>(value);
   const std::uint32_t sign = bits >> 16 & 0x8000U;
   const std::uint32_t size = bits & 0x7FFFFFFFU;
   std::uint32_t half;
-  if (size >= 0x47800000U)  // 65536 and more, infinity, not a number
+  if (size >= 0x47800000U)  // 65536 or more, infinity, or not a number
     half = size > 0x7F800000U ? 0x7E00U : 0x7C00U;
-  else if (size < 0x38800000U)  // below 2^-14: beside 1/2 a float has steps of 2^-24, as these do
+  else if (size < 0x38800000U)  // below 2^-14; beside 1/2, floats have steps of 2^-24, as small
+                                // 16-bit floats do
     half = bit_pattern<std::uint32_t>(bit_pattern<float>(size) + 0.5F) - 0x3F000000U;
   else
     half = (size - 0x38000000U + 0xFFFU + (size >> 13 & 1U)) >> 13;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Layouts that are made from a whole pose of transforms: vectors of four joints, half floats, and
-// calls of a writer.
+// Makes the layouts that need a whole pose of transforms first: vectors of four joints, half
+// floats, and calls of a writer.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,10 @@ inline bool is_packed(mcpr_layout layout) {
   return layout == MCPR_FOURS || layout == MCPR_HALVES || layout == MCPR_WRITER;
 }
 
-/// Floats that a pose takes in any layout.
+/// Size of a pose in floats, for any layout.
 std::size_t values_of_pose(mcpr_layout layout, std::uint32_t joints);
 
-/// Gives a pose, which has the request's convention, in the request's packed layout.
+/// Converts a pose to the packed layout of the request. The pose has the convention of the request.
 void pack(const mcpr_sample_request& request, const mcpr_transform* pose, std::uint32_t joints,
           void* out);
 

@@ -22,8 +22,8 @@
 namespace mocapress::runtime {
 namespace {
 
-/// The kinds of a clip's columns: from its table if it is a loop, else found from the tables that
-/// read the columns.
+/// The kind of each column. A loop of kind Follows has a table of kinds. For other clips, the
+/// tables that use the columns tell which are half angles.
 class ColumnKinds {
  public:
   explicit ColumnKinds(const mcpr_cooked& clip)
@@ -52,10 +52,10 @@ class ColumnKinds {
   std::bitset<kMostColumns> angles_;
 };
 
-/// Groups are made in sets of kMostGroupsOfPart, so that work space is small.
+/// Columns are made in sets of kMostGroupsOfPart groups, so that the work space is small.
 constexpr int kSetColumns = kGroup * kMostGroupsOfPart;
 
-/// Work space for a pose beside its columns.
+/// Work space for making a pose, besides its columns.
 struct PoseWork {
   InstantWeights weights;
   alignas(32) std::int32_t entries[kSetColumns];
@@ -66,8 +66,8 @@ struct PoseWork {
 
 class Sampler {
  public:
-  /// `columns` has room for all columns of the clip. `cursor` holds the frames that are asked for,
-  /// or is null.
+  /// `columns` has room for all columns of the clip. `cursor` has cached the frames that are
+  /// needed; null: sample without a cursor.
   Sampler(const mcpr_cooked& clip, const PoseKernels& kernels, const mcpr_sample_request& request,
           const mcpr_selection* selection, const mcpr_cursor* cursor, PoseWork& work,
           float* columns)
@@ -90,7 +90,7 @@ class Sampler {
     put_moving(out);
   }
 
-  /// Overwrites the moving parts of the selection's joints in a complete pose.
+  /// Overwrites the moving parts of the selected joints, in a pose that is complete already.
   void run_over(const PlaceInClip& place, float* out) {
     make(place);
     put_moving(out);
@@ -108,7 +108,8 @@ class Sampler {
                 std::min(static_cast<int>(clip_.row_groups) - first, kMostGroupsOfPart))};
   }
 
-  /// Makes the groups of a part that are in a set; `columns` are those of the set.
+  /// Makes the columns of a part, as far as its groups are in the set `set`. `columns` are the
+  /// columns of the set.
   void make_part(int segment, int p, GroupRange set, float* columns) const {
     const InstantWeights& weights = work_.weights;
     const CookedPart& part = clip_.part(p);
@@ -143,7 +144,7 @@ class Sampler {
          .columns = columns + column});
   }
 
-  /// Makes a set of groups from one segment, by the weights in the work space.
+  /// Makes the columns of a set from one segment, with the weights in the work space.
   void make_set(int segment, int set, float* columns) const {
     const InstantWeights& weights = work_.weights;
     const GroupRange groups = groups_of_set(set);
@@ -165,7 +166,7 @@ class Sampler {
       make_set(segment, set, columns_ + kSetColumns * set);
   }
 
-  /// Makes a set of groups at a frame, which may lie in an overlap of two segments.
+  /// Makes the columns of a set at a frame, which may lie in the overlap of two segments.
   void make_frame(int frame, int set, float* columns) const {
     const SegmentLayout layout = clip_.layout();
     const SegmentLayout::Stretch stretch = layout.stretch_at(frame);
@@ -226,7 +227,7 @@ class Sampler {
                    kGroup * static_cast<int>(clip_.row_groups), columns_);
   }
 
-  /// Weight of an end correction at a frame.
+  /// The weight of an end correction at a frame.
   float end_share_of(int end, int frame) const {
     return clip_.end_reaches.share_at(end, frame, static_cast<int>(clip_.frames));
   }
@@ -259,8 +260,8 @@ class Sampler {
     }
   }
 
-  /// Makes the columns between the last frame and the first: angles go the shorter way, and roots
-  /// of a loop continue their last step.
+  /// Makes the columns between the last frame and the first: angles go the shorter way round, and
+  /// roots of a loop repeat their last step.
   void make_columns_across(float share) {
     constexpr float kHalfTurn = 3.14159265F;
     const int last = static_cast<int>(clip_.frames) - 1;
@@ -333,7 +334,7 @@ class Sampler {
         put_translation(at, moving[i].axis, columns_[moving[i].column], out);
   }
 
-  /// Writes the constant values.
+  /// Writes the constant parts of all transforms.
   void put_rest(float* out) const {
     const auto* const rest = clip_.at<mcpr_transform>(clip_.rest);
     if (request_.layout == MCPR_TRANSFORMS && selection_ == nullptr) {
@@ -444,12 +445,12 @@ std::uint32_t sampled_joints(const mcpr_cooked& clip, const mcpr_sample_request&
 
 namespace {
 
-/// Memory for sampling all clips but those with thousands of columns or joints. It is on the stack;
-/// a call takes at most 16 KiB of stack.
+/// Size of the work space on the stack. It suffices for all clips but those with thousands of
+/// columns or joints. A whole call takes at most 16 KiB of stack.
 constexpr std::size_t kRoomOnStack = 7680;
 static_assert(sizeof(PoseWork) >= sizeof(std::int16_t) * mcpr_cursor::kFewestNumbers);
 
-/// A selection for one call.
+/// Makes an empty selection, for the time of one call.
 mcpr_selection* take_selection(Memory& memory, const mcpr_cooked& clip) {
   auto* const place = memory.take<mcpr_selection>(1);
   if (place != nullptr) return new (place) mcpr_selection(memory, clip);
@@ -473,7 +474,7 @@ void sample_in(void* room, std::size_t size, const mcpr_cooked& clip, const Pose
   bool is_kept = false;
   const BetweenFrames between = between_frames(static_cast<int>(clip.frames), place.frame);
   const bool has_steps = request.stepped_count > 0 && (is_across || between.share > 0);
-  // A cursor uses this memory first; afterwards it is free again.
+  // The cursor uses the work space first. Afterwards it is free for the rest of this function.
   if (cursor != nullptr && (!is_across || has_steps) &&
       is_liftable(clip.layout().stretch_at(between.before), between))
     is_kept = cursor->keep(kernels, between.before, between.share > 0,
@@ -503,7 +504,7 @@ void sample_in(void* room, std::size_t size, const mcpr_cooked& clip, const Pose
     runtime::convert(*request.convention, request.layout, joints, out);
 }
 
-/// Samples transforms, which the packed layouts are made from.
+/// Samples transforms, and makes the packed layouts from them.
 void sample_packed(void* room, std::size_t size, const mcpr_cooked& clip,
                    const PoseKernels& kernels, const PlaceInClip& place,
                    const mcpr_sample_request& request, void* out, mcpr_cursor* cursor) {
@@ -520,7 +521,7 @@ void sample_packed(void* room, std::size_t size, const mcpr_cooked& clip,
 
 }  // namespace
 
-/// Upper bound for a selection of any clip.
+/// Upper bound for the size of a selection, for any clip.
 constexpr std::size_t kMostOfSelection =
     sizeof(mcpr_selection) + sizeof(std::uint16_t) * kMostJoints +
     sizeof(RotorPlaces) * (kMostJoints / kGroup) + sizeof(GroupRange) * (kMostColumns / kGroup) +

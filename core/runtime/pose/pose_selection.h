@@ -12,14 +12,14 @@
 
 namespace mocapress::runtime {
 
-/// The consecutive groups of a part that are needed.
+/// The groups of a part that are needed. They are consecutive.
 struct GroupRange {
-  std::uint16_t first = 0;  // within the part
+  std::uint16_t first = 0;  // number of the first group within the part
   std::uint16_t count = 0;
 };
 
-/// Output places of a RotorGroup's joints. An unwanted joint is written to the place of a later
-/// one, which then overwrites it.
+/// Places of a RotorGroup's joints in the output. A joint that is not selected is written to the
+/// place of a later joint, which then overwrites it.
 struct RotorPlaces {
   std::uint16_t place[kGroup] = {};
   std::uint16_t group = 0;
@@ -38,18 +38,19 @@ struct mcpr_selection {
   const std::uint16_t* joints = nullptr;  // the selected joints, in output order
   std::uint32_t joint_count = 0;
   std::uint32_t rotor_groups = 0;
-  const mcpr_transform* rest = nullptr;  // their constant transforms; null: use the clip's table
+  const mcpr_transform* rest = nullptr;  // constant transforms of the selected joints; null: they
+                                         // are in the clip's table
   std::uint16_t* places;                 // for each joint of the clip: its place in the output, or
                                          // kNowhere
   mocapress::runtime::RotorPlaces* rotors;
   mocapress::runtime::GroupRange* parts;
-  // Groups of columns that are needed.
+  // One bit per group of columns that is needed.
   std::bitset<mocapress::runtime::kMostColumns / mocapress::runtime::kGroup> wanted;
   mcpr_selection(mocapress::runtime::Memory& memory, const mcpr_cooked& of);
-  /// Selects joints; the array must outlive the selection.
+  /// Selects joints. The array must outlive the selection.
   void select(const std::uint16_t* from, std::uint32_t count);
-  /// Selects those of a list that another selection has, in its places; null: all of the clip's. A
-  /// joint may be listed twice.
+  /// Selects the listed joints, as far as the selection `whole` has them, with their places there.
+  /// If `whole` is null, it stands for all joints of the clip. A joint may be listed twice.
   void select_within(const mcpr_selection* whole, const std::uint16_t* from, std::uint32_t count);
 
  private:

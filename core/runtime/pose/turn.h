@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Transforms in 32-bit floats, for blending poses: of one joint (Real = float), or of four joints
-// at once (Real = Floats4). Both compute the same bits.
+// Transforms in single precision, for blending poses: of one joint (Real = float), or of four
+// joints at once (Real = Floats4). Both compute the same bits.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@
 
 namespace mocapress::runtime {
 
-/// Joints in one number: 1 for floats, 4 for Floats4.
+/// Number of joints in a Real: 1 for float, 4 for Floats4.
 template <typename Real>
 inline constexpr std::uint32_t kJointsOf = sizeof(Real) / sizeof(float);
 
@@ -25,7 +25,7 @@ Real all_joints(float value) {
     return Real::all(value);
 }
 
-/// One number for each joint, from consecutive floats.
+/// Loads one number per joint, from consecutive floats.
 template <typename Real>
 Real each_joint(const float* from) {
   if constexpr (kJointsOf<Real> == 1)
@@ -38,7 +38,7 @@ inline float square_root(float a) {
   return std::sqrt(a);
 }
 
-/// `a`, negated where `by` has a minus sign.
+/// `a` if `by` is positive, -a if `by` has a minus sign.
 inline float negated_by(float by, float a) {
   constexpr std::uint32_t kSign = 0x80000000U;
   return bit_pattern<float>(bit_pattern<std::uint32_t>(a) ^
@@ -90,7 +90,8 @@ MOCAPRESS_ALWAYS_INLINE Turn<Real> normalised(const Turn<Real>& a) {
   return all_joints<Real>(1) / square_root(dot(a, a)) * a;
 }
 
-/// `share` of a turn, the shorter way round.
+/// Interpolates from no turn (share 0) to `a` (share 1), the shorter way round, by a normalised sum
+/// of quaternions.
 template <typename Real>
 MOCAPRESS_ALWAYS_INLINE Turn<Real> part_of(const Turn<Real>& a, Real share) {
   const Real towards = negated_by(a.w, share);
@@ -116,7 +117,7 @@ Shift<Real> operator*(Real factor, const Shift<Real>& a) {
   return {factor * a.x, factor * a.y, factor * a.z};
 }
 
-/// Turns a vector: v + 2 (w (u x v) + u x (u x v)), where u is the vector part.
+/// Rotates a vector: v + 2 (w (u x v) + u x (u x v)), where u is the vector part of q.
 template <typename Real>
 MOCAPRESS_ALWAYS_INLINE Shift<Real> turned(const Turn<Real>& q, const Shift<Real>& v) {
   const Shift<Real> a{q.y * v.z - q.z * v.y, q.z * v.x - q.x * v.z, q.x * v.y - q.y * v.x};
@@ -124,8 +125,8 @@ MOCAPRESS_ALWAYS_INLINE Shift<Real> turned(const Turn<Real>& q, const Shift<Real
   return v + all_joints<Real>(2) * (q.w * a + b);
 }
 
-/// The transforms of kJointsOf<Real> joints. Quaternions are w x y z, or in the order of the poses
-/// where any order will do.
+/// The transforms of kJointsOf<Real> joints. Quaternions are w x y z. Code that works for any order
+/// may use the order of the poses.
 template <typename Real>
 struct Placed {
   Turn<Real> turn;
@@ -164,7 +165,8 @@ struct Placed {
   }
 };
 
-/// Calls work(a value of Real, joint) for four joints at a time, then for each that is left.
+/// Calls work(a value of type Real, joint number) for four joints at a time, then for each
+/// remaining joint.
 template <typename Work>
 void for_joints(std::uint32_t joints, const Work& work) {
   std::uint32_t j = 0;
