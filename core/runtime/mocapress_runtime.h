@@ -403,7 +403,7 @@ typedef enum mcpr_layout {
                         the convention, and of scale x, y, z, which is 1. Places after the last
                         joint have no translation and no rotation */
   MCPR_HALVES = 4,   /* mcpr_transform in half floats (IEEE 754 binary16, rounded to nearest): 8
-                        uint16_t per joint. Lengths of up to 1024 are rounded to multiples of 0.5:
+                        uint16_t per joint. Lengths of 512 to 1024 are rounded to multiples of 0.5:
                         ask for metres */
   MCPR_WRITER = 5    /* the output is an mcpr_writer, which receives joint after joint */
 } mcpr_layout;

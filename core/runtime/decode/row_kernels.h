@@ -29,7 +29,8 @@ template <typename Real>
 struct OddRows {
   Real* out;         // rows are out_step apart
   const Real* even;  // first of the four even rows around the first odd row; rows are stride apart
-  const Real* detail;  // rows are detail_step apart; 0 repeats one row of zeros
+  const Real* detail;  // rows are detail_step apart; with a detail_step of 0, all rows use the same
+                       // one
   std::ptrdiff_t out_step;
   std::ptrdiff_t stride;
   std::ptrdiff_t detail_step;

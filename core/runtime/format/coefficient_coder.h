@@ -21,7 +21,7 @@ namespace mocapress::runtime {
 
 inline constexpr int kLeastStepExponent = -128;
 inline constexpr int kMostStepExponent = 127;
-inline constexpr int kMostSteps = 1 << 28;      // no value is larger
+inline constexpr int kMostSteps = 1 << 28;      // largest magnitude of a coefficient
 inline constexpr int kMostMagnitude = 255;      // larger magnitudes count as this in sums
 inline constexpr int kLeastDeviation = 26;      // in 256ths of a quantisation step
 inline constexpr int kLeastExpected = 6 << 10;  // smallest magnitude to expect, in units of 1 / (64

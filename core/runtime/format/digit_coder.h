@@ -10,7 +10,8 @@
 
 namespace mocapress::runtime {
 
-/// A bit with an adaptive probability of its own: FORMAT.md, 6.2. `Bits` as in CoefficientCoder.
+/// Codes a bit by an adaptive probability of its own: FORMAT.md, 6.2. `Bits` as in
+/// CoefficientCoder.
 template <typename Bits>
 bool code_bit(Bits& bits, AdaptiveBit& believed, bool bit) {
   constexpr Probability kLeast = 64;
@@ -23,7 +24,7 @@ bool code_bit(Bits& bits, AdaptiveBit& believed, bool bit) {
 /// ENDS.
 class DigitCoder {
  public:
-  static constexpr int kMostDigits = 24;  // a float holds them exactly
+  static constexpr int kMostDigits = 24;  // a float holds integers of this many digits exactly
 
   template <typename Bits>
   std::int32_t code(Bits& bits, std::int32_t number) {

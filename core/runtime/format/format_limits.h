@@ -18,22 +18,23 @@ inline constexpr int kMostDepth = 1000;
 
 inline constexpr std::uint32_t kMostChannels = kMostChannelsOfJoint * kMostJoints;
 
-/// The length of a name is stored in one byte.
+/// Most bytes of a name, whose length is stored in one byte.
 inline constexpr std::size_t kMostNameBytes = 255;
 
-/// Size of one joint in JNTS before coding: name, parent, offset, flags, axes, end site and
+/// Largest size of a joint in JNTS before coding: name, parent, offset, flags, axes, end site and
 /// channels.
 inline constexpr std::size_t kMostBytesOfJoint =
     (1 + kMostNameBytes) + 2 + 3 * 4 + 1 + 4 * 4 + 3 * 4 + (1 + kMostChannelsOfJoint);
 
-/// Ten hours at 120 Hz.
+/// Most frames of a clip, almost ten hours at 120 Hz.
 inline constexpr std::uint32_t kMostFrames = std::uint32_t{1} << 22;
 
-/// Scalar tracks. Faces have about a hundred.
+/// Most scalar tracks of a clip. Faces have about a hundred.
 inline constexpr std::uint32_t kMostTracks = 4096;
 
-/// Samples of all signals (channels and IKCO's) and of curve tracks. Frames that two segments share
-/// count twice. Enough for two and a half hours of 62 channels at 120 Hz.
+/// Most samples of a file, in all signals (channels and the offsets of IKCO) and curve tracks.
+/// Frames that two segments share count twice. Enough for two and a half hours of 62 channels at
+/// 120 Hz.
 inline constexpr std::uint64_t kMostValues = std::uint64_t{1} << 26;
 
 /// Upper bound for the number of values in a file. A still clip takes hardly any bytes, so the
@@ -59,8 +60,8 @@ inline constexpr std::size_t kMemoryBesideValues = std::size_t{16} << 20;
 /// Memory for the state of the predictions, 2.6 KB per signal.
 inline constexpr std::size_t kMemoryOfSignals = std::size_t{80} << 20;
 
-/// Scratch memory for reading: the decoded values of one segment, possibly the whole clip; the
-/// coded motion of all segments; and the prediction state.
+/// Most scratch memory for reading: the decoded values of one segment, possibly the whole clip; the
+/// coded motion of all segments; and the state of the predictions.
 inline constexpr std::size_t kMostScratchBytes =
     8 * kMostValues + kMemoryOfSignals + kMemoryBesideValues;
 

@@ -10,7 +10,7 @@ namespace mocapress::runtime {
 enum class Wavelet : std::uint8_t {
   Haar = 0,    // 1 neighbour, the even sample before
   Linear = 1,  // 2 neighbours
-  Cubic = 2,   // 4 neighbours, as in the paper
+  Cubic = 2,   // 4 neighbours, as in the paper that README.md names
 };
 
 /// Continuation of a clip after its last frame: FORMAT.md, loop.

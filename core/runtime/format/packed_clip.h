@@ -13,13 +13,16 @@ namespace mocapress::runtime {
 
 inline constexpr std::uint32_t kOwnPart = 0xFFFFFFFFU;  // in an outline: the clip stores this
                                                         // section itself
-inline constexpr std::size_t kOutlineHead = 4;          // u16 sections, u16 bytes of orders and a
-inline constexpr std::uint16_t kWholeErrors = 0x8000;   // flag: errors are 4 bytes each, not 2
-inline constexpr std::size_t kOutlineSection = 8;       // bytes: tag, u32 part
+inline constexpr std::size_t kOutlineHead = 4;  // bytes: u16 number of sections; u16 number of
+                                                // bytes of rotation orders, with kWholeErrors
+inline constexpr std::uint16_t kWholeErrors = 0x8000;  // flag: the two errors take 4 bytes each,
+                                                       // not 2
+inline constexpr std::size_t kOutlineSection = 8;      // bytes: tag, u32 part
 
-inline constexpr std::size_t kDescriptionBytes = 32;  // size of CLIP. Each clip stores its own:
-inline constexpr std::size_t kFramesAt = 8;           // frames, u32, at this offset
-inline constexpr std::size_t kErrorsAt = 24;          // eps and max_error, f32 each
+inline constexpr std::size_t kDescriptionBytes = 32;  // bytes in CLIP. Each clip has values of its
+                                                      // own at the next two offsets
+inline constexpr std::size_t kFramesAt = 8;           // offset of frames, u32
+inline constexpr std::size_t kErrorsAt = 24;          // offset of eps and max_error, f32 each
 
 /// Tag of the part that holds the bank's learned priors, which only banks have: learned_priors.h.
 inline constexpr char kLearned[] = "PRIO";

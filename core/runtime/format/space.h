@@ -13,7 +13,6 @@ struct Vector3 {
   double operator[](int i) const { return at[i]; }
 };
 
-/// Makes a vector from three floats.
 inline Vector3 vector_of(const float* from) {
   return {
       {static_cast<double>(from[0]), static_cast<double>(from[1]), static_cast<double>(from[2])}};

@@ -88,7 +88,7 @@ inline double arc_tangent(double y, double x) {
   if (more > 0 && std::isfinite(more)) {
     const int eighths = static_cast<int>(8 * (less / more) + 0.5);
     const double slope = eighths / 8.0;
-    const double t = (less - slope * more) / (more + slope * less);  // within 1/16
+    const double t = (less - slope * more) / (more + slope * less);  // at most 1/16
     const double z = t * t;
     const double series =
         z * (-1.0 / 3 +

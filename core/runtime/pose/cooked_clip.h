@@ -245,7 +245,7 @@ struct mcpr_cooked {
   mocapress::runtime::TableOffset bases;  // floats: initial values of the columns that have no rows
   mocapress::runtime::TableOffset part_table;    // CookedPart array
   mocapress::runtime::TableOffset column_kinds;  // ColumnKind array; only for loops of kind Follows
-  // Offsets from the clip.
+  // The following are offsets from the clip.
   std::uint32_t ends;  // for each end correction: a byte per group of columns, with a bit per
                        // column that it changes; then, for each end correction: an i16 per column
                        // with a bit, in units of end_units * step

@@ -13,7 +13,7 @@
 struct mcpr_cursor {
   static constexpr std::size_t kMostBytes = 8192;
   static constexpr std::size_t kHead = 64;
-  static constexpr int kFewestFrames = 4;  // fewer are not worth caching
+  static constexpr int kFewestFrames = 4;  // with fewer, caching is not worthwhile
 
   const mcpr_cooked* clip;
   std::int32_t first;     // first cached frame

@@ -375,7 +375,7 @@ MOCAPRESS_EXPORT Clip* web_open(const void* file, std::size_t size, std::uint32_
   });
 }
 
-/// Opens the first tiers of a clip.
+/// Opens a clip of a packed bank or, if tiers > 0, only its first tiers.
 MOCAPRESS_EXPORT Clip* web_open_packed(const mcpk_bank* bank, std::uint32_t number,
                                        std::uint32_t tiers) {
   mcpr_limits limits = mcpr::default_limits();
