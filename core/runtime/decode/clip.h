@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The memory behind mcpr_clip: a skeleton, limbs for the IK solver, and signals, in one block of
-// bytes without pointers.
+// The resident form of a clip, which mcpr_clip points to: a skeleton, limbs for the IK solver,
+// tracks and signals, in one block of bytes without pointers.
 #pragma once
 
 #include "core/runtime/decode/resident_signals.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The motion as an engine keeps it in memory: quantised coefficients, ordered by band and time. Any
-// rows of any band can be unpacked by themselves.
+// rows of any band can be unpacked by themselves. A signal is a channel, a coordinate of an
+// effector's offset, or a curve track.
 #pragma once
 
 #include <cstddef>

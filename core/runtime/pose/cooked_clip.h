@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The cooked form of a clip, in which the pose at any instant is a weighted sum of a few rows of
 // small numbers. It is one little-endian block without pointers, the same in memory and on disk:
-// SAMPLING.md describes it.
+// SAMPLING.md describes it. A channel that changes has a column, which holds its values (half of
+// them for angles). Eight columns are a group; consecutive groups that are stored in the same way
+// are a part.
 #pragma once
 
 #include <algorithm>
