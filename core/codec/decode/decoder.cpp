@@ -18,9 +18,9 @@ namespace mocapress {
 
 namespace {
 
-constexpr float kUnknown = 8;  // The limit, in radians, for signals whose effect is unknown
+constexpr float kUnknown = 8;  // limit for signals whose effect on the pose is unknown
 
-/// The resident form of some signals, in memory of its own.
+/// Owns some signals in the runtime decoder's resident form.
 class OwnResidentSignals {
  public:
   explicit OwnResidentSignals(const runtime::QuantisedSource& source)
@@ -82,8 +82,8 @@ class SegmentJoin {
  public:
   explicit SegmentJoin(const SegmentLayout& layout) : layout_(layout) {}
 
-  /// Takes the samples of the next segment and returns the frames from its first on that no later
-  /// segment shares.
+  /// Takes the samples of the next segment. Returns its frames, blended with the previous
+  /// segment's, without those that it shares with the segment after it.
   Eigen::MatrixXd next(Eigen::MatrixXd samples);
 
  private:
@@ -104,8 +104,8 @@ Eigen::MatrixXd SegmentJoin::next(Eigen::MatrixXd samples) {
   return samples.topRows(layout_.hop());
 }
 
-/// The runtime decoder's limits beyond which a signal is decoded in double precision, one for each
-/// signal, chosen by what the signal moves.
+/// The magnitude of each signal beyond which the runtime decoder decodes it in double precision. It
+/// depends on the channel's kind and, for angles, on the reach of what the joint turns.
 std::vector<float> double_precision_limits(const CompressedClip& clip) {
   const std::vector<runtime::JointModel> joints = models_of(clip.skeleton);
   std::vector<float> reach(joints.size());

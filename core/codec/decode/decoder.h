@@ -12,10 +12,11 @@
 
 namespace mocapress {
 
-/// Decodes quantised coefficients (coarse to fine) to signals (samples x signals) by the runtime
-/// decoder; the result has the same 32-bit floats, bit by bit. `steps` has one step for each
-/// signal, which Lifting::gains() divide. Signals with samples beyond their limit (8 where none is
-/// given) are decoded in double precision on the way.
+/// Decodes quantised coefficients (coarse to fine) to signals (samples x signals) with the runtime
+/// decoder; the result holds the same 32-bit floats, bit by bit. `steps` has one quantisation step
+/// for each signal; a coefficient's step is that divided by its Lifting::gains(). Signals with
+/// samples beyond their limit (8 where none is given) are decoded in double precision and then
+/// rounded to floats.
 Eigen::MatrixXd decode_signals(const Eigen::MatrixXi& values, const std::vector<float>& steps,
                                Basis basis, const std::vector<float>& double_precision_limits = {});
 
@@ -27,8 +28,8 @@ Eigen::MatrixXd read_signals(ByteReader& words, Basis basis, int samples, int co
 /// bytes are not valid.
 Clip decode(const CompressedClip& compressed);
 
-/// A compressed clip, or some of its frames, before the IK correction, in the channels that are
-/// coded.
+/// Decoded frames of a clip, all or some, before the IK correction. The channels are the coded
+/// ones: those of CompressedClip::coded_skeleton().
 struct Uncorrected {
   Clip clip;
   Eigen::MatrixXd differences;  // frames x 3 * effectors, cm: the coded offsets from decoded to
@@ -38,19 +39,19 @@ struct Uncorrected {
 /// Decodes without applying the correction.
 Uncorrected decode_uncorrected(const CompressedClip& compressed);
 
-/// Turns the blocks of visit_decoded() into the result of decode(), except that the channels stay
-/// those that are coded.
+/// Applies the IK correction and the coded ends to the blocks of visit_decoded(). The result
+/// differs from decode() only in that it has the coded channels.
 class Finish {
  public:
-  /// The compressed clip must outlive this.
+  /// The compressed clip must outlive this object.
   explicit Finish(const CompressedClip& compressed);
 
-  /// Applies to frames from first_frame on: first the correction, if there is one, then the end
-  /// poses.
+  /// Finishes the block that starts at first_frame: applies the correction, if there is one, and
+  /// then adds the ends.
   CorrectionReport operator()(int first_frame, Uncorrected& block) const;
 
-  /// Adds the coded end poses to frames (rows) from first_frame on. Does nothing where ends are not
-  /// coded.
+  /// Adds the coded corrections of the first and the last pose to frames (rows) from first_frame
+  /// on. Does nothing for a clip without coded ends.
   void add_ends(int first_frame, Eigen::MatrixXd& channels) const;
 
  private:
@@ -59,17 +60,18 @@ class Finish {
   std::optional<EndPoses> ends_;
 };
 
-/// The step of each signal in the first and in the last segment. Requires Coding::Adaptive.
+/// The quantisation step of each signal in the first and in the last segment. Requires
+/// Coding::Adaptive.
 std::pair<std::vector<float>, std::vector<float>> steps_at_ends(const CompressedClip& compressed);
 
-/// The frames from first_frame on, which may be changed or taken.
+/// Receives the frames from first_frame on, and may change them or move them out.
 using DecodedBlock = std::function<void(int first_frame, Uncorrected& block)>;
 
 /// Decodes a clip segment by segment and hands each block to `visit`, so that memory does not grow
 /// with the clip. Correction and ends are not applied. A clip without segments comes as one block.
 void visit_decoded(const CompressedClip& compressed, const DecodedBlock& visit);
 
-/// Converts a clip from the coded channels to those of the skeleton.
+/// Converts a clip from the coded channels to those of the source's skeleton.
 Clip in_source_channels(const CompressedClip& compressed, Clip coded);
 
 /// Copies rows into `matrix` from row `first` on; `matrix` gets `all` rows in total.

@@ -16,20 +16,21 @@ namespace mocapress {
 /// within its default limits.
 class RuntimeClip {
  public:
-  /// Opens a file, or its first tiers; 0: all. Throws FormatError with the runtime decoder's
-  /// message about the file.
+  /// Opens a file, or only its first `tiers` tiers (0: all). Throws FormatError with the runtime
+  /// decoder's message about the file.
   explicit RuntimeClip(std::span<const std::byte> file, int tiers = 0);
 
   mcpr_clip_info info() const { return mcpr::describe(get()); }
 
-  /// The handle for the C interface; lives as long as this.
+  /// The handle for the C interface; lives as long as this object.
   const mcpr_clip* get() const { return clip_.get(); }
 
   /// Returns whether joints and channels equal the skeleton's, to the precision of the file's
   /// 32-bit floats. Turned axes of joints are not compared.
   bool has_joints_of(const Skeleton& skeleton) const;
 
-  /// All channels of some frames with their IK correction, a row each: cm or radians.
+  /// Decodes some frames with their IK correction: one row of all channels for each frame, in cm
+  /// and radians.
   Eigen::MatrixXd frames(int first, int count) const;
 
  private:

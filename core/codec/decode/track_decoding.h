@@ -8,10 +8,11 @@
 
 namespace mocapress {
 
-/// Decodes the values of all tracks; equal to the runtime decoder's, bit by bit.
+/// Decodes the values of all tracks, bit by bit as the runtime decoder does.
 ScalarTracks decode_tracks(const CodedTracks& coded);
 
-/// Decodes the tracks of a .mcpr file of any method; empty where it has none. Throws FormatError.
+/// Decodes the tracks of a .mcpr file of any method; empty if the file has none. Throws
+/// FormatError.
 ScalarTracks tracks_of(std::span<const std::byte> mcpr);
 
 /// Returns the largest difference between two values, which is how the error of tracks is measured.

@@ -88,7 +88,7 @@ const ErrorModel& ClipAnalysis::model(Weighting weighting) const {
 }
 
 const ClosedLoop& ClipAnalysis::closed_loop(Basis basis, Weighting weighting) const {
-  // Computed before original_body's lock is taken: one lock at a time.
+  // Computed before the lock of closed_loops_ is taken, so that no thread holds two locks.
   const Coefficients& in_basis = coefficients(basis);
   const ErrorModel& errors = model(weighting);
   return closed_loops_.get(std::pair(basis, weighting), [&] {

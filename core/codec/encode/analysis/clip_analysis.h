@@ -36,7 +36,8 @@ class ClipAnalysis {
  public:
   explicit ClipAnalysis(Motion motion) : motion_(std::move(motion)) {}
 
-  /// Takes everything that does not depend on channels from `same`, which must outlive this.
+  /// Analyses the motion of `same` in other rotation forms, and takes from `same` all that does not
+  /// depend on these, such as tracks and contacts. `same` must outlive this object.
   ClipAnalysis(Motion motion, const ClipAnalysis& same)
       : motion_(std::move(motion)), same_(&same) {}
 
@@ -69,7 +70,8 @@ class ClipAnalysis {
     const Value& get(Key key, const Build& build) const {
       const std::lock_guard lock(mutex_);
       auto& slot = values_[key];
-      // Isolated: a thread that waits inside must not take up a task that asks for the same lock.
+      // Isolated, because a thread that waits inside build() must not take up a task that needs
+      // this lock.
       if (!slot) tbb::this_task_arena::isolate([&] { slot = build(); });
       return *slot;
     }
@@ -83,7 +85,8 @@ class ClipAnalysis {
     bool operator<(Only) const { return false; }
   };
 
-  /// Returns whether the clip is cut into segments; then nothing may need all tracks at once.
+  /// Returns whether the clip is so long that it is cut into segments. Its tracks must then never
+  /// be in memory all at once.
   bool is_long() const;
 
   Motion motion_;

@@ -17,18 +17,19 @@
 namespace mocapress {
 namespace {
 
-// An order that is best at one error is best at others too, so one choice serves all targets.
-constexpr double kScale = 1.8;     // cm: steps as for half a centimetre of eps_x
-constexpr double kRate = 30;       // Hz; above this rate orders differ little
+// A rotation order that takes the fewest bits at one error does so at others too, so one choice
+// serves all targets.
+constexpr double kScale = 1.8;     // cm; quantisation scale, as for an eps_x of 0.5 cm
+constexpr double kRate = 30;       // Hz; higher rates hardly change the choice
 constexpr double kLongRate = 15;   // Hz; for clips too long for kRate
-constexpr int kEnough = 256;       // frames
-constexpr int kMostFrames = 2048;  // at a time
+constexpr int kEnough = 256;       // frames; longer clips are sampled more coarsely
+constexpr int kMostFrames = 2048;  // frames looked at together
 constexpr double kWorthIt =
     0.98;  // share of the bits; a change must save 2 % to replace the skeleton's own form
 constexpr double kTurnedBits = 40;  // bits, as counted here, that turned axes cost in the file
 
-/// Returns whether a joint may be given by other angles. Not if one of its angles stands still: in
-/// another form it would move.
+/// Returns whether a joint may get another rotation form. It may not if one of its angles is
+/// constant, since the angle would move in another form.
 bool may_choose(const Skeleton& skeleton, const std::vector<bool>& still, int j) {
   if (!turns_freely(skeleton.joint(j))) return false;
   const int first = skeleton.first_channel(j);
@@ -45,8 +46,8 @@ constexpr std::size_t kCandidates = kRotationOrders + kTurnedOrders.size();
 /// Bits for each candidate: all orders, then the orders about turned axes.
 using Bits = std::array<double, kCandidates>;
 
-/// The frame nearest to the identity among the right-handed ones with these axes, some turned
-/// backwards.
+/// Reverses some of the axes, so that they are right-handed and as near to the identity as
+/// possible.
 Eigen::Matrix3d nearest_frame(Eigen::Matrix3d axes) {
   if (axes.determinant() < 0) axes = -axes;
   Eigen::Matrix3d best = axes;
@@ -58,7 +59,8 @@ Eigen::Matrix3d nearest_frame(Eigen::Matrix3d axes) {
   return best;
 }
 
-/// The points that hang on a joint, as the sums of w, w x and w x x^T.
+/// The measured points that a joint carries, as sums over their places x and weights w: of w, w x
+/// and w x x^T.
 struct Burden {
   double mass = 0;
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();
@@ -75,8 +77,8 @@ struct Burden {
     square += other.square;
   }
 
-  /// Returns I, where axis^T I axis is the squared movement of the points by a small turn about an
-  /// axis through `origin`.
+  /// Returns the inertia I about `origin`: after a turn by a small angle a about an axis through
+  /// `origin`, the weighted sum of the points' squared movements is a^2 axis^T I axis.
   Eigen::Matrix3d inertia_about(const Eigen::Vector3d& origin) const {
     const Eigen::Matrix3d seen = square - moment * origin.transpose() -
                                  origin * moment.transpose() + mass * origin * origin.transpose();
@@ -84,7 +86,7 @@ struct Burden {
   }
 };
 
-/// The rotations of joints over some frames, and the points that they move.
+/// The rotations of joints over some frames, and the inertia of the points that they carry.
 class Turns {
  public:
   /// Takes every `step`-th frame from `first` on: kMostFrames of them, or up to the clip's end.
@@ -129,7 +131,7 @@ class Turns {
 
   int frames() const { return frames_; }
 
-  /// Axes along and across the mean direction of what hangs on a joint.
+  /// Returns a form about the principal axes of what the joint carries: along and across the limb.
   RotationForm along_limb(int j) const {
     const OfJoint& joint = joints_[j];
     Eigen::Matrix3d rotations = Eigen::Matrix3d::Zero();
@@ -149,14 +151,14 @@ class Turns {
     return form;
   }
 
-  /// Estimates the bits of a joint's details, with steps in inverse proportion to what its angles
-  /// move.
+  /// Estimates the bits of a joint's detail coefficients. An angle's quantisation step is inversely
+  /// proportional to how far the angle moves the body.
   double bits(int j, const RotationForm& form) const {
     const OfJoint& joint = joints_[j];
     const std::array<int, 3> axes = axes_of(form.order);
     const Eigen::Matrix3d before = rotation_of(form.before);
     const Eigen::Matrix3d left = before.transpose();
-    const double sign = (axes[0] + 1) % 3 == axes[1] ? 1 : -1;  // an even or odd order of the axes
+    const double sign = (axes[0] + 1) % 3 == axes[1] ? 1 : -1;  // sign of the axes' permutation
     const Eigen::Matrix3d right = rotation_of(form.after).transpose();
     Eigen::MatrixXd angles(frames_, 3);
     Eigen::Vector3d curvature = Eigen::Vector3d::Zero();
@@ -168,7 +170,8 @@ class Turns {
                                            : joint.rotations[i];
       last = three_angles(axes, rotation, last);
       angles.row(t) = last.transpose();
-      // The second axis is turned by the first angle; the last turns itself no further.
+      // The first angle turns the second axis. The third axis stays in place while its own angle
+      // turns, so it is a column of the whole rotation.
       const std::array<Eigen::Vector3d, 3> turned = {
           before.col(axes[0]),
           before.col(axes[1]) * std::cos(last(0)) +
@@ -185,7 +188,7 @@ class Turns {
     for (int k = 0; k < 3; ++k) {
       const std::span<double> signal(angles.col(k).data(), static_cast<std::size_t>(frames_));
       lifting.forward(signal, signal);
-      // Skipped frames would have made coefficients larger by the square root of their number.
+      // If no frames were skipped, coefficients would be larger by the square root of `step_`.
       const double steps_per_unit = std::sqrt(curvature(k) * step_) / kScale;
       double product = 1;  // several factors share one logarithm, which is slow
       for (int c = lifting.bands()[0].size; c < frames_; ++c) {
@@ -204,7 +207,7 @@ class Turns {
   struct OfJoint {
     std::vector<Eigen::Matrix3d> rotations;  // about its own axes
     std::vector<Eigen::Matrix3d>
-        inertias;  // the limb's beyond the joint, in the axes of its zero rotation
+        inertias;  // of what the joint carries, in the joint's axes at zero rotation
   };
 
   int step_;
@@ -212,7 +215,7 @@ class Turns {
   std::vector<OfJoint> joints_;
 };
 
-/// For each joint: the bits of its candidates, and the axes of the turned ones.
+/// For each joint, the bits of its candidate forms, and the form with turned axes.
 struct Count {
   std::vector<Bits> bits;
   RotationForms turned;
@@ -272,7 +275,7 @@ RotationForms choose_forms(const Motion& motion) {
       bits[j][o] = may_turn_axes(skeleton.joints()[j]) && turned[j].has_fixed_turns()
                        ? bits[j][o] + kTurnedBits
                        : std::numeric_limits<double>::infinity();
-  // The first of several that mirror one another chooses for all.
+  // The first of several joints that mirror one another chooses the form for all of them.
   const auto follows = [&](std::size_t j) {
     return mirrors[j] >= 0 && may_choose(skeleton, still, mirrors[j]);
   };
