@@ -40,12 +40,13 @@ MOCAPRESS_INLINE void find_error(const MovedFrames& point, const MovingSteps& st
   add_product(step, way, error);
 }
 
-/// Handles all frames from `frame` on that fill whole vectors; returns the first frame left over.
+/// Checks all frames from `frame` on that fill whole vectors, and returns true at the first group
+/// with a frame beyond its bound. Otherwise `frame` becomes the first frame left over.
 template <typename Vector, bool kTurns>
 MOCAPRESS_INLINE bool any_beyond(const MovedFrames& point, const MovingSteps& steps,
                                  const double* squared_bound, Eigen::Index& frame) {
   constexpr int kSize = kLanes<Vector, double>;
-  constexpr Eigen::Index kAtATime = 64;  // frames between two looks at the answer
+  constexpr Eigen::Index kAtATime = 64;  // frames between two tests of the result
   using Mask = decltype(Vector{} > Vector{});
   while (frame + kSize <= steps.frames) {
     Mask beyond{};

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The steps of ErrorBound for one point after another, frame by frame.
+// The vectorised loops of ErrorBound. Each handles one point in many frames.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace mocapress {
 
-/// Three columns of numbers (x, y, z), each starting at the first frame to be looked at.
+/// Three columns of numbers (x, y, z), each starting at the first frame to handle.
 template <typename Number>
 struct Columns3 {
   Number* x;
@@ -22,7 +22,7 @@ struct MovedFrames {
   double* squared;          // squared length of `error`
 };
 
-/// Movement by the channel: the factors of along and across, one pair for each frame.
+/// A channel's movement: for each frame, the factors of MovedFrames::along and MovedFrames::across.
 struct MovingSteps {
   const double* along;
   const double* across;

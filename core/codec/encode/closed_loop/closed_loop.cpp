@@ -102,7 +102,7 @@ ClosedLoop::Result ClosedLoop::quantise_to(double eps_cm, double scale,
                                            const Observer<ClosedLoopProgress>& observer) const {
   constexpr int kMostScales = 3;
   constexpr double kNear = 0.05;   // below this distance only the bit price changes, not the scale
-  constexpr double kMostOff = 3;   // logarithms
+  constexpr double kMostOff = 3;   // limit of the logarithm `off`
   constexpr double kPower = 1.35;  // the scale grows with eps_x to this power
   for (int i = 1;; ++i) {
     ClosedLoopRun run(*this, scale, {});

@@ -22,16 +22,17 @@ struct ClosedLoopProgress {
 
 /// Decides quantisation and the trade between channels together, by their effect on eps_x.
 ///
-/// A channel's step is the finer the further the channel moves the body (ENCODER.md, stage 3). A
-/// channel that stands still in the original is coded as one value and stays still. Then the loop
-/// changes single coefficients: it weighs the change of eps_x^2, given the errors of all others,
-/// against the bits saved. A knee can thus make up for an error of the hip. Const and safe to use
-/// from several threads at a time; the result is deterministic.
+/// The further a channel moves the body, the finer is its step (ENCODER.md, stage 3). A channel
+/// that stands still in the original is coded as one value and stays still. Then the loop changes
+/// single coefficients: it weighs the change of eps_x^2, given the errors of all others, against
+/// the bits saved. A knee can thus make up for an error of the hip. Const and safe to use from
+/// several threads at a time; the result is deterministic.
 class ClosedLoop {
  public:
-  /// The references to the transform, the clip and the model must outlive this. Squared errors of
-  /// each frame count by its weight, in all runs; without weights all frames count alike. Bits have
-  /// their usual price where the weight is largest, and are dearer elsewhere.
+  /// The transform, the clip and the model must outlive this object. Squared errors of each frame
+  /// count by its weight, in all runs; without weights all frames count alike. The price of a bit
+  /// is multiplied by the largest weight, so that bits have their usual price in the frames of that
+  /// weight.
   ClosedLoop(const Coefficients& transform, const Clip& original, const ErrorModel& model,
              const Eigen::VectorXd& frame_weights = {});
 
@@ -41,7 +42,7 @@ class ClosedLoop {
     int sweeps = 0;
     bool complete = true;  // false: the observer stopped it
     // Price of a bit in the last sweep, in squared steps of error; set by settle() and coarsen().
-    // settle() also sets growth, the logarithm by which that sweep changed eps_x.
+    // settle() also sets growth: log(eps_x after that sweep / eps_x before it).
     double bit_price = 0;
     double growth = 0;
     Eigen::MatrixXf errors;  // set by quantise(): decoded minus original, frames x channels
@@ -54,8 +55,8 @@ class ClosedLoop {
                   const Observer<ClosedLoopProgress>& observer = {}) const;
 
   /// Drops more and more coefficients, the cheapest first, while the bound holds. Ends near the
-  /// bound, when a sweep saves little more. An input that was coarsened before starts at a fraction
-  /// of its last price.
+  /// bound, when a sweep saves little more. The price of a bit rises from sweep to sweep; for an
+  /// input that was coarsened before, it starts at a fraction of its last price.
   Result coarsen(Result quantised, ErrorBound& bound,
                  const Observer<ClosedLoopProgress>& observer = {}) const;
 
@@ -64,7 +65,8 @@ class ClosedLoop {
   Result quantise_to(double eps_cm, double scale,
                      const Observer<ClosedLoopProgress>& observer = {}) const;
 
-  /// Continues from a settled result whose eps_x is close to `eps_cm`.
+  /// Continues from a result of quantise_to(), settle() or quantise() with sweeps whose eps_x is
+  /// close to `eps_cm`: sweeps again with adjusted prices of a bit.
   Result settle(Result settled, double eps_cm,
                 const Observer<ClosedLoopProgress>& observer = {}) const;
 
@@ -79,7 +81,8 @@ class ClosedLoop {
   /// The weights of this loop times further ones; either may be empty.
   Eigen::ArrayXf weights_with(const Eigen::VectorXd& further) const;
 
-  /// |synthesis function|^2 weighted by a curvature, coefficients x channels.
+  /// Sums the square of each coefficient's synthesis function, weighted by the curvature:
+  /// coefficients x channels.
   Eigen::MatrixXf coefficient_curvature(const Eigen::MatrixXf& curvature) const;
 
   const Coefficients& transform_;
@@ -92,7 +95,7 @@ class ClosedLoop {
   // The model's curvature, raised where it is zero.
   Eigen::MatrixXf curvature_;
   Eigen::MatrixXf model_curvature_;        // the model's own curvature: frames x channels
-  Eigen::MatrixXf coefficient_curvature_;  // with all frames weighted alike
+  Eigen::MatrixXf coefficient_curvature_;  // all frames weighted alike
   Eigen::VectorXd mean_curvature_;
 };
 

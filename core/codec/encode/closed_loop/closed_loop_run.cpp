@@ -25,7 +25,8 @@ constexpr double kStepPower = 0.9;
 /// coefficients out of local minima: fewer bytes in fewer sweeps than falling prices (ADAPTIVE.md).
 constexpr std::array kSettlingPrices = {0.054, 0.052, 0.02, 0.06, 0.03, 0.03};
 
-/// From this sweep on, the coefficients of all channels are first moved together.
+/// From this sweep on, sweep_together() moves coefficients of several channels before sweep() moves
+/// single ones.
 constexpr int kFirstJoint = static_cast<int>(kSettlingPrices.size()) - 3;
 
 constexpr double kLeastEps = 1e-12;  // cm; the eps_x of a clip that does not move
@@ -228,8 +229,8 @@ void ClosedLoopRun::find_slopes() {
 }
 
 void ClosedLoopRun::sweep(int j) {
-  // A zero whose best value is below this many steps stays zero; its neighbours' moves change that
-  // little.
+  // A zero stays zero if its best value is below this many steps. Moves of its neighbours change
+  // that value little.
   constexpr double kPromising = 0.4;
   const Eigen::Index frames = errors_.rows();
   const int* const values = values_of(j);
@@ -294,13 +295,13 @@ int ClosedLoopRun::step_exponent_of(int j) const {
 }
 
 int ClosedLoopRun::step_exponent_of_still(int j) const {
-  // Half octaves from the scale to the step of the coarse samples. Even, so that the step has as
-  // few digits as the scale, exactly.
+  // Half octaves from the scale down to the step of the coarse samples. The number is even, so that
+  // the step is the scale times a power of two and has no more binary digits.
   constexpr int kFinest = 16;
   const double value = std::abs(loop_.original_.channels(0, j));
   int finer = kFinest;
   while (value > kMostSteps / 2 * step_of(finer, coded_.scale)) finer -= 2;
-  const int depth = static_cast<int>(bands_.size()) - 1;  // the coarse samples'
+  const int depth = static_cast<int>(bands_.size()) - 1;  // of the coarse samples
   return std::clamp(finer - depth, kLeastStepExponent, kMostStepExponent);
 }
 
@@ -385,7 +386,8 @@ int ClosedLoopRun::best_move(const Place& place) const {
     return x * (2 * place.slope + x * place.curve);
   };
   const double price = lambda_of(coefficient_at(place));
-  // Most coefficients are already at their best value, and no saving would pay for a larger error.
+  // Returns early for most coefficients: they are at their best value already, and no saving of
+  // bits would pay for a larger error.
   if (nearest == now && place.band > 0) {
     const double waking = waking_bits(place);
     const auto pays = [&](double saved) { return error_at(smaller) < price * (saved + waking); };
@@ -496,9 +498,10 @@ void ClosedLoopRun::find_energy() {
 }
 
 void ClosedLoopRun::find_taking_part(int j, int b) {
-  constexpr double kPromising = 0.4;  // steps from zero at which a zero takes part
-  // Weighing channels against each other takes their number squared of time and memory. If there
-  // are more, those nearest to the root take part; sweep() moves the others one by one.
+  constexpr double kPromising = 0.4;  // a zero takes part if its best value is this many steps off
+  // Time and memory grow with the square of the number of channels that are weighed against each
+  // other. If there are more, the ones nearest to the root take part; sweep() moves the others one
+  // by one.
   constexpr std::size_t kMostTogether = 512;
   if (is_still(j)) return;
   visit_where(

@@ -16,7 +16,7 @@ namespace mocapress {
 /// channels, and the resulting eps_x.
 class ClosedLoopRun {
  public:
-  /// Starts with every coefficient cut to steps of `scale`. Both references must outlive this.
+  /// Starts with every coefficient cut to steps of `scale`. The loop must outlive this object.
   ClosedLoopRun(const ClosedLoop& loop, double scale, const Eigen::VectorXd& frame_weights);
 
   /// Starts from an earlier quantisation.
@@ -28,11 +28,12 @@ class ClosedLoopRun {
 
   ClosedLoop::Result run(ClosedLoopWork work, const Observer<ClosedLoopProgress>& observer);
 
-  /// Runs the first of the sweeps that settle. Returns an estimate of the eps_x after all of them.
+  /// Settling is a series of sweeps, each with its own price of a bit. Runs the first of them.
+  /// Returns an estimate of eps_x after the last one.
   double begin_settling();
 
-  /// Runs the remaining settling sweeps, then more until eps_x is as asked. When this run started
-  /// from a settled result, only the latter.
+  /// Runs the remaining settling sweeps, then more until eps_x is as asked. A run that started from
+  /// a settled result does only the latter.
   ClosedLoop::Result settle(double eps_cm, const Observer<ClosedLoopProgress>& observer);
   ClosedLoop::Result coarsen(ErrorBound& bound, const Observer<ClosedLoopProgress>& observer);
 
@@ -42,8 +43,8 @@ class ClosedLoopRun {
   /// The number of coefficients that are not zero, for each band of a channel.
   using Significant = std::vector<int>;
 
-  /// A coefficient of one channel, and what moving it by whole steps does to the error: by x steps,
-  /// 2 slope x + curve x^2 with all others as they are.
+  /// A coefficient of one channel. A move by x whole steps changes the weighted sum of squared
+  /// errors by 2 slope x + curve x^2, if all other coefficients stay as they are.
   struct Place {
     int channel;
     int band;
@@ -57,7 +58,7 @@ class ClosedLoopRun {
   ClosedLoopRun(const ClosedLoop& loop, const Eigen::VectorXd& frame_weights);
   void begin();
 
-  /// Visits channels, from the root to the leaves, with the gradient of each.
+  /// Visits channels from the root to the leaves, each with its gradient in gradient_.
   template <typename Visit>
   void pass(const Visit& visit) {
     if (errors_.rows() == 0) return;  // no frames, no errors
@@ -71,10 +72,10 @@ class ClosedLoopRun {
   }
 
   /// Changes the channel that is being visited by `delta` and updates the energy; `gradient` is the
-  /// channel's before the change.
+  /// channel's gradient before the change.
   void move(int j, const Samples& gradient, const Samples& delta);
 
-  /// Moves a channel to its best value, given the errors of the others, if that pays.
+  /// Quantises a channel anew so that it compensates the errors of the others, if that pays.
   void compensate(int j);
 
   /// Moves each coefficient of a channel to the cheapest value near its best one.
@@ -83,8 +84,8 @@ class ClosedLoopRun {
   /// Computes the slope of each coefficient from the gradient of the channel being visited.
   void find_slopes();
 
-  /// Moves together the coefficients that all channels have at the same time and scale:
-  /// joint_search.h.
+  /// Moves coefficients of several channels at once: those of all channels at the same time and
+  /// scale (joint_search.h).
   void sweep_together();
 
   /// Coefficients that move together. `slopes` holds the slope of each coefficient (rows padded to
@@ -104,19 +105,19 @@ class ClosedLoopRun {
   /// overshoot.
   bool weigh_alike(const ShortFunction& function) const;
 
-  /// Computes the energy of the present errors, and prices the ends by it.
+  /// Computes energy_ from errors_, and updates the prices at the clip's ends.
   void find_energy();
 
   int channels() const { return loop_.transform_.channels(); }
   bool is_still(int j) const { return loop_.still_[static_cast<std::size_t>(j)]; }
-  // cm^2 for a bit, in errors as they are weighted
+  // Price of a bit, in cm^2 of weighted squared error.
   double lambda() const { return bit_price_ * coded_.scale * coded_.scale * largest_weight_; }
 
   /// Like lambda(), for one coefficient (any channel): cheaper near the ends.
   double lambda_of(int coefficient) const;
 
-  /// Turns on separate prices for the clip's ends. Done where a mean error is sought, except in
-  /// short clips; a bound protects the ends by itself.
+  /// Turns on separate prices for the clip's ends, except in short clips. Called where a mean error
+  /// is sought; a bound protects the ends by itself.
   void spare_ends();
 
   bool weighted() const { return frame_weights_.size() > 0; }
@@ -131,15 +132,14 @@ class ClosedLoopRun {
   }
   double eps_cm() const;
 
-  /// Estimates the bits by rates learned from the current values.
+  /// Estimates the bits of all channels.
   double total_bits();
 
-  /// The step exponent by the channel's curvature.
+  /// The step exponent that follows from the channel's mean curvature.
   int step_exponent_of(int j) const;
 
-  /// The step exponent of a channel that stands still. The step of its coarse samples depends on
-  /// the scale alone, or on the scale and the value where that is huge, so that segments of all
-  /// lengths have the same value.
+  /// The step exponent of a channel that stands still. The step of its coarse samples depends only
+  /// on the scale and, if huge, the value, so that segments of all lengths get the same value.
   int step_exponent_of_still(int j) const;
 
   /// The coefficients of a channel that stands still: one value.
@@ -151,7 +151,7 @@ class ClosedLoopRun {
   /// The samples that result from a channel's coefficients, given in steps.
   Eigen::ArrayXf samples_of(int j, Eigen::ArrayXf steps) const;
 
-  /// A step of a channel's coefficients in a band.
+  /// The quantisation step of a channel's coefficients in a band.
   double step_in(int j, int band) const {
     const auto& [first, size] = bands_[static_cast<std::size_t>(band)];
     return size > 0 ? coded_.step(j) / loop_.gains_(first) : coded_.step(j);
@@ -160,7 +160,7 @@ class ClosedLoopRun {
   /// Change of the sum of squared errors if `delta` were added to channel j from frame `first` on.
   double energy_of(int j, Eigen::Index first, const Samples& gradient, const Samples& delta) const;
 
-  /// `step` is step_in(), `product` the gradient's with the synthesis function.
+  /// `step` is step_in(); `product` is the dot product of the gradient and the synthesis function.
   Place place_of(int j, int band, int index, double step, double product) const;
 
   /// The number of steps by which to move a coefficient.
@@ -175,12 +175,12 @@ class ClosedLoopRun {
    private:
     std::optional<RateTable::Around> around_;  // for details
     double waking_ = 0;
-    int before_ = 0;  // coarse samples beside it
+    int before_ = 0;  // the coarse sample before; after_: the one behind
     std::optional<int> after_;
   };
 
-  /// Bits that a band costs for not being all zero, if this coefficient alone decides that. A band
-  /// of zeros costs almost nothing.
+  /// Extra bits of a band that is not all zero, or 0 if another of its coefficients is not zero. A
+  /// band of zeros costs almost nothing.
   double waking_bits(const Place& place) const;
   void set(const Place& place, int value);
 
@@ -203,7 +203,7 @@ class ClosedLoopRun {
   const ClosedLoop& loop_;
   const std::vector<Band>& bands_;
   Eigen::ArrayXf frame_weights_;  // empty: all alike
-  double largest_weight_ = 1;     // the largest weight in the loop
+  double largest_weight_ = 1;     // the largest weight of loop_
   Eigen::MatrixXf weighted_curvature_;
   Eigen::MatrixXf weighted_coefficient_curvature_;
   RateTable rates_;
@@ -216,7 +216,7 @@ class ClosedLoopRun {
   int settling_ = 0;        // number of settling sweeps done
   double growth_ = 0;       // logarithm by which the last settling sweep changed eps_x
   std::optional<EndPrices> end_prices_;
-  std::vector<EndPrices::Reach> reaches_;  // one for each coefficient, for the prices at the ends
+  std::vector<EndPrices::Reach> reaches_;  // one for each coefficient, for end_prices_
   ErrorBound* bound_ = nullptr;            // the bound to keep, if any
   std::optional<ErrorSweep> under_way_;    // the pass under way
   Eigen::ArrayXf gradient_;  // the visited channel's, frames weighted; zeros beyond the last frame

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The worth of bits at the ends of a clip: ADAPTIVE.md, "Ends and loops".
+// The price of a bit at the ends of a clip: ADAPTIVE.md, "Ends and loops".
 #pragma once
 
 #include <Eigen/Core>
@@ -12,15 +12,16 @@
 namespace mocapress {
 
 /// Prices bits near a clip's ends so that the first and last frames are no worse than the rest.
-/// Bits there cost less while the errors at that end are larger than elsewhere, and the same when
-/// they are smaller. They start at half price.
+/// Bits near an end start at half price. They get cheaper while the errors at that end are larger
+/// than elsewhere, and dearer, up to the usual price, while these are smaller.
 class EndPrices {
  public:
   static constexpr Eigen::Index kSeen = 4;    // frames at an end whose errors set its price
-  static constexpr Eigen::Index kReach = 16;  // frames at an end whose bits have its price
+  static constexpr Eigen::Index kReach = 16;  // frames at an end to which its price applies
   static constexpr int kFewestFrames = 128;   // shorter clips have no such prices
 
-  /// Shares of a synthesis function's energy near the first and near the last frame.
+  /// Shares of a synthesis function's energy within kReach frames of the first and of the last
+  /// frame.
   using Reach = std::array<float, 2>;
 
   explicit EndPrices(Eigen::Index frames) : frames_(frames) {}
@@ -45,8 +46,8 @@ class EndPrices {
     return elsewhere / dearer;
   }
 
-  /// Updates the prices. `energies` are the squared errors of the first and last kSeen frames,
-  /// `usual` that of as many frames elsewhere. cm^2
+  /// Updates the prices. `energies` are the squared errors of the first and the last kSeen frames,
+  /// `usual` is that of kSeen average frames, all in cm^2.
   void observe(const std::array<double, 2>& energies, double usual) {
     constexpr double kLeast = 0.01;
     constexpr double kFollow = 0.75;  // fitted to study and training clips: ADAPTIVE.md

@@ -50,7 +50,8 @@ double ErrorBound::furthest() const {
 void ErrorBound::next() {
   ++channel_;
   while (joint_ < skeleton_.channel_joint(channel_)) enter_joint(joint_ + 1);
-  // Earlier rotations of this joint come first; the last of them was the previous channel.
+  // The joint's earlier rotations turn the axis of the current channel. Only the previous channel's
+  // rotation is not in world_from_axes_ yet.
   const int before = channel_ - 1;
   if (before >= skeleton_.first_channel(joint_) && is_rotation(skeleton_.channel_kind(before)))
     for (std::size_t t = 0; t < world_from_axes_.size(); ++t)

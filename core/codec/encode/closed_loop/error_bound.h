@@ -13,7 +13,7 @@ namespace mocapress {
 /// change one after another. The check is exact: everything below a joint turns about it rigidly.
 class ErrorBound {
  public:
-  /// Takes one bound for each frame. The motion must outlive this.
+  /// Takes one bound for each frame. The motion must outlive this object.
   ErrorBound(const Motion& original, Weighting weighting, const Eigen::VectorXd& bound_cm);
 
   /// Starts a pass over the channels of `decoded`.
@@ -25,7 +25,7 @@ class ErrorBound {
   /// Moves to the next channel; the first call moves to channel 0.
   void next();
 
-  /// Returns whether adding `delta` to the current channel from a frame on keeps every landmark
+  /// Returns whether adding `delta` to the current channel from first_frame on keeps every landmark
   /// within its bound; a landmark already beyond its bound must not move further away.
   bool allows(Eigen::Index first_frame, const Eigen::VectorXd& delta);
   void add(Eigen::Index first_frame, const Eigen::VectorXd& delta);
@@ -68,8 +68,8 @@ class ErrorBound {
   int channel_ = -1;
   int joint_ = -1;                           // joint of the current channel
   std::vector<Rotations> world_from_joint_;  // one for each joint before joint_
-  Rotations world_from_axes_;                // before the channel's own turn
-  std::vector<Moved> moved_;                 // one for each landmark, kept to reuse their memory
+  Rotations world_from_axes_;  // the joint's axes, turned by its channels before the current one
+  std::vector<Moved> moved_;   // one for each landmark, kept to reuse their memory
   std::size_t moved_count_ = 0;
 };
 

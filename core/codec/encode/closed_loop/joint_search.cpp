@@ -19,7 +19,7 @@ constexpr int kMostLanes = 8;
 constexpr float kNone = std::numeric_limits<float>::infinity();
 constexpr float kLeastGain = 1e-3F;  // bits
 
-/// The amount by which slopes exceed their limits.
+/// Adds to `sum` the amount by which slopes are beyond their limits.
 template <typename Vector>
 MOCAPRESS_INLINE void add_beyond(const Vector& slope, const Vector& low, const Vector& high,
                                  Vector& sum) {
@@ -163,7 +163,7 @@ MOCAPRESS_INLINE std::array<float, 2> JointSearch::gains_of_answers(int c) const
 MOCAPRESS_INLINE void JointSearch::set_limits(int c) {
   const auto& [slope, curve, prices] = coefficients_[c];
   const int moved = moved_[c];
-  const auto saved_by = [moved, &prices = prices](int step) {  // clang 14 captures no binding
+  const auto saved_by = [moved, &prices = prices](int step) {  // clang 14 cannot capture a binding
     return prices[moved + 1] - prices[moved + step + 1];
   };
   low_(c) = moved < 1 ? (saved_by(1) - curve) / 2 : -kNone;
@@ -179,7 +179,7 @@ MOCAPRESS_INLINE int JointSearch::next_beyond_limits(int first, int from) const 
   load(low_.data() + first, low);
   load(high_.data() + first, high);
   const auto beyond = (slope < low) | (slope > high);
-  // Handles 32 coefficients at a time, each with all bits set or none.
+  // Tests two coefficients at a time; the 32 bits of each are all set or all clear.
   constexpr int kBits = 64;
   std::array<std::uint64_t, sizeof(Vector) / sizeof(std::uint64_t)> pairs;
   std::memcpy(pairs.data(), &beyond, sizeof beyond);

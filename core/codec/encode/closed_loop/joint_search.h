@@ -30,7 +30,7 @@ class JointSearch {
 
   /// A vector x of moves changes the error by 2 slope^T x + x^T cross x. `cross` has
   /// rows_for(coefficients) rows and a column for each coefficient; its diagonal repeats
-  /// Coefficient::curve. Both arguments must outlive this.
+  /// Coefficient::curve. Both arguments must outlive this object.
   JointSearch(std::span<const Coefficient> coefficients, const Eigen::MatrixXf& cross);
 
   /// The moves found, -1 to 1 for each coefficient; zeros where none pays.
@@ -50,8 +50,8 @@ class JointSearch {
   /// The change of error and price when one coefficient moves.
   float cost_of(int c, int by) const;
 
-  /// The gain if all others respond, each by itself, to one coefficient moving a step down, and a
-  /// step up.
+  /// The gains from the others' responses, each taken by itself, if one coefficient moves a step
+  /// down, and if it moves a step up.
   template <typename Vector>
   std::array<float, 2> gains_of_answers(int c) const;
 
@@ -60,8 +60,8 @@ class JointSearch {
   float move(int c, int by);
   void set_limits(int c);
 
-  /// Returns the next coefficient, from `from` on, whose slope is beyond its limits, among the
-  /// vector's coefficients that start at `first`; one past them if there is none.
+  /// Searches the vector of coefficients that starts at `first`, beginning at `from`, for a slope
+  /// beyond its limits. Returns that coefficient, or the one after the vector if there is none.
   template <typename Vector>
   int next_beyond_limits(int first, int from) const;
 
@@ -72,7 +72,7 @@ class JointSearch {
   Eigen::ArrayXf slopes_;  // after the moves so far
   Eigen::ArrayXf slopes_before_;
   Eigen::ArrayXf low_;   // slopes below which a step up pays
-  Eigen::ArrayXf high_;  // above which a step down pays
+  Eigen::ArrayXf high_;  // slopes above which a step down pays
   std::vector<int> moved_;
   std::vector<std::pair<int, int>> changed_;  // the moves of an attempt: coefficient, steps
 };

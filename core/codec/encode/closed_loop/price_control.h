@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Steers a settling of the closed loop to its error: ADAPTIVE.md, "Let prices come to rest".
+// Steers the settling of the closed loop to the wanted eps_x: ADAPTIVE.md, "Let prices come to
+// rest".
 #pragma once
 
 #include <algorithm>
@@ -13,10 +14,11 @@ namespace mocapress {
 /// rate would make prices swing without converging.
 class PriceControl {
  public:
-  /// The growth of eps_x in the last sweep.
+  /// `growth`: log(eps_x after / before the last sweep).
   explicit PriceControl(double growth) : growth_(growth) {}
 
-  /// The factor by which to change the price so that eps_x grows by `growth`, a logarithm.
+  /// The factor by which to multiply the price so that the next sweep has this growth (a
+  /// logarithm).
   double factor_for(double growth) {
     constexpr double kMost = 0.7;  // a logarithm
     dearer_ = std::clamp((growth - kKept * growth_) / slope_, -kMost, kMost);

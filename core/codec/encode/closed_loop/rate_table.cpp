@@ -10,7 +10,7 @@
 namespace mocapress {
 namespace {
 
-constexpr int kMagnitudes = 16;  // the last stands for all above
+constexpr int kMagnitudes = 16;  // the last one stands for all larger ones
 
 using BitsOfMagnitudes = std::array<double, kMagnitudes>;
 using Table = std::array<std::array<BitsOfMagnitudes, kSizes>, kSizes>;
@@ -48,8 +48,8 @@ double bits_of(int magnitude, int before, int above) {
   return of[kMagnitudes - 1] + 2 * std::log2(magnitude - kMagnitudes + 2.0);
 }
 
-/// Bits of a coefficient among zeros, plus the bits it adds to its neighbours: two in its band and,
-/// except in the finest band, four children.
+/// Bits of a coefficient among zeros, plus those of the zeros whose context it is part of: two in
+/// its band and, except in the finest band, four children.
 double bits_among_zeros(int magnitude, bool has_children) {
   const double in_band =
       bits_of(magnitude, 0, 0) + bits_of(0, 2 * magnitude, 0) + bits_of(0, magnitude, 0);
@@ -121,7 +121,8 @@ RateTable::Neighbours RateTable::neighbours_of(const std::uint8_t* own, const st
   return found;
 }
 
-/// Null where there are no parents.
+/// Returns the magnitudes of the parents' band, or null for the coarsest details, which have no
+/// parents.
 const std::uint8_t* RateTable::above(const Magnitudes& magnitudes, int b) const {
   return b > 1 ? magnitudes.in(b - 1) : nullptr;
 }

@@ -11,11 +11,11 @@
 
 namespace mocapress {
 
-/// The sizes of a signal's coefficients, up to 255, for contexts that look at neighbours. Each band
-/// lies between zeros, so that neighbours beyond its ends read as zero.
+/// The magnitudes of a signal's coefficients, up to 255, for contexts that look at neighbours. Each
+/// band is padded with zeros, so that neighbours beyond its ends read as zero.
 class Magnitudes {
  public:
-  static constexpr int kBefore = 4;  // zeros that may be looked at
+  static constexpr int kBefore = 4;  // zeros before each band; kAfter: behind it
   static constexpr int kAfter = 12;
 
   explicit Magnitudes(const std::vector<Band>& bands);
@@ -40,10 +40,11 @@ class Magnitudes {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// Estimates the bits that the adaptive coder takes for a coefficient, by a geometric law whose
-/// mean follows the two coefficients before and the two parents. A law learned from the values
-/// would be closer to the coded bits, but sweeps would end with 2 to 3 % more bytes: rare values
-/// would look so dear that no sweep would try them.
+/// Estimates the bits that the adaptive coder takes for a coefficient, by a geometric distribution.
+/// Its mean grows with the two coefficients before and the two parents, which are the nearest in
+/// the next coarser band. A distribution learned from the values would be closer to the coded bits,
+/// but sweeps would end with 2 to 3 % more bytes: rare values would look so dear that no sweep
+/// would try them.
 class RateTable {
  public:
   /// The bands must outlive the table.
@@ -52,19 +53,19 @@ class RateTable {
   /// The bits of coefficient `i` of band `b` > 0 if it had this value.
   double bits(const Magnitudes& magnitudes, int b, int i, int value) const;
 
-  /// The bits of a coefficient at any value plus those of the coefficients whose context it is part
-  /// of. Neighbours are looked up once for several values.
+  /// The bits of coefficient `i` of band `b` for any value of it, plus those of the coefficients
+  /// whose context it is part of. Looks up the neighbours once for all values.
   class Around {
    public:
     Around(const RateTable& table, const Magnitudes& magnitudes, int b, int i);
     double bits(int value) const;
 
    private:
-    /// A coefficient whose expected size depends on this one's magnitude.
+    /// A coefficient whose expected size depends on the magnitude of coefficient `i`.
     struct Follower {
       int magnitude;
-      int before, above;    // without this coefficient's share
-      int share_of_before;  // factor of this coefficient's magnitude
+      int before, above;    // weighted magnitudes without coefficient `i`
+      int share_of_before;  // factor of the magnitude of coefficient `i`
       int share_of_above;
     };
     int before_ = 0;
@@ -74,8 +75,8 @@ class RateTable {
     std::array<Follower, 6> followers_;
   };
 
-  /// The most that a move one step towards zero can save, in this coefficient and its neighbours
-  /// together.
+  /// The most bits that a move by one step towards zero can save, in the moved coefficient and its
+  /// neighbours together.
   static constexpr double kMostSaved = 8.6;
   static constexpr double kMostSavedBeside = 3;
 
@@ -84,7 +85,7 @@ class RateTable {
     return 1 + 2 * std::log2(1.0 + 2 * std::abs(difference));
   }
 
-  /// The bits of a whole signal, given its magnitudes.
+  /// The bits of a whole signal. `magnitudes` are the signal's.
   double bits(const int* signal, const Magnitudes& magnitudes) const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The steps of the closed loop on the coefficients of a channel, in the machine's best instruction
-// set.
+// The vectorised loops of the closed loop over a channel's coefficients, in the processor's best
+// instruction set.
 #pragma once
 
 #include <bit>
