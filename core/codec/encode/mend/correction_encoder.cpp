@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kBlendSeconds = 0.15;  // before and after a contact
 
-// Weights of an effector's errors, relative to a squared cm elsewhere. Errors of a planted foot are
-// noticed sooner, and sliding sooner still.
+// Weights of an effector's squared errors during contacts, relative to those elsewhere. Errors of a
+// planted foot are noticed sooner, and sliding sooner still.
 constexpr double kPlaceInContact = 4;
 constexpr double kStepInContact = 300;
 
@@ -92,7 +92,8 @@ std::vector<PointResponse> CorrectionEncoder::responses(
   return responses;
 }
 
-/// Outside contacts, points are left where the motion puts them.
+/// Limits a limb's response to contacts; elsewhere the correction leaves points where the motion
+/// puts them.
 void CorrectionEncoder::limit_to_contacts(const std::vector<Effector>& effectors,
                                           PointResponse& response) const {
   const Eigen::Index points = std::ssize(effectors);

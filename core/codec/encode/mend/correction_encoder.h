@@ -15,20 +15,21 @@ namespace mocapress {
 /// Encodes the differences between a reconstruction's effectors and the original's.
 class CorrectionEncoder {
  public:
-  /// `original_tracks` are landmark_tracks(). In `contacts` the effectors are held better; with
-  /// CorrectAt::Contacts they are held nowhere else. Throws Error if there is nothing to correct or
-  /// a joint cannot be moved.
+  /// `original_tracks` are landmark_tracks(). During `contacts` the effectors are kept nearer to
+  /// their original places; with CorrectAt::Contacts they are corrected nowhere else. Throws Error
+  /// if there is nothing to correct or a joint cannot be moved.
   CorrectionEncoder(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
                     const EncodeCorrection& settings, const std::vector<ContactSpan>& contacts,
                     double sample_rate_hz);
 
-  /// For each limb, the weights of the motion's errors when this correction follows.
+  /// For each limb, the weights of its errors in the motion, given that this correction mends them
+  /// afterwards.
   std::vector<PointResponse> responses(const Clip& original,
                                        const Eigen::MatrixXd& original_tracks) const;
 
   CodedCorrection correction() const { return {solver_, effectors_}; }
 
-  /// Chooses total / ratio coefficients for the differences.
+  /// Fits the differences with 1 / ratio of their coefficients.
   DifferenceFit select(const Clip& reconstructed, double ratio, Basis basis,
                        const CodedStep& coded_step) const;
 

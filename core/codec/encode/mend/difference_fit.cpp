@@ -19,7 +19,8 @@ std::span<double> span_of(Eigen::VectorXd& vector) {
   return {vector.data(), static_cast<std::size_t>(vector.size())};
 }
 
-/// One signal; all its coefficients are kept at first.
+/// One signal d, whose error e costs e^T M e by its FitWeights. A is the inverse transform, v are
+/// the coefficients. All coefficients are kept at first.
 class SignalFit {
  public:
   SignalFit(const Lifting& lifting, const Synthesis& synthesis, const Eigen::VectorXd& signal,
@@ -33,7 +34,8 @@ class SignalFit {
     residual_ = Eigen::VectorXd::Zero(signal.size());
   }
 
-  /// The error saved by keeping each coefficient by itself.
+  /// The cost that each coefficient saves with its best value instead of zero, if all others stay
+  /// as they are.
   Eigen::ArrayXd worth() const { return best_alone().square() * curvature_.array(); }
   Eigen::ArrayXd best_alone() const {
     return values_.array() + residual_.array() / curvature_.array();
@@ -102,7 +104,7 @@ class SignalFit {
     return static_cast<int>(std::lround(std::clamp<double>(steps, -kMostSteps, kMostSteps)));
   }
 
-  /// Subtracts M times `amount` of a synthesis function.
+  /// Subtracts M times `amount` of a synthesis function from `weighted`.
   void subtract(double amount, const SynthesisFunction& function, Eigen::VectorXd& weighted) const {
     const Eigen::Index first = function.first;
     const Eigen::Index size = function.values.size();
@@ -178,8 +180,8 @@ Eigen::ArrayXX<bool> largest(const Eigen::ArrayXXd& worth, int count) {
   return mask;
 }
 
-// Bound on the mean cost of rounding a coefficient, as a share of the cost of dropping one: half a
-// step's precision is worth about as much as a coefficient.
+// Limit of the mean cost of rounding a coefficient, as a share of what the best dropped coefficient
+// would save.
 constexpr double kShareOfDropped = 0.1;
 constexpr double kLeastDropped = 1e-6;  // squared cm: nothing to be seen
 
@@ -214,7 +216,7 @@ DifferenceFit fit_differences(const Clip& columns, const std::vector<FitWeights>
   Eigen::ArrayXX<bool> kept = Eigen::ArrayXX<bool>::Constant(frames, signals, false);
   std::vector<SignalFit> best = fits;
   double least = std::numeric_limits<double>::infinity();
-  double threshold = 0;  // worth of the best dropped coefficient
+  double threshold = 0;  // the cost that the best dropped coefficient would save
   DifferenceFit found;
   for (int round = 0; round < kRounds; ++round) {
     for (Eigen::Index s = 0; s < signals; ++s) worth.col(s) = fits[s].worth();

@@ -23,7 +23,7 @@ namespace {
 struct Tolerance {
   Weighting weighting;
   double cm;
-  bool at_most;  // true: no point may be further off; false: the RMS may not
+  bool at_most;  // true: a limit for each point; false: for the RMS
 };
 
 constexpr double kEven = 0.9;  // share of the target
@@ -64,7 +64,7 @@ struct CountedBits {
   }
 };
 
-/// Estimates the bits of a whole number among others.
+/// Estimates the bits of one of several coded whole numbers.
 double bits_of(int whole) {
   const int magnitude = std::abs(whole);
   return magnitude == 0 ? 0.5 : 3 + 2 * std::log2(magnitude);
@@ -77,8 +77,8 @@ double bits_of(const Eigen::VectorXi& whole) {
   return counted.bits;
 }
 
-/// One end of a clip beside its original, the end's own frame first. The wanted pose of that frame
-/// is the original's plus `error`, in channels.
+/// One end of a clip and its original, from the end inwards: row 0 is the clip's first or last
+/// frame. The wanted pose of row 0 is the original's plus `error`, in channels.
 class End {
  public:
   End(const EndChannels& channels, const Eigen::MatrixXd& original, Eigen::MatrixXd decoded,
@@ -92,10 +92,10 @@ class End {
         wanted_pose_(decoded_.row(0) + lacking_),
         wanted_(tracks(wanted_pose_)) {}
 
-  /// The result when this many frames take part.
+  /// The result of a correction that fades out over this many frames.
   struct Reach {
     int frames;
-    double squares;            // cm^2, the sum over all frames looked at
+    double squares;            // squared errors of all rows, summed up, cm^2
     Eigen::RowVectorXd slope;  // change of the error to the neighbouring frame, cm
   };
 
@@ -119,8 +119,9 @@ class End {
     return with;
   }
 
-  /// Chooses the whole steps of each channel, in units of `steps` refined by some half octaves,
-  /// that take the fewest bits within the tolerance. Nothing where the pose is good enough already.
+  /// Chooses a step exponent and whole numbers of steps for all channels that take the fewest bits
+  /// within the tolerance. The exponent refines `steps` by half octaves. All numbers are zero if
+  /// the pose is good enough already.
   std::pair<int, Eigen::VectorXi> cheapest(const std::vector<float>& steps) const {
     constexpr int kFiner = 6;  // finer exponents tried after the first that is good enough
     constexpr double kStricter = 0.9;
@@ -135,7 +136,7 @@ class End {
       const Eigen::RowVectorXd step =
           values_of(Eigen::VectorXi::Ones(lacking_.size()), steps, step_exponent);
       Eigen::VectorXi whole = sparsest(gram, step, most);
-      // Adding channels one by one converges too slowly if everything must be exact.
+      // Correcting channels one by one converges too slowly if all must be exact.
       if (error_of(gram, step, whole) > most) whole = rounded(step);
       const bool is_finest = step_exponent == runtime::kMostEndStepExponent && std::isinf(least);
       if (!is_finest && error_of(gram, step, whole) > most) continue;
@@ -152,7 +153,7 @@ class End {
     return best;
   }
 
-  /// The values of whole steps for each channel.
+  /// Converts whole steps to channel values.
   static Eigen::RowVectorXd values_of(const Eigen::VectorXi& whole, const std::vector<float>& steps,
                                       int step_exponent) {
     Eigen::RowVectorXd values(whole.size());
@@ -171,11 +172,11 @@ class End {
 
  private:
   static constexpr int kFirst = -8;  // exponent of the coarsest steps
-  // Most channels that are weighed against each other, which takes their number squared of time and
-  // memory.
+  // Most channels that are weighed against each other. Time and memory grow with the square of
+  // their number.
   static constexpr int kMostWeighed = 1024;
 
-  /// Returns the coarsest steps in which all that is lacking, rounded, is good enough.
+  /// Rounds lacking_ to whole steps and returns the coarsest that are good enough.
   std::pair<int, Eigen::VectorXi> coarsest(const std::vector<float>& steps) const {
     for (int step_exponent = kFirst;; ++step_exponent) {
       Eigen::VectorXi whole =
@@ -205,7 +206,7 @@ class End {
     return distance(wanted_, added) <= tolerance_.cm;
   }
 
-  /// The pose with `added` beside tracks of one row. cm
+  /// The distance in cm of the pose with `added` from tracks of one row.
   double distance(const Eigen::MatrixXd& from, const Eigen::RowVectorXd& added) const {
     Eigen::MatrixXd pose = decoded_.topRows(1);
     for (Eigen::Index c = 0; c < added.size(); ++c)
@@ -221,7 +222,7 @@ class End {
     return static_cast<int>(std::lround(std::clamp(steps, -kMost, kMost)));
   }
 
-  /// All of the difference, rounded to whole steps.
+  /// lacking_ rounded to whole steps.
   Eigen::VectorXi rounded(const Eigen::RowVectorXd& step) const {
     Eigen::VectorXi whole(lacking_.size());
     for (Eigen::Index c = 0; c < whole.size(); ++c) whole(c) = limited(lacking_(c) / step(c));
@@ -236,7 +237,8 @@ class End {
   }
 
   /// Chooses whole steps of few channels: one after another, the step that reduces the error most
-  /// for its bits, until the error is at most `most` or nothing reduces it further.
+  /// for its bits, until the squared error is at most `squared_error` or no step reduces it
+  /// further.
   Eigen::VectorXi sparsest(const Eigen::MatrixXd& gram, const Eigen::RowVectorXd& step,
                            double squared_error) const {
     constexpr double kLeastBits = 0.25;
@@ -289,17 +291,17 @@ const End::Reach& best_of(const std::vector<End::Reach>& reaches) {
       reaches, [](const auto& a, const auto& b) { return a.squares < b.squares; });
 }
 
-/// For a loop: the reaches with the smallest change of the velocity error across the seam, at some
-/// cost elsewhere.
+/// For a loop: the reaches with the smallest change of the velocity error across the seam, among
+/// those whose squared errors are not much larger than the least.
 std::array<int, 2> smoothest(const std::vector<End::Reach>& first,
                              const std::vector<End::Reach>& last) {
-  constexpr double kMost = 1.5;  // times the squares of the best
+  constexpr double kMost = 1.5;  // times the least squared errors
   const double most = kMost * (best_of(first).squares + best_of(last).squares);
   std::array<int, 2> found{best_of(first).frames, best_of(last).frames};
   double least = std::numeric_limits<double>::infinity();
   for (const End::Reach& a : first)
     for (const End::Reach& b : last) {
-      // At the last frame, slopes run against time.
+      // The slope at the last frame runs against time, so the sum is the change across the seam.
       const double bend = (a.slope + b.slope).squaredNorm();
       if (a.squares + b.squares > most || bend >= least) continue;
       least = bend;
@@ -308,7 +310,7 @@ std::array<int, 2> smoothest(const std::vector<End::Reach>& first,
   return found;
 }
 
-/// The decoded frames at both ends, those at the ends first.
+/// The decoded frames at both ends, from each end inwards.
 std::array<Eigen::MatrixXd, 2> decoded_at_ends(const CompressedClip& compressed, int rows) {
   const Eigen::Index channels = compressed.coded_skeleton().channel_count();
   std::array<Eigen::MatrixXd, 2> found{Eigen::MatrixXd(rows, channels),
@@ -337,8 +339,8 @@ CodedEnds with_velocity(CodedEnds ends, int reach, int step_exponent,
 }
 
 /// Where a loop's velocity changes more at its seam than between any consecutive frames, codes the
-/// missing velocity of the last frame. Both originals have the end's own frame first; `last_steps`
-/// are the last segment's steps.
+/// missing velocity of the last frame. Both originals run from the end inwards; `last_steps` are
+/// the last segment's steps.
 void mend_velocity(const EndChannels& channels, const Goal& goal,
                    const Eigen::MatrixXd& original_first, const Eigen::MatrixXd& original_last,
                    const std::vector<float>& last_steps, CompressedClip& compressed) {
@@ -352,7 +354,8 @@ void mend_velocity(const EndChannels& channels, const Goal& goal,
                          int row) -> Eigen::RowVectorXd {
     return -channels.lacking(original.row(row), decoded.row(row));
   };
-  // With these errors, the change before the last frame equals the change after the first.
+  // The wanted error of the frame before the last: from there to the last frame, the error changes
+  // by as much as from the first frame to the second.
   const Eigen::RowVectorXd wanted = error(original_last, last, 0) +
                                     error(original_first, first, 0) -
                                     error(original_first, first, 1);
@@ -412,8 +415,8 @@ void fit_ends(const EncodeSettings& settings, Trial& trial, const Skeleton& code
   const auto [first_exponent, first_whole] = first.cheapest(first_steps);
   const Eigen::RowVectorXd to_first = End::values_of(first_whole, first_steps, first_exponent);
   if (is_loop) error = first.error_with(to_first);
-  // The same error in angles is another in centimetres where the poses differ: then the last pose
-  // gets less of the first one's.
+  // In a loop the last pose gets the first one's error in channels. Where the poses differ, that
+  // may be too large in centimetres; then the last pose gets only a part of it.
   const double promise = tolerance(settings.ends == Ends::Exact ? kExact : 1).cm;
   std::optional<End> last;
   std::pair<int, Eigen::VectorXi> lacks_at_last;
@@ -431,7 +434,7 @@ void fit_ends(const EncodeSettings& settings, Trial& trial, const Skeleton& code
   ends.step_exponent = {first_exponent, last_exponent};
   ends.steps.resize(channels, 2);
   ends.steps << first_whole, last_whole;
-  // Frames held in place by a correction are left alone.
+  // With an IK correction, only the end frames change, since it holds effectors in all others.
   if (!compressed.correction) {
     std::array reaches = {1, 1};
     if (is_loop)

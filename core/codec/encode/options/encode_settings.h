@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The settings of one encode of one clip. Settings (core/mocapress/settings.h) are the same for any
-// clip, with joints by name; encode_settings() turns them into these.
+// The settings of one encode of one clip. Settings (core/mocapress/settings.h) fit any clip and
+// give joints by name; encode_settings() turns them into these.
 #pragma once
 
 #include <cstdint>
@@ -40,24 +40,25 @@ struct EncodeCorrection {
 /// The defaults are those of Settings.
 struct EncodeSettings {
   Method method = Method::ClosedLoop;
-  Coding coding = Coding::Deflate;  // heeded by the paper's methods: see effective_coding()
+  Coding coding = Coding::Deflate;  // used by the paper's methods: see effective_coding()
   Basis basis = Basis::Cubic;
   Weighting weighting = Weighting::Surface;
   Target target{Target::Kind::Error, 0.5};  // cm
   std::uint64_t seed = 1;                   // for annealing; the same seed gives the same bytes
   Effort effort = Effort::Default;
   Importance importance;                       // used by annealing and the closed loop
-  std::vector<ImportantRange> ranges;          // heeded by the closed loop
-  Promises promises;                           // kept beside a target that is an error
+  std::vector<ImportantRange> ranges;          // used by the closed loop
+  Promises promises;                           // kept in addition to a target that is an error
   SightLimits limits;                          // thresholds of what people notice, and the distance
   std::optional<EncodeCorrection> correction;  // its size counts in ratio and size
   std::optional<std::vector<ContactSpan>> contacts;  // edited ones; unset: Encoder::contacts()
   SegmentPlan segments;                              // for a closed loop
   Ends ends = Ends::Even;                            // for a closed loop; their bytes count
   std::optional<Loop> loop;                          // unset: find_loop() decides
-  bool figures_only = false;                         // without the decoded clip: see Encoding
+  bool figures_only = false;                         // leaves out the decoded clip: see Encoding
 
-  /// Skips the coding of a draft (closed loop, one segment, no correction): see Encoding.
+  /// A draft's size is estimated and its bytes are not made: see Encoding. Only for drafts of the
+  /// closed loop in one segment without correction.
   bool size_will_do = false;
 };
 

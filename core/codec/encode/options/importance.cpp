@@ -28,7 +28,8 @@ void weigh_joints(const std::vector<double>& factors, int joint_count, MeasuredP
   if (weights.sum() <= 0) throw Error("no joint is of any importance");
 }
 
-/// Adds three points that turn with the root. At their distance 0.3 degrees move one by 2 mm.
+/// Adds three points that turn with the root, so far from it that a turn by 0.3 degrees moves one
+/// by 2 mm.
 void add_root(double weight, MeasuredPoints& measured) {
   constexpr double kDistance = 38;  // cm
   const Eigen::Index before = measured.weights.size();
@@ -55,11 +56,12 @@ std::vector<PointResponse> standing_points(const Skeleton& skeleton,
                                            const Eigen::MatrixXd& original_tracks,
                                            const std::vector<ContactSpan>& contacts,
                                            double importance) {
-  // Weighted by joint count, so that a foot whose joint has no weight of its own counts too.
+  // The share is the same for all joints, so that a foot whose joint has no weight of its own
+  // counts too.
   const double share = 1.0 / std::max(skeleton.joint_count(), 1);
   std::map<int, PointResponse> points;
   for (const ContactSpan& span : contacts) {
-    if (span.landmark >= skeleton.joint_count()) continue;  // the end of a bone
+    if (span.landmark >= skeleton.joint_count()) continue;  // the end of a bone, not a joint
     PointResponse& point = points[span.landmark];
     if (point.joints.empty()) {
       point.joints = {span.landmark};
@@ -136,7 +138,7 @@ NamedImportance named(const Importance& importance, const Skeleton& skeleton) {
   for (const BodyPart part : kBodyParts) {
     const std::vector<int> joints = joints_of(skeleton, part);
     if (joints.empty()) continue;
-    // A joint named like its part is covered by the part's name.
+    // A joint that is named like its part cannot be listed by name, so the part gets its factor.
     const int namesake = skeleton.find(std::string(name(part)));
     const bool has_namesake = std::ranges::find(joints, namesake) != joints.end();
     const double factor =

@@ -14,12 +14,12 @@ namespace mocapress {
 struct ContactSpan;
 struct PointResponse;
 
-/// Parts of the motion that get more weight than eps_x gives them. Importance moves the error
-/// elsewhere; reports and promises still use eps_x by its weighting.
+/// Parts of the motion that get more weight than eps_x gives them. Importance moves errors to other
+/// parts; reports and promises still use eps_x without importance.
 struct Importance {
-  // For each joint, by how much the weights of its landmarks are multiplied; empty: none.
+  // For each joint, the factor of its landmarks' weights; empty: 1 for all.
   std::vector<double> joints;
-  // Weight of a planted foot, as a multiple of its usual share; 0: no extra weight. Keeps the foot
+  // Extra weight of a planted foot, as a multiple of an average joint's; 0: none. Keeps the foot
   // planted without a correction.
   double contacts = 0;
   // Weight of the root's place and heading, as a share of the sum of all other weights; 0: no
@@ -30,13 +30,13 @@ struct Importance {
   bool operator==(const Importance&) const = default;
 };
 
-/// measured_points() with their weights multiplied by their joints' factors, and three points about
-/// the root where it has a weight, scaled back to the same sum. Throws Error unless there is one
-/// finite factor of 0 or more for each joint and some weight is left.
+/// Returns measured_points() with weights multiplied by their joints' factors, and three more
+/// points that turn with the root if it has a weight. The weights are scaled to a sum of 1. Throws
+/// Error unless there is one finite factor of 0 or more for each joint and some weight is left.
 MeasuredPoints important_points(const Skeleton& skeleton, Weighting weighting,
                                 const Importance& importance);
 
-/// The points that stand and their extra weight while they do: one for each joint of the contacts.
+/// For each joint that has contacts, its place and its extra weight during them.
 std::vector<PointResponse> standing_points(const Skeleton& skeleton,
                                            const Eigen::MatrixXd& original_tracks,
                                            const std::vector<ContactSpan>& contacts,
@@ -62,8 +62,8 @@ bool is_body_part(std::string_view name);
 /// The joints of a body part, or the one joint of that name; empty if there is none.
 std::vector<int> joints_named(const Skeleton& skeleton, const std::string& name);
 
-/// The importance for one skeleton. Body parts that it lacks are left out. Throws Error for a joint
-/// that it lacks.
+/// The importance for one skeleton. Body parts that the skeleton lacks are left out. Throws Error
+/// for a joint that it lacks.
 Importance importance_for(const NamedImportance& named, const Skeleton& skeleton);
 
 /// The inverse of importance_for(). A part has the factor of the joint of the same name, or else

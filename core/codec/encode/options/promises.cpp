@@ -60,7 +60,7 @@ void raise_importance(const std::vector<BrokenPromise>& broken, const Skeleton& 
   constexpr double kMore =
       1.1;                      // margin on the factor from the model, which errs by a few per cent
   constexpr double kMost = 30;  // largest factor in one round
-  constexpr double kFirst = 0.02;  // share of all weight, for a root that had none
+  constexpr double kFirst = 0.02;  // least weight of a raised root, as a share of the others'
   const auto raised = [&](double weight, double times) {
     return weight * std::min(kMore * times * times, kMost);
   };

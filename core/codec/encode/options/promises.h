@@ -15,10 +15,11 @@ namespace mocapress {
 
 struct Importance;
 
-/// Bounds on errors that an encode keeps beside its target. The angles are root-mean-squares over a
-/// clip, for the worst joint of each part. Bounds on the root hold at every frame, for roots that
-/// move on the floor, from which engines take a character's motion. Unset fields promise nothing.
-/// An encode raises the weights of joints that miss a promise until all are kept.
+/// Bounds on errors that an encode keeps in addition to its target. The angles are
+/// root-mean-squares over a clip, for the worst joint of each part. Bounds on the root hold at
+/// every frame, for roots that move on the floor, from which engines take a character's motion.
+/// Unset fields promise nothing. An encode raises the weights of joints that miss a promise until
+/// all are kept.
 struct Promises {
   std::optional<double> head_degrees;
   std::optional<double> hand_degrees;  // each hand by itself
@@ -45,7 +46,7 @@ inline constexpr std::array kPromiseKeys = {PromiseKey{"head_degrees", &Promises
 
 /// A joint whose error exceeds a promise.
 struct BrokenPromise {
-  std::string text;   // "hand lhand is turned by 4.8 degrees, not 4"
+  std::string text;   // "lhand is turned (degrees, RMS) by 4.8, not 4"
   int joint = 0;      // 0 for the root
   double times = 1;   // error / promised bound, above 1
   bool root = false;  // a promise about the root
@@ -55,7 +56,8 @@ struct BrokenPromise {
 std::vector<BrokenPromise> broken_promises(const Promises& promises, const Motion& original,
                                            const Distortion& distortion);
 
-/// Raises the importance of the broken joints by the square of their excess.
+/// Raises the importance of joints that break a promise: by the square of error / bound, or for the
+/// root by error / bound.
 void raise_importance(const std::vector<BrokenPromise>& broken, const Skeleton& skeleton,
                       Importance& importance);
 
