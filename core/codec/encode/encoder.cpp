@@ -185,7 +185,7 @@ Encoding Encoder::encode(const EncodeSettings& settings,
     if (round > kMostRounds)
       throw TargetMissed("a promise beside the target is out of reach: " + broken.front().text);
     raise_importance(broken, motion().skeleton, stricter.importance);
-    // If weights alone do not keep the promises, the whole motion is made finer.
+    // If weights alone do not keep the promises, the target gets stricter, too.
     if (round > kRoundsOfWeights) stricter.target.value /= broken.front().times;
     const double seconds = encoding.seconds;
     encoding = encode_once(stricter, observer);

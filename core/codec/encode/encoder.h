@@ -33,16 +33,16 @@ struct CorrectionResult {
 /// segments then takes memory that hardly grows with the clip: only contacts, visibility (ten
 /// entries a second), coded bytes and, under a hard maximum, one weight a frame. With
 /// `size_will_do` a draft has no bytes: compressed.likely_bytes estimates them to a few per cent
-/// and code_motion() makes them. All figures are of the clip in `decoded`, which those bytes
-/// reproduce up to the rounding of 32-bit floats.
+/// and code_motion() makes them. All figures are those of the clip in `decoded`, which the coded
+/// bytes reproduce up to the rounding of 32-bit floats.
 struct Encoding : Comparison {
   CompressedClip compressed;
   std::vector<std::byte> file;  // the .mcpr, where a MethodEncoder made it
   Clip decoded;
-  Eigen::MatrixXd tracks;  // landmark_tracks() of it
+  Eigen::MatrixXd tracks;  // landmark_tracks() of `decoded`
   std::optional<CorrectionResult> correction;
   std::optional<double> coefficient_ratio;  // the paper's r, of wavelets
-  std::optional<int> iterations;            // the last annealing's
+  std::optional<int> iterations;            // of the last annealing
   double seconds = 0;
   bool complete = true;  // false: the observer ended it early
 };

@@ -40,8 +40,8 @@ Trial LoopEncode::run(Effort effort) {
                          .finest = [&] { return coder_.loop().finest_scale(); },
                          .dear = is_slow,
                          .corrected = coder_.has_correction()};
-  // Trials measured by their error alone need no bytes until one is chosen. A draft's size is
-  // estimated while it is measured.
+  // Trials that are judged by their error alone need no bytes until one is chosen. A draft's size
+  // is estimated while it is measured.
   const bool is_plain_draft = is_draft && !coder_.has_correction();
   const bool by_error = settings.target.kind == Target::Kind::Error;
   if (is_plain_draft && settings.size_will_do)
@@ -71,8 +71,8 @@ Trial LoopEncode::coarsen(ClosedLoop::Result quantised, const Eigen::VectorXd& b
   return coarser;
 }
 
-/// Weights joints by how soon their errors are noticed. Returns about the scale at which nothing is
-/// noticed.
+/// Weights joints by how soon their errors are noticed. Returns a scale that about meets the target
+/// of visibility.
 double LoopEncode::balance_joints(double scale) {
   constexpr int kRounds = 4;
   constexpr double kMostStep = 4;
@@ -145,7 +145,7 @@ ClosedLoop::Result LoopEncode::settle_anew(double eps_cm, double scale) {
   return result;
 }
 
-/// Remembers the result for each scale that a file can store.
+/// If asked to remember, keeps the result for each scale that a file can store.
 ClosedLoop::Result LoopEncode::quantise(double scale, ClosedLoopWork work,
                                         const Eigen::VectorXd& frame_weights) {
   const std::pair key(file_scale(scale), work);

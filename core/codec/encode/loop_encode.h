@@ -8,12 +8,12 @@
 
 namespace mocapress {
 
-/// Encodes by the closed loop: searches the scale, with trials that are settled, mended and
-/// measured.
+/// Encodes by the closed loop: searches the scale that meets the target. Each trial is quantised,
+/// gets its ends corrected, and is measured.
 class LoopEncode {
  public:
-  /// The references must outlive this. `remembers`: keep results for encodes that differ only in
-  /// r_IK.
+  /// Coder and passes must outlive this object. `remembers`: keep results for encodes that differ
+  /// only in r_IK.
   LoopEncode(TrialCoder& coder, Passes& passes, bool remembers)
       : coder_(coder), passes_(passes), remembers_(remembers) {}
 

@@ -65,8 +65,8 @@ Kept PaperEncode::choose(Method method, Trial& trial) {
   return report.kept;
 }
 
-/// Chance decides some 10 % of one annealing's result. Short clips, whose annealings take next to
-/// no time, get several.
+/// Results of annealing differ by chance by some 10 %. Short clips, whose annealings take next to
+/// no time, get several; the best is returned.
 AnnealingReport PaperEncode::best_annealing(const Kept& standard) {
   constexpr int kMost = 8;
   constexpr int kSamples = 80'000;  // over all annealings together

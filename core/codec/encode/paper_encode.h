@@ -9,11 +9,11 @@
 
 namespace mocapress {
 
-/// The paper's encodes: a number of coefficients is chosen channel by channel, by size or by
-/// annealing, and coded; the number is the one that meets the target.
+/// Encodes by the paper's methods: searches the number of coefficients that meets the target. The
+/// method selects that many coefficients channel by channel, by size or by annealing.
 class PaperEncode {
  public:
-  /// The references must outlive this.
+  /// Coder and passes must outlive this object.
   PaperEncode(TrialCoder& coder, Passes& passes) : coder_(coder), passes_(passes) {}
 
   Trial run(Method method);

@@ -73,7 +73,7 @@ class SegmentedEncode {
     return frames;
   }
 
-  /// The segment with the most contacts decides for all.
+  /// Finds the r_IK that suits the segment with the most contacts; all segments use it.
   double find_split() const {
     const int segment = most_contacts();
     const ClipAnalysis analysis(motion_of(segment));

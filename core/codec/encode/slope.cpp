@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kNothing = 1.01;  // a smaller gain is not worth another encode
 
-/// The joints beside some others.
+/// All joints except the given ones.
 std::vector<int> rest_of(const Skeleton& skeleton, const std::vector<int>& joints) {
   std::vector<int> rest;
   for (int j = 0; j < skeleton.joint_count(); ++j)
@@ -21,7 +21,7 @@ std::vector<int> rest_of(const Skeleton& skeleton, const std::vector<int>& joint
   return rest;
 }
 
-/// Raises what is promised of body parts that have any of the joints.
+/// Raises the bounds of promises about body parts that have any of the joints.
 void raise_promises(const Skeleton& skeleton, const std::vector<int>& joints, double times,
                     Promises& promises) {
   constexpr std::pair<BodyPart, std::optional<double> Promises::*> kOfParts[] = {
@@ -36,7 +36,8 @@ void raise_promises(const Skeleton& skeleton, const std::vector<int>& joints, do
   }
 }
 
-/// A target of the kind that was asked for, which the encoding meets.
+/// A target that the encoding just meets, of the wanted kind or, where that cannot be, a similar
+/// one.
 Target target_met(Target::Kind kind, const Clip& clip, const Standing& standing) {
   switch (kind) {
     case Target::Kind::Ratio:
@@ -92,8 +93,8 @@ Slope relax(const Encoder& encoder, const EncodeSettings& settings, const Standi
   for (const int joint : joints) weights[joint] /= times * times;
   raise_promises(skeleton, joints, times, slope.settings.promises);
 
-  // First at the same eps_x, where the other joints gain what these lose. Then the target is raised
-  // by that gain, so that the others stay as they were.
+  // The first encode keeps eps_x, so the other joints gain what these lose. The second raises the
+  // target by that gain, so that the others stay as they were.
   slope.settings.target = {Target::Kind::Error, now.eps_cm};
   const std::vector<int> others = rest_of(skeleton, joints);
   slope.standing = encoded(encoder, slope.settings, observer);

@@ -86,8 +86,9 @@ Trial SplitEncode::find_split() {
   return best;
 }
 
-/// The method for trials of the split. Annealing is too slow to be repeated, unless it is the same
-/// each time.
+/// The method for trials of the split. Annealing is too slow to be repeated, so standard selection
+/// takes its place, unless all trials share one annealing because they keep the same number of
+/// coefficients.
 Method SplitEncode::split_method() const {
   const bool once = settings_.target.kind == Target::Kind::CoefficientRatio;
   return settings_.method == Method::Annealed && !once ? Method::Standard : settings_.method;

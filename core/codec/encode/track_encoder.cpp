@@ -17,7 +17,7 @@ struct Curve {
   std::size_t bytes = 0;
 };
 
-/// Finds curves that stay within a bound of tracks of one length.
+/// Finds curves for tracks of one length that stay within a bound of the tracks.
 class CurveFinder {
  public:
   CurveFinder(int frames, double bound)
@@ -29,7 +29,7 @@ class CurveFinder {
   float scale() const { return scale_; }
   Basis basis() const { return lifting_.basis(); }
 
-  /// The curve with the fewest bytes; nothing where no step is fine enough.
+  /// The curve with the fewest bytes; nothing if no step is fine enough.
   std::optional<Curve> find(const std::vector<float>& samples) const;
 
  private:
@@ -45,7 +45,7 @@ std::optional<Curve> CurveFinder::find(const std::vector<float>& samples) const 
   constexpr int kCoarsest = -8;  // half octaves: 16 times the bound
   constexpr int kFinest = 12;    // finer steps do not help: rounding to floats exceeds the bound
   constexpr int kMore =
-      3;  // finer steps tried after the first that will do: fewer corrections, fewer bytes
+      3;  // finer steps tried after the first that is within the bound: some take fewer bytes
   const Eigen::VectorXd wanted =
       Eigen::Map<const Eigen::VectorXf>(samples.data(), static_cast<Eigen::Index>(samples.size()))
           .cast<double>();
@@ -60,8 +60,8 @@ std::optional<Curve> CurveFinder::find(const std::vector<float>& samples) const 
   return best;
 }
 
-/// Rounds coefficients to steps. Where samples are then too far off, shifts what it aims at to the
-/// other side and tries again.
+/// Rounds coefficients to steps. Where samples are then too far off, shifts their aims the other
+/// way and tries again.
 std::optional<Curve> CurveFinder::fit(const Eigen::VectorXd& samples, int step_exponent) const {
   constexpr int kCorrections = 12;
   const double step = step_of(step_exponent, scale_);

@@ -129,7 +129,7 @@ Trial TrialCoder::code(ClosedLoop::Result result, TrialBytes bytes) const {
   return trial;
 }
 
-/// Adds the correction that the quantised channels need.
+/// Adds the IK correction that the quantised channels need, and codes both if asked to.
 void TrialCoder::finish(QuantisedSignals coded, TrialBytes bytes,
                         CompressedClip& compressed) const {
   if (correction_) {

@@ -21,7 +21,7 @@ enum class TrialBytes { Coded, Values, Estimated };
 /// and ends, measured against the target. Owns the error model and the closed loop of that encode.
 class TrialCoder {
  public:
-  /// The references must outlive this. Throws Error for an impossible correction.
+  /// Analysis and settings must outlive this object. Throws Error for an impossible correction.
   TrialCoder(const ClipAnalysis& analysis, const EncodeSettings& settings);
 
   const ClipAnalysis& analysis() const { return analysis_; }
@@ -37,21 +37,21 @@ class TrialCoder {
   /// Changes the weights of joints for the next trials.
   void weigh_joints(const Importance& importance);
 
-  /// The price of the motion's errors: higher at important joints, lower where a correction mends
-  /// them.
+  /// The error model of the encode: errors weigh more at important joints, and less where a
+  /// correction mends them.
   const ErrorModel& model() const;
   const ClosedLoop& loop();
 
   /// Codes and measures a trial of the paper's methods.
   Trial code(const Kept& kept);
 
-  /// Codes a trial of the closed loop, neither mended nor measured.
+  /// Codes a trial of the closed loop, without coding its ends or measuring it.
   Trial code(ClosedLoop::Result result, TrialBytes bytes) const;
 
   /// Makes a trial without bytes, for searches that only look at its error.
   Trial without_bytes(const ClosedLoop::Result& result) const;
 
-  /// Codes the values that a trial kept.
+  /// Codes the values of a trial that was made with TrialBytes::Values.
   void pack(Trial& trial) const;
 
   void mend_ends(Trial& trial) const;
@@ -89,7 +89,7 @@ class Passes {
   int begin() { return count_++; }
   const Observer<EncodeProgress>& observer() const { return observer_; }
 
-  /// The observer of the next pass, which is a closed loop's.
+  /// Begins the next pass, a closed loop's, and returns its observer.
   Observer<ClosedLoopProgress> next();
 
  private:

@@ -20,7 +20,7 @@ int CountSearch::next_count(double excess) {
     const double from = std::log1p(below_.count);
     const double to = std::log1p(above_.count);
     const double share = (aim - below_.excess) / (above_.excess - below_.excess);
-    // Keep off the ends of the bracket, where a noisy trial would stall.
+    // Stays off the ends of the bracket, where noise in the trials would stall the search.
     guess = std::expm1(from + std::clamp(share, 0.05, 0.95) * (to - from));
   } else {
     guess = (count_ + 1) * std::exp(std::clamp(reach_ * (aim - excess), -2.0, 2.0)) - 1;

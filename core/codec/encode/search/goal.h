@@ -20,7 +20,7 @@ class Original {
   using Tracks = std::function<const Eigen::MatrixXd&()>;
 
   /// `tracks` returns the motion's body_tracks() when they are first needed. Without it, tracks are
-  /// computed a block of frames at a time and never kept. The motion must outlive this.
+  /// computed a block of frames at a time and never kept. The motion must outlive this object.
   explicit Original(const Motion& motion, Tracks tracks = {})
       : motion_(motion), tracks_(std::move(tracks)) {}
 
@@ -31,8 +31,8 @@ class Original {
   using Visit =
       std::function<void(int first_frame, const TrackRows& original, const TrackRows& decoded)>;
 
-  /// Compares with decoded frames from first_frame on. Their channels may differ from the
-  /// original's; the bones must be the same.
+  /// Compares with decoded frames from first_frame on. Their skeleton may have other channels than
+  /// the original, but must have the same bones.
   void compare(int first_frame, const Skeleton& skeleton, const Clip& decoded,
                const Visit& visit) const;
 
@@ -55,19 +55,19 @@ struct Trial {
   double growth = 0;
   int iterations = 0;                      // in the last annealing, or sweeps of the closed loop
   bool complete = true;                    // false: the observer stopped it
-  double achieved = 0;                     // the quantity of the target
+  double achieved = 0;                     // in the quantity of the target
   double excess = 0;                       // see Goal
   double correction_ratio = 0;             // r_IK, given or found
   std::optional<double> slide_without_cm;  // footskate without correction, where r_IK was found
 };
 
-/// A target for one clip: measures how near a coded clip comes and whether it keeps the promise. An
-/// "excess" is the logarithm of the achieved over the target value, signed so that it grows with
-/// the number of coefficients.
+/// A target for one clip. Measures how near a coded clip comes to the target and whether it meets
+/// it. An "excess" is the logarithm of the achieved over the target value, signed so that it grows
+/// with the number of coefficients.
 class Goal {
  public:
-  /// `contacts` of the feet and `limits` count in visibility. Errors of each frame count
-  /// `frame_factors` times: see frame_factors(); empty for all alike.
+  /// Visibility is measured with `contacts` of the feet and `limits`. `frame_factors` multiply the
+  /// errors of each frame: see frame_factors(). If empty, all frames count alike.
   Goal(Original original, const Target& target, Weighting weighting,
        std::vector<ContactSpan> contacts, Eigen::VectorXd frame_factors = {},
        const SightLimits& limits = {})
@@ -96,7 +96,7 @@ class Goal {
   /// Errors of the first and the last pose, and of the seam between them.
   EndErrors ends(const CompressedClip& compressed) const;
 
-  /// A hard maximum at each of `frames` frames, in cm.
+  /// The hard maximum at each of `frames` frames, in cm.
   Eigen::VectorXd bounds(int frames) const;
 
   /// Error of the worst point at each frame, in cm, times the frame's factor.

@@ -24,8 +24,7 @@ class ScaleSearch {
     constexpr double kChance = 0.1;  // typical difference between neighbouring scales
     return tried(attempt_(scale, work, {}), kChance);
   }
-  /// Records a trial of a scale that was tried before, at another price of bits. `gain`: the excess
-  /// that it can still gain.
+  /// Records a trial. `gain`: by how much the excess may still grow at the same scale.
   double tried(Trial trial, double gain = 0.5) {
     ++tried_;
     const double excess = trial.excess;
@@ -53,8 +52,8 @@ class ScaleSearch {
     return !goal_.better(best_->excess, trial.excess);
   }
 
-  /// Tells whether the finest scale is still too coarse by more than other trials can gain: then
-  /// none will reach the target.
+  /// Returns whether the trial has the finest scale but misses the target by more than `gain`. No
+  /// trial will meet the target then.
   bool falls_short_at_finest(const Trial& trial, double gain) const {
     constexpr double kAlike = 1.01;
     return trial.excess < -gain && trial.scale <= kAlike * finest_();
@@ -81,7 +80,7 @@ ClosedLoopWork work_of(Effort effort) {
 
 constexpr double kPowerOfScale = 1.35;  // the scale grows with the error to this power
 
-/// The power with which the scale follows the target.
+/// To correct an excess, the scale is multiplied by exp(excess) to this power.
 double power_of_scale(const Target& target) {
   return is_error(target) ? kPowerOfScale : 1.7;
 }
@@ -103,23 +102,24 @@ double near_enough(const ScaleGuess& guess, const Target& target) {
   return guess.dear && target.kind == Target::Kind::MaxError ? 0.15 : 0.02;
 }
 
-/// Tries scales until the target is met. The scale is sought as a count that grows as it gets
-/// finer: by a power with which 1 / error and bytes grow about in proportion.
+/// Tries scales until the target is met. CountSearch needs a count that grows as the scale gets
+/// finer. It is (kLength / scale)^kPower, to which 1 / error and bytes are about proportional.
 void seek(const ScaleGuess& guess, const Goal& goal, double first_scale, double near_enough,
           ClosedLoopWork work, ScaleSearch& trials) {
   constexpr double kLength = 1e6;  // maps scales to counts, cm
   constexpr double kPower = 0.7;
-  constexpr double kNear = 0.02;  // a first trial this close is enough
+  constexpr double kNear = 0.02;  // a trial this close ends the search at once
   constexpr int kFew = 2;
   constexpr int kMany = 4;
-  constexpr int kManyMore = 6;  // more trials where the target can be met at all
+  constexpr int kManyMore = 6;  // after so many trials, any that meets the target will do
   constexpr int kMost = 12;
   constexpr double kBeside = 0.01;
   const auto count_of = [](double scale) {
     // A clip without frames has a NaN scale.
     return static_cast<int>(std::fmin(std::fmax(std::pow(kLength / scale, kPower), 1), 1e9));
   };
-  // Neighbouring scales differ by chance as much as by size, so a narrow window may stay empty.
+  // The results of neighbouring scales differ by chance as much as by scale, so a narrow window may
+  // stay empty.
   const auto will_do = [&] {
     return trials.is_near(kNear) ||
            (trials.is_near(near_enough) && trials.tried() >= (guess.dear ? kFew : kMany)) ||
@@ -130,7 +130,8 @@ void seek(const ScaleGuess& guess, const Goal& goal, double first_scale, double 
     const double scale = kLength / std::pow(std::max(search.count(), 1), 1 / kPower);
     search.tried(trials.try_scale(scale, work));
   }
-  // The search may have closed in on a jump; scales beside it give chance more to offer.
+  // The search may have closed in on a jump of the excess. Scales beside it may meet the target by
+  // chance.
   const double middle = trials.best().scale;
   for (int i = 1; i <= kMost && trials.may_go_on() && !trials.met(); ++i) {
     const int steps_away = i % 2 == 0 ? -(i / 2) : (i + 1) / 2;
@@ -138,7 +139,8 @@ void seek(const ScaleGuess& guess, const Goal& goal, double first_scale, double 
   }
 }
 
-/// Runs a trial that settles, then settles it anew by its distance from the target.
+/// Settles a trial at the first scale, then settles it again with a corrected aim until it is near
+/// the target.
 void settle(const ScaleTrials& trials, const Target& target, double first_scale,
             ScaleSearch& search) {
   constexpr int kMost = 8;       // one or two sweeps each, far cheaper than the trials of seek()
@@ -161,7 +163,8 @@ void settle(const ScaleTrials& trials, const Target& target, double first_scale,
     if (trial.eps_cm <= 0) break;  // nothing moves
     const double coarser = power * (trial.excess - middle);
     const double before_cm = std::exchange(aim_cm, trial.eps_cm * std::exp(coarser));
-    // A trial this far off (as where some parts weigh more) needs another scale, not another price.
+    // A trial this far off (such as with joints of more importance) needs another scale, not only
+    // another bit price.
     const bool is_far = std::abs(std::log(aim_cm / before_cm)) > kFar;
     trial =
         is_far ? settle_at(by_error ? trial.scale : trial.scale * std::exp(kPowerOfScale * coarser),
@@ -171,7 +174,8 @@ void settle(const ScaleTrials& trials, const Target& target, double first_scale,
   }
 }
 
-/// Tries a few more scales at which the target should just be met: they differ by chance.
+/// Tries a few more scales at which the target should just be met, and keeps the cheapest: results
+/// differ by chance.
 void try_harder(const Target& target, ClosedLoopWork work, ScaleSearch& trials) {
   constexpr int kTrials = 4;
   constexpr double kAside = 0.003;  // distance between the scales tried
@@ -183,7 +187,7 @@ void try_harder(const Target& target, ClosedLoopWork work, ScaleSearch& trials) 
   }
 }
 
-/// Settles trials at a few scales beside the best trial's.
+/// Settles trials at a few scales beside the best trial's, and keeps the cheapest.
 void settle_beside(const ScaleTrials& trials, const Target& target, ScaleSearch& search) {
   search.prefer_cheap();
   const double scale = search.best().scale;
@@ -218,8 +222,9 @@ void hold_worst_frames(const Goal& goal, int frames, ClosedLoopWork work,
   }
 }
 
-/// Uses the room left up to the bound. Coarsening sees the motion without its correction, which
-/// changes the errors; so each frame gets its own bound, adjusted by the correction's last effect.
+/// Coarsens the best trial until its errors come close to the bound. Coarsening does not see the IK
+/// correction, which changes the errors, so each frame gets a bound of its own, adjusted in each
+/// round by the errors that were measured with the correction.
 void approach_bound(const Goal& goal, const Target& target, int frames, const CoarsenTrial& coarsen,
                     Trial& best) {
   constexpr int kMost = 24;
@@ -230,7 +235,7 @@ void approach_bound(const Goal& goal, const Target& target, int frames, const Co
   constexpr double kMostWider = 1.1;  // limit of widening a frame's bound in one round
   constexpr double kTighter = 0.6;    // exponent on the excess when tightening every bound
   constexpr double kMostTighter =
-      0.012;  // limit of that tightening once the bound has held: the rest lies in few frames
+      0.012;  // limit of that tightening once the bound has held, as few frames exceed it then
   constexpr double kWidest = 2;         // times the target
   constexpr Eigen::Index kBeside = 16;  // frames reached by a change at one of them
   const Eigen::VectorXd asked_cm = goal.bounds(frames);
@@ -270,8 +275,8 @@ void approach_bound(const Goal& goal, const Target& target, int frames, const Co
 Trial search_scale(const ScaleGuess& guess, const Target& target, const Goal& goal, Effort effort,
                    int frames, const ScaleTrials& trials) {
   const ClosedLoopWork work = work_of(effort);
-  // A rough trial this much too coarse predicts too little; another one costs a quarter of a trial
-  // with sweeps.
+  // If a rough trial is this much too coarse, its prediction falls short, so another rough trial
+  // follows. It costs a quarter of a trial with sweeps.
   constexpr double kFarTooCoarse = -3;
   constexpr int kMostRough = 4;
   double first_scale = guess.likely;

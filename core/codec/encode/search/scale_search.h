@@ -13,19 +13,21 @@ namespace mocapress {
 using AttemptScale =
     std::function<Trial(double scale, ClosedLoopWork work, const Eigen::VectorXd& frame_weights)>;
 
-/// Quantises to an eps_x by the quadratic model: ClosedLoop::quantise_to() near a scale, or
-/// ClosedLoop::settle() of a trial, which keeps that trial's scale.
+/// Quantises so that the quadratic model gives an eps_x of `eps_cm`. Without `trial` it calls
+/// ClosedLoop::quantise_to(), which starts from `scale`; otherwise ClosedLoop::settle(), which
+/// keeps the scale of the trial.
 using SettleTrial = std::function<Trial(double eps_cm, double scale, const Trial* trial)>;
 
-/// Drops what a hard maximum allows: ClosedLoop::coarsen(), with one bound for each frame.
+/// Drops as many coefficients as a hard maximum allows: ClosedLoop::coarsen(), with one bound for
+/// each frame.
 using CoarsenTrial = std::function<Trial(const Trial& trial, const Eigen::VectorXd& bound_cm)>;
 
 /// The start and the limits of a search.
 struct ScaleGuess {
   double likely;                   // the scale that is likely to meet the target
-  std::function<double()> finest;  // the finest that a file can hold; called after a trial
+  std::function<double()> finest;  // the finest scale a file can hold; call it after a trial
   bool dear = false;               // trials are slow: take few, stop anywhere within the tolerance
-  bool corrected = false;          // with IK, which mends less than the sweeps expect
+  bool corrected = false;          // with IK correction, which mends less than sweeps expect
 };
 
 /// The trials that a search can run.

@@ -10,15 +10,15 @@
 namespace mocapress {
 namespace {
 
-constexpr int kCountedMagnitudes = 16;  // the last stands for all above
+constexpr int kCountedMagnitudes = 16;  // the last one stands for all larger ones
 constexpr int kCountedLevels = 3;       // the finest band, the next, and all others
-constexpr int kExpectedClasses = 13;    // half octaves of the sum around a coefficient
+constexpr int kExpectedClasses = 13;    // of the sum around a coefficient, by half octave
 
 using Counts =
     std::array<std::array<std::array<int, kCountedMagnitudes>, kExpectedClasses>, kCountedLevels>;
 
 /// Maps sums to classes: small sums by themselves, larger ones by half octave from 4 on.
-constexpr int kCountedSums = 64;  // all above are of the last class
+constexpr int kCountedSums = 64;  // all larger sums are of the last class
 const std::array<std::uint8_t, kCountedSums> kClassOf = [] {
   std::array<std::uint8_t, kCountedSums> classes{};
   for (int sum = 0; sum < kCountedSums; ++sum)
@@ -27,7 +27,7 @@ const std::array<std::uint8_t, kCountedSums> kClassOf = [] {
   return classes;
 }();
 
-/// The magnitudes of one band for all signals, each between zeros.
+/// The magnitudes of one band for all signals. Each signal's are padded with zeros.
 class BandMagnitudes {
  public:
   void read(const QuantisedSignals& coded, const runtime::Band& band) {
@@ -66,10 +66,10 @@ double log_gamma(double x) {
          std::log(factors);
 }
 
-/// Estimates the bits of `counts` of each magnitude when coded with adaptive odds that start as a
-/// geometric law with this mean.
+/// Estimates the bits of `counts` of each magnitude when coded with adaptive probabilities that
+/// start as a geometric distribution with this mean.
 double adaptive_bits(const std::array<int, kCountedMagnitudes>& counts, double mean) {
-  constexpr double kTrust = 20;  // observations that the law is worth
+  constexpr double kTrust = 20;  // observations that the distribution counts for
   constexpr double kLeast = 1e-6;
   const double ratio = mean / (1 + mean);
   double all = 0;
@@ -165,7 +165,7 @@ SizeParts size_parts(const QuantisedSignals& coded,
 std::size_t estimated_bytes(const QuantisedSignals& coded,
                             const std::vector<SignalNeighbours>& neighbours) {
   const SizeParts parts = size_parts(coded, neighbours);
-  // Fitted on corpus/train: mocapress-draft-study CORPUS/train fit.
+  // Factors fitted on corpus/train by: mocapress-draft-study CORPUS/train fit.
   const double bytes = 0.6894 * parts.details + 1.3928 * parts.signs + 0.7343 * parts.coarse +
                        1.6141 * parts.bands + 0.3191 * parts.signals;
   return static_cast<std::size_t>(std::lround(std::max(bytes, 1.0)));

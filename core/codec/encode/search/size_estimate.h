@@ -13,7 +13,7 @@ struct SizeParts {
   double signs = 0;    // signs of the details, one bit each
   double coarse = 0;   // differences between coarse samples
   double bands = 0;    // flags of bands that are not all zero
-  double signals = 0;  // a constant for each: steps, first samples
+  double signals = 0;  // a constant for each signal: step, first samples
 };
 
 SizeParts size_parts(const QuantisedSignals& coded,

@@ -26,7 +26,7 @@ std::optional<double> SplitSearch::next() const {
   // If a correction holds the feet, try a coarser one; if the finest tried is the best, a finer one
   // may be better.
   if (held && holds(tried_.back()) && tried_.back().ratio < kMost) return 2 * tried_.back().ratio;
-  // The coarsest ratio is by far the cheapest, and may hold by chance feet that hardly slide.
+  // The coarsest ratio is by far the cheapest, and may by chance hold feet that hardly slide.
   if (!held && tried_.size() == 1) return kMost;
   const double finest = tried_.front().ratio;
   const bool gets_cheaper = tried_.size() < 2 || tried_[0].price <= tried_[1].price;

@@ -8,18 +8,18 @@ namespace mocapress {
 
 /// The result of one split of the bytes between motion and IK correction.
 struct Split {
-  double ratio;     // r_IK
+  double ratio;     // r_IK: see EncodeCorrection::ratio
   double price;     // the quantity that the target leaves free: bytes, or eps_x in cm
   double slide_cm;  // footskate
-  double worst_cm;  // the worst contact's
+  double worst_cm;  // slide of the worst contact
 };
 
 /// Finds the cheapest r_IK that removes nine tenths of the slide, or leaves no contact more than a
 /// millimetre of it. If none does, it finds the one with the least slide. Price and slide come from
 /// whole encodes, so the search takes few of them. It starts at the paper's 16 and goes by factors
 /// of two: up until the feet are no longer held, down until the price rises; where 16 does not hold
-/// them, the coarsest is tried before finer ones. Then it takes finer steps between the best and
-/// the first that does not hold.
+/// them, the coarsest is tried before finer ones. Then it takes finer steps between the best ratio
+/// and the next larger one that was tried.
 class SplitSearch {
  public:
   static constexpr double kFirst = 16;  // as in the paper's video
