@@ -21,13 +21,13 @@ using runtime::kLevels;
 using runtime::kSizes;
 using runtime::size_of;
 
-/// The decoder's model with memory of its own.
+/// Owns a model of the runtime decoder and its memory.
 class CoefficientModel {
  public:
   /// Starts in the state before the first bit.
   explicit CoefficientModel(int signal_count);
 
-  /// A model without trained priors, from which priors are fitted.
+  /// A model without trained priors, used when priors are fitted.
   static CoefficientModel untaught(int signal_count);
 
   CoefficientModel(CoefficientModel&&) = default;
@@ -47,10 +47,11 @@ class CoefficientModel {
 /// Finds which channels resemble one another, from the skeleton's tree alone.
 std::vector<SignalNeighbours> channel_neighbours(const Skeleton& skeleton);
 
-/// The same for the differences of an IK correction, which follow the channels.
+/// Appends the neighbours of the differences of an IK correction, which are coded after the
+/// channels.
 void append_correction_neighbours(int count, std::vector<SignalNeighbours>& neighbours);
 
-/// Walks through signals as runtime::CoefficientCoder does, with a model and memory of its own.
+/// Writes or reads the coefficients of signals by runtime::CoefficientCoder, depending on `bits`.
 template <typename Bits>
 void code_coefficients(Bits& bits, const std::vector<SignalNeighbours>& neighbours,
                        runtime::CoefficientModel& model, QuantisedSignals& coded,
@@ -65,21 +66,22 @@ void code_coefficients(Bits& bits, const std::vector<SignalNeighbours>& neighbou
       .run(bands_left_out);
 }
 
-/// Codes signals, and checks that the bytes decode to every bit. `learned` holds a bank's priors,
-/// if any: learned_priors.h.
+/// Codes signals, and checks that the bytes decode to the bits that were coded. `learned` holds a
+/// bank's priors, if any: learned_priors.h.
 std::vector<std::byte> adaptive_encode(const QuantisedSignals& coded,
                                        const std::vector<SignalNeighbours>& neighbours,
                                        std::span<const std::byte> learned = {});
 
 /// The inverse of adaptive_encode(). Throws FormatError, with an offset counted from `base_offset`,
-/// unless the bytes hold signals of that length. The finest bands may be left out: then the bytes
-/// end before them, and these values are zeros.
+/// unless the bytes hold signals of that length. If `bands_left_out` is not 0, the bytes end before
+/// as many of the finest bands, and the values of these are zeros.
 QuantisedSignals adaptive_decode(std::span<const std::byte> bytes,
                                  const std::vector<SignalNeighbours>& neighbours, int length,
                                  std::size_t base_offset = 0,
                                  std::span<const std::byte> learned = {}, int bands_left_out = 0);
 
-/// The number of bytes that hold all but the finest bands, of those that adaptive_encode() made.
+/// Returns how many of the first bytes that adaptive_encode() made hold all but the
+/// `bands_left_out` finest bands.
 std::size_t bytes_without_bands(std::span<const std::byte> bytes,
                                 const std::vector<SignalNeighbours>& neighbours, int length,
                                 int bands_left_out);

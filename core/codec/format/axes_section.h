@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Joints whose coded angles are about turned axes: FORMAT.md, AXES.
+// The section AXES of a .mcpr file (FORMAT.md): joints whose coded angles are about turned axes.
 #pragma once
 
 #include <cstddef>
@@ -13,16 +13,16 @@ namespace mocapress {
 
 inline constexpr std::string_view kAxes = "AXES";
 
-/// Returns whether a joint may have fixed turns: it must have a parent and turn freely.
+/// Returns whether a joint's axes may be turned: it must have a parent and turn freely.
 bool may_turn_axes(const Joint& joint);
 
-/// The section for a coded skeleton; empty if no axes are turned.
+/// The size of the payload of AXES for a coded skeleton; 0 if no axes are turned.
 std::size_t axes_section_bytes(const Skeleton& coded);
 
 /// The payload of AXES.
 std::vector<std::byte> write_axes(const Skeleton& skeleton, const RotationForms& forms);
 
-/// Sets the fixed turns of the forms. Throws FormatError.
+/// Reads the payload of AXES into the fixed turns of `forms`. Throws FormatError.
 void read_axes(const runtime::Bytes& axes, const Skeleton& skeleton, RotationForms& forms);
 
 }  // namespace mocapress

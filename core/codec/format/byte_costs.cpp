@@ -18,7 +18,8 @@
 namespace mocapress {
 namespace {
 
-/// Decodes bits and adds up what each one costs, at the coefficient that the coder announces.
+/// Decodes bits and books what each one costs, for the coefficient that the coder announces by
+/// about().
 class CostMeter {
  public:
   static constexpr bool kWrites = false;
@@ -41,19 +42,20 @@ class CostMeter {
   void refuse() { bits_.refuse(); }
   bool failed() const { return bits_.failed(); }
 
-  /// The bits from here on are about a value of a band; -1: about all of them.
+  /// The coder calls this before the bits of a value of a band, or with a `value` of -1 before bits
+  /// that are about a whole band or signal.
   void about(int signal, int band, int value) {
     book();
     signal_ = signal;
     first_ = 0;
     last_ = length_;
     if (value < 0) return;
-    const int shift = bands_.count - std::max(band, 1);  // frames a value: 2^shift
+    const int shift = bands_.count - std::max(band, 1);  // a value stands for 2^shift frames
     first_ = std::min(value << shift, length_ - 1);
     last_ = std::min((value + 1) << shift, length_);
   }
 
-  /// Books the last bits; returns the bytes of all.
+  /// Books the last bits; returns the bytes of all bits.
   double finish() {
     book();
     return bytes_;
@@ -84,7 +86,7 @@ class CostMeter {
   double bytes_ = 0;
   int signal_ = 0;
   int first_ = 0;  // frames of the segment that the bits are about
-  int last_ = 1;   // the first one after them
+  int last_ = 1;   // the frame after these
 };
 
 /// The joint that each signal belongs to.
@@ -98,7 +100,7 @@ std::vector<int> joints_of_signals(const CompressedClip& clip) {
   return joints;
 }
 
-/// Divides the motion; returns the bytes that belong to joints.
+/// Divides the motion's bytes among joints and slices; returns their sum.
 double divide(const CompressedClip& clip, ByteCosts& costs) {
   const std::vector<int> joints = joints_of_signals(clip);
   const std::vector<SignalNeighbours> neighbours = signal_neighbours(clip);

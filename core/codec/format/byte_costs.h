@@ -19,7 +19,7 @@ struct ByteCosts {
     double bytes = 0;
   };
 
-  int slice_frames = 1;    // at most the frames of the clip
+  int slice_frames = 1;    // frames of a slice, at most those of the clip
   Eigen::MatrixXd bytes;   // slices x joints; all zeros where the coding cannot be divided
   std::vector<Part> rest;  // everything else in the file
   std::size_t file_bytes = 0;

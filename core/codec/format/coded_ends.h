@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The first and the last pose of a clip, coded once more: FORMAT.md, ENDS.
+// Coded corrections of a clip's first and last pose: FORMAT.md, ENDS.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +15,7 @@ namespace mocapress {
 /// The promise for the first and the last pose, where games blend and loop clips. Without one, few
 /// coefficients affect these poses, so their errors may be large.
 enum class Ends {
-  Free,   // nothing
+  Free,   // promises nothing
   Even,   // their error is at most the target's or, if the target is no error, the clip's
   Exact,  // their error is at most a tenth of that
 };
@@ -27,7 +27,7 @@ std::string_view name(Ends ends);
 /// last frame. Their unit is the channel's step in the segment at that end, times 2^(-step_exponent
 /// / 2). Neighbouring frames get a share of each correction.
 struct CodedEnds {
-  runtime::EndReaches reaches{{1, 1, 0}};  // including the end frames
+  runtime::EndReaches reaches{{1, 1, 0}};  // frames that corrections reach, the ends included
   std::array<int, runtime::kMostEnds> step_exponent{};
   Eigen::MatrixXi steps;  // channels x (first, last and, if there is one, velocity)
 
@@ -39,13 +39,14 @@ struct CodedEnds {
   std::vector<std::byte> write() const;
 };
 
-/// The ends of a file that has them. Throws FormatError.
+/// Reads the ends of a file that has the section ENDS. Throws FormatError.
 CodedEnds read_ends(const runtime::FileSections& sections);
 
 /// The corrections of CodedEnds in centimetres and radians, ready to be added.
 class EndPoses {
  public:
-  /// Takes the step of each channel in the first and in the last segment.
+  /// `first_steps` and `last_steps` are the steps of each channel in the first and in the last
+  /// segment.
   EndPoses(const CodedEnds& coded, const std::vector<float>& first_steps,
            const std::vector<float>& last_steps);
 

@@ -67,13 +67,13 @@ struct CodedSegments {
   std::size_t section_bytes() const { return 12 + 4 * bytes.size(); }
 };
 
-/// The decoded values of an adaptive motion in one segment. Safe to use from several threads at a
-/// time.
+/// The quantised values of an adaptive motion in one segment, and the samples decoded from them.
+/// Safe to use from several threads at a time.
 class KnownMotion {
  public:
   explicit KnownMotion(QuantisedSignals coded) : coded_(std::move(coded)) {}
 
-  /// Takes decoded samples that are known already, up to rounding.
+  /// Takes samples that are known already and equal the decoded ones up to rounding.
   KnownMotion(QuantisedSignals coded, Eigen::MatrixXd samples) : coded_(std::move(coded)) {
     std::call_once(decoded_, [&] { samples_ = std::move(samples); });
   }
@@ -102,15 +102,14 @@ struct CompressedClip {
   Basis basis = Basis::Cubic;
   Coding coding = Coding::Deflate;
   std::vector<std::byte> motion;  // coded coefficients of every channel, then of the correction
-  std::shared_ptr<const KnownMotion> known;  // decoded values, if the encoder still has them
+  std::shared_ptr<const KnownMotion> known;  // the motion's values, if the encoder still has them
   std::optional<std::size_t> likely_bytes;  // estimate for a motion that is known but not coded yet
   std::optional<CodedSegments> segments;    // only with Coding::Adaptive
   std::optional<CodedCorrection> correction;
   Loop loop = Loop::None;
   std::optional<CodedEnds> ends;  // only with Coding::Adaptive, in clips with frames
   Provenance provenance;
-  int bands_left_out = 0;  // finest bands that the motion lacks: it was read from a file's first
-                           // tiers
+  int bands_left_out = 0;  // finest bands that are missing: only a file's first tiers were read
 
   /// The skeleton in whose channels the motion is coded.
   Skeleton coded_skeleton() const;
@@ -119,7 +118,7 @@ struct CompressedClip {
   /// skeleton. An estimate where the motion is not coded yet.
   std::size_t motion_bytes() const;
 
-  /// The part of these bytes that the correction adds to the motion's.
+  /// The part of motion_bytes() that the correction adds.
   std::size_t correction_bytes() const;
 
   /// The segments of the motion; a single one if it is not cut.
@@ -129,18 +128,18 @@ struct CompressedClip {
   }
 };
 
-/// The words of `clip.motion`; requires a coding of words. Throws FormatError when its bytes are
-/// not valid.
+/// The words of `clip.motion`; requires uses_rle(clip.coding). Throws FormatError when its bytes
+/// are not valid.
 std::vector<std::byte> unpack_motion(const CompressedClip& clip);
 
 /// Reads the segments of an adaptive motion one after the other. Offsets in a FormatError count
 /// from the motion's first byte.
 class AdaptiveSegments {
  public:
-  /// The clip must outlive this.
+  /// The clip must outlive this object.
   explicit AdaptiveSegments(const CompressedClip& clip);
 
-  /// The next segment: the motion's coefficients, then the correction's.
+  /// Reads the next segment: the motion's coefficients, then the correction's.
   QuantisedSignals next();
 
   void skip();

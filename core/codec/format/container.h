@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The .mcpr file. Layout and what is rejected: FORMAT.md.
+// Reads and writes .mcpr files. FORMAT.md describes their layout and what a reader rejects.
 #pragma once
 
 #include <span>

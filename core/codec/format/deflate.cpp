@@ -48,7 +48,7 @@ std::vector<std::byte> inflate_bytes(std::span<const std::byte> bytes, std::size
   std::vector<std::byte> unpacked;
   std::array<std::byte, 16384> part;
   int status = Z_OK;
-  // One byte beyond the limit reveals that there is more.
+  // Inflates up to one byte beyond the limit, which tells that there are too many.
   while (status == Z_OK && unpacked.size() <= most) {
     const std::size_t room = std::min(part.size(), most + 1 - unpacked.size());
     stream.next_out = writable(part.data());

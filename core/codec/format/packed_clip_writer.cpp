@@ -97,8 +97,8 @@ int order_of(const std::uint8_t* kinds, int channels) {
   return order;
 }
 
-/// Takes the rotation orders out of a skeleton. Unset where the original bytes could not be
-/// restored exactly.
+/// Returns the rotation orders of a skeleton, and replaces them by the order x, y, z. Returns
+/// nothing if the original bytes could not be restored exactly.
 std::optional<std::vector<std::byte>> take_orders(std::span<const std::byte> payload,
                                                   JointText& joints) {
   if (!std::ranges::equal(joints.payload(), payload)) return std::nullopt;
@@ -121,8 +121,8 @@ std::vector<SignalNeighbours> neighbours_of(const runtime::FileSections& section
   return neighbours;
 }
 
-/// The motion coded with the learned priors. Unset where that is no shorter, or where the original
-/// bytes could not be restored exactly.
+/// Codes the motion with the learned priors. Returns nothing if that is no shorter, or if the
+/// original bytes could not be restored exactly.
 std::optional<std::vector<std::byte>> recoded(const runtime::FileSections& sections,
                                               std::span<const std::byte> learned) {
   if (learned.empty() || !sections.is_adaptive() || sections.segments_bytes > 0 ||
@@ -221,7 +221,7 @@ std::vector<std::byte> unpack_clip(const mcpk_bank& bank, const runtime::BankEnt
   std::uint16_t count = 0;
   require(packed.begin(count));
   const std::span<const std::byte> learned = span_of(sections.learned);
-  ByteWriter rest;  // sections but TIER
+  ByteWriter rest;  // all sections except TIER
   for (int s = 0; s < count; ++s) {
     runtime::Section section;
     require(packed.next(section));
@@ -252,7 +252,7 @@ std::vector<std::byte> unpack_clip(const mcpk_bank& bank, const runtime::BankEnt
   const runtime::TierTable& tiers = sections.tiers;
   if (tiers.count > 0) {
     std::vector<TierBytes> bytes = {{rest.bytes().size()}};
-    for (int t = 1; t < tiers.count; ++t)  // those that the bank lacks are left out in the end
+    for (int t = 1; t < tiers.count; ++t)  // file_of_tiers() drops those that the bank lacks
       bytes.push_back(t < sections.tiers_read ? tier_bytes(span_of(sections.piece(t)))
                                               : TierBytes{1, 0});
     write_section(file, kTiers, write_tiers(tiers, bytes));

@@ -13,7 +13,7 @@
 
 namespace mocapress {
 
-/// Returns the number of an item in the bank, which stores equal items once.
+/// Returns the number of an item in the bank. Adds the item unless the bank has an equal one.
 using InternItem =
     std::function<std::uint32_t(runtime::BankItem kind, std::span<const std::byte> bytes)>;
 
@@ -27,7 +27,7 @@ struct PackedClip {
     std::vector<std::byte> part;  // empty: stored with the clip itself
   };
   std::vector<Section> sections;
-  std::uint16_t orders_head = 0;  // in the outline
+  std::uint16_t orders_head = 0;  // number of order bytes, and flag of long errors
   std::vector<std::byte> bytes;
   ClipPieces pieces;
 };
@@ -40,11 +40,11 @@ PackedClip pack_clip(std::span<const std::byte> file, std::span<const std::byte>
 /// Adds the clip's parts and its outline to the items of a bank. Returns the outline's number.
 std::uint32_t intern_outline(const PackedClip& clip, const InternItem& intern);
 
-/// Restores the file that was packed. In a bank that lacks finer tiers, it is a file without tiers
-/// whose motion is that of those that are there. Throws FormatError.
+/// Restores the file that was packed. If the bank lacks the finer tiers, the result is a file
+/// without tiers, with the motion of the tiers that the bank has. Throws FormatError.
 std::vector<std::byte> unpack_clip(const mcpk_bank& bank, const runtime::BankEntry& entry);
 
-/// Copies an outline with its parts to another bank.
+/// Copies an outline with its parts to another bank. Returns the outline's number there.
 std::uint32_t copy_outline(const mcpk_bank& bank, std::uint32_t outline, const InternItem& intern);
 
 }  // namespace mocapress

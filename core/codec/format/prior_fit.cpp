@@ -47,8 +47,8 @@ struct NotingBits {
   std::vector<NotedBit> bits;
 };
 
-/// The number of a clip's contexts that `known` covers: those of single signals only if the clip
-/// has as many signals.
+/// The number of a clip's contexts that `known` covers. Contexts of single signals are among them
+/// only if `known` is for clips with as many signals.
 std::size_t known_contexts(const NotedClip& clip, const CodingKnowledge& known) {
   return clip.signals == known.signals ? known.log_odds.size()
                                        : static_cast<std::size_t>(ContextLayout(0).shared);
@@ -56,7 +56,7 @@ std::size_t known_contexts(const NotedClip& clip, const CodingKnowledge& known) 
 
 // Fits each context by itself.
 
-/// On POSIX, std::lgamma also writes the sign into a variable of all threads.
+/// On POSIX, std::lgamma also writes the sign into a global variable, which threads share.
 double log_gamma(double x) {
 #ifdef _WIN32
   return std::lgamma(x);
@@ -133,7 +133,7 @@ auto parts_of(Known& known) {
 
 struct Believed {
   float one = 0.5F;
-  float first = 0.5F;  // its initial probability
+  float first = 0.5F;  // the initial value of `one`
   float left = 1;      // the weight that the prior still has
   int seen = 0;
 };

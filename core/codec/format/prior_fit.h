@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Fits the adaptive coding's prior knowledge to clips. First each context by itself, from the
-// similarity of the clips; then log odds and mixing weights together, by the gradient of the coded
+// Fits the priors of the adaptive coding to clips: first the prior of each context by itself, by
+// how much the clips agree; then log odds and mixing weights together, by the gradient of the coded
 // bits.
 #pragma once
 
@@ -24,7 +24,7 @@ struct NotedBit {
   std::uint8_t bit : 1;
 };
 
-/// All bits of a clip but those coded at even odds.
+/// All bits of a clip except those coded at even odds.
 struct NotedClip {
   int signals = 0;
   std::vector<NotedBit> bits;
@@ -32,14 +32,14 @@ struct NotedClip {
 
 NotedClip note_bits(QuantisedSignals coded, const std::vector<SignalNeighbours>& neighbours);
 
-/// The coder's initial knowledge before the first bit, in floats.
+/// The coder's priors before the first bit, as floating-point numbers.
 struct CodingKnowledge {
-  int signals = 0;               // for clips whose signals have priors of their own
+  int signals = 0;               // clips with this many signals also use priors of single signals
   std::vector<double> log_odds;  // for each context with a prior
   std::vector<int> seen;         // number of observations each prior counts for
   std::vector<double> weights;   // runtime::MixingWeights::kMost of each set
 
-  /// The priors that all clips are coded with.
+  /// The built-in priors, with which clips are coded unless a bank has learned priors.
   static CodingKnowledge of_all_clips(int signals);
 };
 
@@ -57,15 +57,16 @@ struct ContextTally {
 std::vector<std::vector<ContextTally>> tally_contexts(std::span<const NotedClip> clips,
                                                       const CodingKnowledge& known);
 
-/// Fits each context by itself: log odds in multiples of `finest`, and the number of observations
-/// they count for, out of `trusts`. Contexts that hardly occur keep their priors.
+/// Fits each context by itself: log odds, searched in steps larger than `finest`, and the number of
+/// observations that they count for, chosen from `trusts`. Contexts that hardly occur keep their
+/// priors.
 void fit_contexts(std::span<const NotedClip> clips, std::span<const std::uint16_t> trusts,
                   double finest, CodingKnowledge& known);
 
 struct DescentPlan {
   int rounds = 0;                  // passes over all clips
   std::vector<bool> may_change;    // contexts; empty: all
-  bool clips_count_alike = false;  // each clip counts the same, whatever its bits
+  bool clips_count_alike = false;  // each clip counts the same, however many bits it has
 };
 
 /// Improves the priors along the gradient of the coded bits. Before each round, `should_continue`

@@ -23,7 +23,8 @@ class RangeEncoder {
   /// Returns the bit, so that one template serves writing and reading.
   bool code(bool bit, Probability probability_of_one);
 
-  // Does nothing: written numbers are always within bounds.
+  // Does nothing: a decoder refuses numbers out of bounds here, but written ones are always within
+  // them.
   void refuse() {}
   static constexpr bool failed() { return false; }
 

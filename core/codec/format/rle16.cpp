@@ -40,7 +40,7 @@ void write_run(ByteWriter& writer, int zeros) {
 }
 
 void write_channel(ByteWriter& writer, const Eigen::VectorXd& coefficients, int exponent) {
-  int zeros = 0;  // pending: not written yet, since they may be the end of the channel
+  int zeros = 0;  // zeros not written yet, since they may be the end of the channel
   for (const double coefficient : coefficients) {
     const auto value = static_cast<std::int32_t>(std::lround(std::ldexp(coefficient, -exponent)));
     if (value == 0) {

@@ -63,7 +63,8 @@ double word_step(double step) {
 }
 
 std::vector<std::byte> code_steps(const Eigen::MatrixXi& values, const Eigen::VectorXd& steps) {
-  // Word steps are half of the largest dropped coefficient.
+  // rle16_encode() makes steps of half of the largest dropped coefficient, so twice the step is
+  // passed.
   return rle16_encode(values.cast<double>() * steps.asDiagonal(), 2 * steps);
 }
 

@@ -11,8 +11,8 @@
 
 namespace mocapress {
 
-/// Codes the kept coefficients as words: MOTN in FORMAT.md. A signal's step is no finer than the
-/// coefficients it drops. `scales` make signals comparable, as for StandardOrder.
+/// Codes the kept coefficients as words: MOTN in FORMAT.md. A signal's step is about half of the
+/// largest coefficient that it drops. `scales` make signals comparable, as for StandardOrder.
 std::vector<std::byte> code_signals(const RankedCoefficients& ranked,
                                     const std::vector<double>& scales, const Kept& kept);
 
@@ -27,8 +27,8 @@ std::vector<std::byte> code_steps(const Eigen::MatrixXi& values, const Eigen::Ve
 Eigen::VectorXd largest_dropped(const RankedCoefficients& ranked, const std::vector<double>& scales,
                                 const Kept& kept);
 
-/// Words as bytes of a file, and back. Require uses_rle(coding). unpack() throws FormatError for
-/// more than `most_bytes`.
+/// Convert words to bytes of a file, and back. Require uses_rle(coding). unpack() throws
+/// FormatError for more than `most_bytes`.
 std::vector<std::byte> pack(const std::vector<std::byte>& words, Coding coding);
 std::vector<std::byte> unpack(std::span<const std::byte> bytes, Coding coding,
                               std::size_t most_bytes);

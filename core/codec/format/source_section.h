@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The section `srce` of a .mcpr file: FORMAT.md. It says nothing of the motion, so that the reader
-// and the writer of clips need not know it.
+// The section `srce` of a .mcpr file: FORMAT.md. The section says nothing about the motion, so that
+// the reader and the writer of clips need not know it.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ namespace mocapress {
 /// write_container() makes it.
 std::vector<std::byte> with_source(std::span<const std::byte> mcpr, const SourceFormat& source);
 
-/// Reads the section; the result has no kind where there is none. Throws FormatError.
+/// Reads the section; the result has no kind if the file lacks the section. Throws FormatError.
 SourceFormat source_of(std::span<const std::byte> mcpr);
 
 /// Reads the section of the file at a path. Throws InputError.

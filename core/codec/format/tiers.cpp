@@ -27,7 +27,7 @@ struct CutTier {
   TierError error;
 };
 
-/// The bytes of each segment without its finest bands, for every number of these.
+/// Returns the size of each segment without its n finest bands, for every n: bytes[n][segment].
 std::vector<std::vector<std::size_t>> bytes_by_bands(const CompressedClip& clip) {
   const std::vector<SignalNeighbours> neighbours = signal_neighbours(clip);
   const SegmentLayout layout = clip.segment_layout();
@@ -79,7 +79,8 @@ std::uint16_t error_code(float error_cm) {
   return runtime::find_error_code(runtime::rounded_error(error_cm), code) ? code : std::uint16_t{};
 }
 
-/// The bytes that each tier adds: of all segments one after the other, and their number by segment.
+/// The bytes that a tier adds: those of all segments one after the other, and the size for each
+/// segment.
 struct Piece {
   std::vector<std::byte> bytes;
   std::vector<std::uint32_t> sizes;
@@ -101,7 +102,7 @@ std::vector<Piece> pieces_of(const CompressedClip& clip, const std::vector<CutTi
   return pieces;
 }
 
-/// CLIP with other errors.
+/// The payload of CLIP with other errors.
 std::vector<std::byte> description_with(std::span<const std::byte> payload,
                                         const TierError& error) {
   std::vector<std::byte> changed(payload.begin(), payload.end());
@@ -110,9 +111,9 @@ std::vector<std::byte> description_with(std::span<const std::byte> payload,
   return changed;
 }
 
-/// Copies the sections of a file but for TIER, with another SEGS and MOTN. `coarse` is the error of
-/// a motion that lacks its finest bands: CLIP then tells this one, and ENDS is left out. The file
-/// may end after its sections.
+/// Copies the sections of a file except TIER, with SEGS and MOTN made from `pieces`. If the motion
+/// lacks its finest bands, `coarse` is its error, which replaces the errors in CLIP, and ENDS is
+/// left out. The file may end after its sections.
 void copy_sections(std::span<const std::byte> mcpr, const std::vector<Piece>& pieces,
                    const std::optional<TierError>& coarse, std::uint16_t& count,
                    ByteWriter& sections) {
@@ -141,7 +142,7 @@ void copy_sections(std::span<const std::byte> mcpr, const std::vector<Piece>& pi
   }
 }
 
-/// The file with its motion in these tiers.
+/// Writes the file with its motion in these tiers.
 std::vector<std::byte> write_file(std::span<const std::byte> mcpr, const std::vector<Piece>& pieces,
                                   const std::vector<CutTier>& tiers) {
   std::uint16_t count = 0;
@@ -164,7 +165,7 @@ std::vector<std::byte> write_file(std::span<const std::byte> mcpr, const std::ve
   return file.release();
 }
 
-/// The file with its motion in one piece.
+/// Writes the file with its motion in one piece.
 std::vector<std::byte> write_whole(std::span<const std::byte> mcpr, Piece motion,
                                    const std::optional<TierError>& coarse) {
   std::uint16_t count = 0;

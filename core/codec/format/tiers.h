@@ -31,14 +31,15 @@ using MeasureTier = std::function<TierError(std::span<const std::byte> mcpr, int
 std::vector<std::byte> with_tiers(std::span<const std::byte> mcpr, int tiers,
                                   const MeasureTier& measure);
 
-/// The file that with_tiers() was given.
+/// Restores the file that with_tiers() was given.
 std::vector<std::byte> without_tiers(std::span<const std::byte> mcpr);
 
-/// A file without tiers whose motion is that of the first tiers, with all other sections but ENDS.
-/// The file that is read may end after them. Throws FormatError, also if it has fewer tiers.
+/// Returns a file without tiers that has the motion of the first `tiers` tiers, and all other
+/// sections. ENDS is left out if finer tiers are. `mcpr` may end after these tiers. Throws
+/// FormatError, also if `mcpr` has fewer tiers.
 std::vector<std::byte> file_of_tiers(std::span<const std::byte> mcpr, int tiers);
 
-/// The bytes that a tier adds to a file, as TIER tells them.
+/// Size and checksum of the bytes that a tier adds to a file, as stored in TIER.
 struct TierBytes {
   std::size_t size = 0;
   std::uint32_t checksum = 0;
@@ -46,7 +47,7 @@ struct TierBytes {
 
 TierBytes tier_bytes(std::span<const std::byte> piece);
 
-/// TIER of a file or, with `bytes` empty, as a packed bank has it.
+/// The payload of TIER for a file or, if `bytes` is empty, for a packed bank.
 std::vector<std::byte> write_tiers(const runtime::TierTable& tiers,
                                    const std::vector<TierBytes>& bytes = {});
 

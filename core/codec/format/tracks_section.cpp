@@ -81,7 +81,7 @@ void check(const CodedTracks& coded, const runtime::FileSections& sections) {
   }
 }
 
-/// The payload of trks, and its number of runs.
+/// The payload of trks, and its number of runs of equal values.
 std::pair<std::vector<std::byte>, std::uint32_t> write_tracks(const CodedTracks& coded) {
   std::vector<std::byte> records = records_of(coded);
   RangeEncoder bits;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The section `trks` of a .mcpr file: FORMAT.md. It says nothing of the motion, so that the reader
-// and the writer of clips need not know it.
+// The section `trks` of a .mcpr file: FORMAT.md. The section says nothing about the motion, so that
+// the reader and the writer of clips need not know it.
 #pragma once
 
 #include <cstddef>
@@ -13,13 +13,13 @@
 
 namespace mocapress {
 
-/// ScalarTracks as stored in a file. Held tracks have their exact values; curves have only their
-/// signals.
+/// ScalarTracks as stored in a file. A track is held, with exact values in `tracks`, or it is a
+/// curve, with its quantised signal in `curves`.
 struct CodedTracks {
   ScalarTracks tracks;
   std::vector<bool> is_curve;  // one for each track
   Basis basis = Basis::Cubic;
-  QuantisedSignals curves;  // in the order of the tracks; as long as their values
+  QuantisedSignals curves;  // one signal for each curve, in the order of the tracks
 };
 
 /// Codes the curves alone.
@@ -35,7 +35,7 @@ std::size_t held_bits(const ScalarTrack& track);
 std::vector<std::byte> with_coded_tracks(std::span<const std::byte> mcpr,
                                          const CodedTracks& tracks);
 
-/// Reads the section; empty where there is none. Throws FormatError.
+/// Reads the section; empty if the file lacks it. Throws FormatError.
 CodedTracks coded_tracks_of(std::span<const std::byte> mcpr);
 
 /// The bytes of tracks in a file: the section with its head.
