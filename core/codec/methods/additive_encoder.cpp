@@ -13,9 +13,9 @@
 namespace mocapress {
 namespace {
 
-constexpr int kTries = 8;        // at a target error, where the base is not a single pose
-constexpr double kShrink = 0.9;  // each try's target at most, beside the last one's
-constexpr double kSafe = 0.995;  // share of the error that the last try leads to expect
+constexpr int kTries = 8;        // most encodes for a target error
+constexpr double kShrink = 0.9;  // a try's target is at most this share of the last one's
+constexpr double kSafe = 0.995;  // margin on the target that the last try suggests
 
 // Share of a target that is left to the rounding of an engine's floats.
 constexpr double kRounding = 1e-5;

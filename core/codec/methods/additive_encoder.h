@@ -8,10 +8,10 @@
 
 namespace mocapress {
 
-/// Compresses a motion as what it adds to a base (core/motion/difference.h), which an engine adds
-/// to that base or to other poses. The error is that of base plus difference in the world. The
-/// search takes the base for a pose, its first frame; a target error is then met on the base as it
-/// is.
+/// Compresses the difference of a motion from a base (core/motion/difference.h). An engine adds the
+/// difference to the base or to other poses. Errors are those of base plus difference in world
+/// space. Each search adds the difference to the base's first frame only; for a target error it is
+/// repeated with smaller targets until the whole base plus difference meets the target.
 class AdditiveEncoder {
  public:
   /// Throws Error if the base has other joints, or neither one frame nor as many as the motion.
@@ -19,7 +19,7 @@ class AdditiveEncoder {
 
   /// Compresses with the adaptive coding to a ratio, a size or an error. `contacts` are those of
   /// the motion's feet. The result's figures compare base plus difference with the motion. Throws
-  /// as MethodEncoder::compress() does.
+  /// what MethodEncoder::compress() throws.
   Encoding compress(const CompressionMethod& method, EncodeSettings settings,
                     const std::vector<ContactSpan>& contacts,
                     const Observer<EncodeProgress>& observer = {}) const;
@@ -33,7 +33,7 @@ class AdditiveEncoder {
   Motion base_;
   Motion difference_;
   Motion sum_;            // the motion, in the channels of the differences
-  Eigen::MatrixXd body_;  // its body_tracks()
+  Eigen::MatrixXd body_;  // body_tracks() of sum_
   MethodEncoder on_base_pose_;
 };
 

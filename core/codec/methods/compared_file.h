@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The .mcpr files of every method alike. The section COMP: core/runtime/format/FORMAT.md.
+// Reads .mcpr files of any method, and writes those of comparison methods (section COMP:
+// core/runtime/format/FORMAT.md).
 #pragma once
 
 #include <filesystem>

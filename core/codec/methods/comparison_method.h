@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The shape of the methods the wavelets are measured against. Their bytes: METHODS.md.
+// The interface of the methods that the wavelets are compared with. core/baselines/METHODS.md
+// describes their bytes.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +26,7 @@ class DetailCoder {
   virtual std::vector<std::byte> encode(int detail) const = 0;
 };
 
-/// The coder of a method for one motion.
+/// Makes the coder of a method for one motion.
 template <typename Coder>
 std::unique_ptr<DetailCoder> coder_of(const Motion& motion, Weighting weighting) {
   return std::make_unique<Coder>(motion, weighting);

@@ -179,7 +179,8 @@ struct MethodEncoder::Parts {
   const DetailCoder& coder(const ComparisonMethod& method, Weighting weighting) {
     const std::lock_guard lock(mutex);
     auto& coder = coders[{method.name, weighting}];
-    // Isolated: a thread that waits inside must not take up a task that asks for the same lock.
+    // Isolated, because a thread that waits inside analyse() must not take up a task that needs
+    // this lock.
     if (!coder)
       tbb::this_task_arena::isolate([&] { coder = method.analyse(wavelets.motion(), weighting); });
     return *coder;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every method of compression by one name and one call: the wavelets and what they are compared
-// with.
+// One interface for all methods of compression: the wavelets and the comparison methods.
 #pragma once
 
 #include <optional>
@@ -33,8 +32,9 @@ std::string_view method_title(std::string_view name);
 /// leaves `settings` unchanged.
 bool choose_wavelets(const CompressionMethod& compression_method, EncodeSettings& settings);
 
-/// Compresses one motion by any method, with any settings. Data that does not depend on them is
-/// computed once, when first asked for. Const and safe to use from several threads at a time.
+/// Compresses one motion by any method, with any settings. Data that does not depend on method and
+/// settings is computed once, when first asked for. Const and safe to use from several threads at a
+/// time.
 class MethodEncoder {
  public:
   explicit MethodEncoder(Motion motion);
@@ -45,8 +45,8 @@ class MethodEncoder {
   /// Compresses by the given method; `settings.method` and `.basis` are ignored. Throws Error when
   /// a correction or a coefficient ratio is asked of a comparison method, and TargetMissed when no
   /// amount of detail meets the target. The detail of comparison methods comes in coarse steps; for
-  /// a ratio they take the nearest step. Only wavelet methods heed EncodeSettings::figures_only and
-  /// know tracks.
+  /// a ratio they take the nearest step. Only wavelet methods support EncodeSettings::figures_only
+  /// and fill Encoding::tracks.
   Encoding compress(const CompressionMethod& compression_method, const EncodeSettings& settings,
                     const Observer<EncodeProgress>& observer = {}) const;
 
