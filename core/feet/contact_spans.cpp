@@ -27,8 +27,8 @@ Eigen::VectorXd speeds(const Eigen::MatrixXd& tracks, int landmark, double sampl
   return speed;
 }
 
-/// Runs of planted frames of one landmark. First closes gaps of fewer than `least` frames, then
-/// drops runs of fewer.
+/// The runs of planted frames of one landmark. First closes gaps of fewer than `least` frames, then
+/// drops runs of fewer than `least` frames.
 std::vector<ContactSpan> spans_of(const std::vector<bool>& planted, int landmark, int least) {
   std::vector<ContactSpan> spans;
   for (int t = 0; t < static_cast<int>(planted.size()); ++t) {

@@ -33,8 +33,8 @@ struct ContactSpan {
 /// The contacts within `count` frames from `first` on, renumbered so that `first` is frame 0.
 std::vector<ContactSpan> frames_of(const std::vector<ContactSpan>& contacts, int first, int count);
 
-/// The height (cm) at which a landmark rests: a low one, yet above single glitches. `tracks` as
-/// from landmark_tracks(), y up.
+/// The height (cm) at which a landmark rests: its 2nd percentile, so that single glitches do not
+/// count. `tracks` as from landmark_tracks(), y up.
 double ground_height(const Eigen::MatrixXd& tracks, int landmark);
 
 /// Contact spans of landmarks, by height and speed with hysteresis, in the order of `landmarks` and
@@ -44,12 +44,12 @@ std::vector<ContactSpan> find_contacts(const Eigen::MatrixXd& tracks, double sam
                                        const std::vector<int>& landmarks,
                                        const ContactSettings& settings = {});
 
-/// The same for the feet that find_feet() finds in a skeleton. Empty without feet.
+/// Contact spans of the feet that find_feet() finds in a skeleton; empty if it finds none.
 std::vector<ContactSpan> find_foot_contacts(const Skeleton& skeleton, const Eigen::MatrixXd& tracks,
                                             double sample_rate_hz,
                                             const ContactSettings& settings = {});
 
-/// The same for a motion, keeping tracks of the feet's landmarks only.
+/// Contact spans of a motion's feet. Computes tracks of the feet's landmarks only.
 std::vector<ContactSpan> find_foot_contacts(const Motion& motion,
                                             const ContactSettings& settings = {});
 

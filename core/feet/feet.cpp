@@ -43,9 +43,10 @@ bool names_a_ball(const std::string& name) {
   return contains_any(lower(name), {"toe", "ball", "forefoot"});
 }
 
-/// Feet by name: the outermost joint of each limb that is named a foot and not a toe, then its
-/// child that is named a toe or ball: the first with the shortest name. So LeftToe goes before
-/// LeftToeTwist, and both feet have the same joint, whatever the order of children.
+/// Feet by name: in each limb the outermost joint named as a foot but not as a toe, or else its
+/// child named as a toe or ball. Of several such children the first with the shortest name is
+/// taken: LeftToe goes before LeftToeTwist, so both feet get the same joint in any order of
+/// children.
 std::vector<int> feet_by_name(const Skeleton& skeleton) {
   std::vector<int> feet;
   for (int j = 0; j < skeleton.joint_count(); ++j) {
@@ -63,7 +64,8 @@ std::vector<int> feet_by_name(const Skeleton& skeleton) {
   return feet;
 }
 
-/// Feet by topology: among limbs of at least three joints, the two whose ends hang lowest at rest.
+/// Feet by topology: among limbs of at least three joints, the outermost joints of the two that
+/// hang lowest at rest.
 std::vector<int> feet_by_topology(const Skeleton& skeleton) {
   constexpr std::size_t kLegJoints = 3;
   const Pose pose = rest_pose(skeleton);

@@ -14,7 +14,8 @@ double way(const Row& row, const Next& next, int landmark) {
                     next(3 * landmark + 2) - row(3 * landmark + 2));
 }
 
-/// The same for row t and the row before it; for row 0 that is `last`.
+/// Horizontal distance (cm) of a landmark between row t and the row before it. Row 0 follows
+/// `last`.
 double step(const Eigen::RowVectorXd& last, const TrackRows& tracks, int t, int landmark) {
   return t == 0 ? way(last, tracks.row(0), landmark)
                 : way(tracks.row(t - 1), tracks.row(t), landmark);

@@ -21,11 +21,12 @@ struct SlideFinding {
 };
 
 /// Footskate of a decoded clip: the sliding beyond the original's own. The slid distance sums every
-/// step, so trembling on the spot adds up. Drift does not: it is the largest distance of the foot
-/// from where the error of the contact's first frame would have kept it.
+/// step, so trembling on the spot adds up. Drift does not add up: it is the largest distance of the
+/// foot from where it would be if its error had stayed as in the contact's first frame.
 struct Footskate {
   double total_cm = 0;  // over all contacts; one that slid less than in the original counts 0
-  // One for each contact that slid further or drifted; those that slid furthest first.
+  // One finding for each contact that slid further than in the original or drifted; the furthest
+  // first.
   std::vector<SlideFinding> findings;
   double drift_total_cm = 0;  // over all contacts, whether they slid further or not
   double drift_worst_cm = 0;  // the largest of a single contact
