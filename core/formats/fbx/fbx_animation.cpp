@@ -140,7 +140,7 @@ FbxMovement FbxAnimation::movement_of(std::size_t curve_node, std::size_t layer)
   return movement;
 }
 
-/// False: `receive` returned false and wants no more.
+/// Calls `receive` for each movement of a layer until it returns false; returns false if it did.
 template <typename Take>
 bool FbxAnimation::movements_of_layer(const FbxTakeInfo& take, std::size_t layer,
                                       const Take& receive) {
@@ -181,7 +181,7 @@ bool FbxAnimation::movements_of_record(const FbxTakeInfo& take, const Take& rece
       if (channel->name == "Channel" && !receive_channel(*channel, name_of(*channel))) return false;
     return true;
   };
-  /// The property has one number, or one for each axis.
+  /// Receives the movement of a property of one number or of three axes.
   const auto receive_property = [&](std::size_t object, const FbxRecord& channel,
                                     const std::string& property) {
     FbxMovement movement{.object = object, .property = property};

@@ -25,7 +25,7 @@ struct FbxMovement {
   std::string property;  // "Lcl Rotation", "DeformPercent", ...
   std::size_t layer = 0;
   std::size_t curve_node = 0;  // version 7: the node that holds the curves
-  // Values of axes without a curve; NaN: the value at rest.
+  // Values of axes without a curve; NaN: the axis keeps its value at rest.
   Eigen::Vector3d still = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
   std::array<std::optional<FbxCurve>, 3> curves;  // a single number uses the first
 
@@ -34,11 +34,11 @@ struct FbxMovement {
   bool has_keys() const;
 };
 
-/// The movements of one property, layer by layer, at most one of each.
+/// The movements of one property in ascending order of layers, at most one for each layer.
 using FbxLayered = std::vector<const FbxMovement*>;
 
-/// Adds a movement of the same or a higher layer than those before. On the same layer, the first
-/// that has keys counts, else the first.
+/// Adds a movement, whose layer must be that of the last one or higher. Of two on the same layer,
+/// keeps the first that has keys, or else the first.
 void add_layered(FbxLayered& movements, const FbxMovement& movement);
 
 struct FbxLayer {
@@ -53,7 +53,8 @@ struct FbxLayer {
   std::size_t object = 0;  // version 7
 
   double weight_at(double ticks) const;
-  /// The value of this layer and those below it; at a weight of 1 it is `own`, or adds it.
+  /// Combines the value of the layers below with this layer's `own` by the blend mode and the
+  /// layer's weight at that time.
   template <typename Value>
   Value over(const Value& below, const Value& own, double at_weight) const {
     if (blend == Blend::Replace) return own;
@@ -69,11 +70,11 @@ struct FbxTakeInfo {
   std::size_t object = 0;             // version 7
   const FbxRecord* record = nullptr;  // version 6
 
-  /// The value of all layers for an axis; the first one replaces the value at rest.
+  /// The value of an axis after all layers; the first layer replaces the value at rest.
   double value_at(const FbxLayered& movements, std::size_t axis, double rest, double ticks) const;
 };
 
-/// The axis that a curve moves: 1 for "d|Y" or "Y", 2 for "d|Z" or "Z", else 0, as for a property
+/// The axis that a curve moves: 1 for "d|Y" or "Y", 2 for "d|Z" or "Z", else 0, also for a property
 /// of one number.
 std::size_t fbx_axis(std::string_view property);
 
@@ -85,10 +86,10 @@ class FbxAnimation {
 
   /// All movements of a take, layer by layer.
   std::vector<FbxMovement> movements(std::size_t take);
-  /// True if the take moves a node, or with `nodes` false, if it moves anything. Stops at the
-  /// first.
+  /// True if the take moves a node or, with `nodes` false, moves anything. Stops at the first
+  /// movement found.
   bool moves(std::size_t take, bool nodes);
-  /// True if the take has a curve with a key. Stops at the first.
+  /// True if the take has a curve with a key. Stops at the first such curve.
   bool has_keys(std::size_t take);
 
  private:

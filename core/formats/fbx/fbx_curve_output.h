@@ -25,7 +25,7 @@ class FbxCurveOutput {
         next_id_(first_id) {}
 
   std::int64_t new_id() { return next_id_++; }
-  /// The times of the keys of curves that are added from now on.
+  /// Sets the key times of the curves that are added from now on.
   void set_key_ticks(std::vector<std::int64_t> ticks) { key_ticks_ = std::move(ticks); }
   FbxOutRecord& object(std::string_view type, std::int64_t id, std::string_view name,
                        std::string_view kind);

@@ -254,8 +254,8 @@ void FbxCurve::sort(std::vector<Tangents>& tangents) {
   }
 }
 
-/// Sorts the keys by time and computes slopes from the kinds of their tangents, of which there is
-/// one for each key or one for all.
+/// Sorts the keys by time and computes the slopes of the spans. `tangents`: one for each key, or
+/// one for all.
 void FbxCurve::settle(std::vector<Tangents> tangents) {
   sort(tangents);
   const auto of = [&](std::size_t key) -> const Tangents& {
@@ -310,8 +310,8 @@ double FbxCurve::slope(std::size_t from, std::size_t to) const {
   return (keys_[to].value - keys_[from].value) / seconds(from, to);
 }
 
-/// A slope between the slopes to both neighbours. `bias` (percent) pulls it towards one of them:
-/// beyond 100 past that one, and beyond 500 further still.
+/// An automatic slope, between the slopes to both neighbours. `bias` (percent) pulls it towards one
+/// of these: above 100 beyond it, above 500 further still.
 double FbxCurve::auto_slope(std::size_t k, double bias, const Tangents& tangents,
                             double weight_before, double weight_after) const {
   const bool has_before = k > 0;
@@ -385,7 +385,7 @@ double FbxCurve::at(double ticks) const {
   return within(ticks);
 }
 
-/// The first key after a time; their number if there is none.
+/// The index of the first key after a time; the number of keys if there is none.
 std::size_t FbxCurve::key_after(double ticks) const {
   const auto is_after = [&](std::size_t key) {
     return ticks < static_cast<double>(keys_[key].ticks);

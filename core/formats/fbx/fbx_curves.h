@@ -70,7 +70,7 @@ class FbxCurve {
   double ticks_per_second_;
   std::vector<Key> keys_;
   std::vector<Span> spans_;             // one for each key, or one for all
-  mutable std::size_t last_found_ = 0;  // a key: times are mostly asked for in order
+  mutable std::size_t last_found_ = 0;  // key_after() searches from here, since times mostly ascend
   Extrapolation before_;
   Extrapolation after_;
   int dropped_ = 0;

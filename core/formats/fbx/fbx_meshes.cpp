@@ -153,8 +153,8 @@ std::vector<NodeMesh> FbxMeshReader::read() {
   return std::move(meshes_);
 }
 
-/// Keeps points that some polygon uses, one for each different normal and texture coordinate;
-/// polygons become triangle fans.
+/// Reads a mesh. Each different combination of point, normal and texture coordinate that some
+/// polygon uses becomes a vertex; polygons become triangle fans.
 void FbxMeshReader::read_mesh(std::size_t model, std::size_t geometry) {
   const FbxRecord& record = *objects_[geometry].record;
   const std::vector<double> points = records_.numbers(record, "Vertices");
@@ -199,7 +199,7 @@ void FbxMeshReader::read_mesh(std::size_t model, std::size_t geometry) {
       if (const double* const normal = normals.at(k, corner.point, polygon))
         corner.normal = Vector3d(normal);
       if (const double* const place = places.at(k, corner.point, polygon))
-        corner.in_picture = {place[0], 1 - place[1]};  // origin at the lower left
+        corner.in_picture = {place[0], 1 - place[1]};  // in FBX the origin is at the lower left
       const auto [known, is_new] =
           part.known.emplace(corner, static_cast<std::uint32_t>(part.mesh.positions.size()));
       if (is_new) {

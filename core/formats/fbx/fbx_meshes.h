@@ -13,7 +13,7 @@ namespace mocapress {
 /// InputError.
 std::vector<NodeMesh> fbx_meshes(FbxFile& file, const FbxTake& take, Warnings& warnings);
 
-/// A shape of a version 6 node, which holds it in its own record; null: none of that name.
+/// The shape with this name in the record of a version 6 node, which holds its shapes; null: none.
 const FbxRecord* fbx_shape_named(const FbxRecords& records, const FbxRecord& model,
                                  std::string_view name);
 

@@ -69,7 +69,7 @@ class FbxObjects {
 
   FbxProperties properties(std::size_t object) const;
   const FbxProperties& settings() const { return settings_; }  // settings of the file
-  /// Connections that repeat an earlier one.
+  /// The number of connections that repeat an earlier one.
   int repeated_connections() const { return repeated_connections_; }
 
   /// Finds an object of a version 6 file by a name such as "Model::Top".

@@ -27,7 +27,7 @@ namespace {
 using Eigen::Vector3d;
 using Curves = std::array<std::vector<float>, 3>;
 
-// A curve that differs by less stays as it is: files hold floats.
+// A curve that differs from the motion by less than these stays as it is, since files hold floats.
 constexpr double kSameNumber = 1e-5;  // share of 1 + |number|
 constexpr double kSameAngle = 1e-4;   // degrees
 
@@ -41,8 +41,8 @@ std::int64_t id_of(const FbxRecords& records, const FbxObject& object) {
   return id ? id->whole() : 0;
 }
 
-/// Reads the take that a motion replaces. If no take has a key: the nodes at rest, from the
-/// beginning of the take that the options name, or else of the first.
+/// Reads the take that a motion replaces. If no take has a key, reads the nodes at rest; the motion
+/// then begins at the beginning of the take that the options name, or else of the first.
 FbxTake read_target(FbxFile& file, const ReadOptions& options) {
   const double second = file.ticks_per_second();
   FbxAnimation animation(file.records, file.objects, second);
@@ -171,7 +171,8 @@ void EditedTake::add_take() {
   out_.connect(layer_, stack);
 }
 
-/// The first layer's movement of a property; from other layers the property is disconnected.
+/// The first layer's movement of a property; null if it has none that may be changed. Disconnects
+/// the property from other layers, and from curves that it shares with other properties.
 const FbxMovement* EditedTake::movement_of(std::size_t object, std::string_view property) {
   const FbxMovement* first = nullptr;
   for (const FbxMovement& movement : read_.movements) {
@@ -230,11 +231,13 @@ void EditedTake::set_axis(std::size_t curve_node, std::size_t axis,
   if (!is_there) out_.add_curve(id(curve_node), kFbxCurveAxes[axis], values, steps);
 }
 
-/// `rest` is the property's value without a curve; differences up to `same` are ignored.
+/// Writes the curves of a property, except on axes whose values in the file differ by at most
+/// `same`. `rest` is the property's value without a curve.
 void EditedTake::set(std::size_t object, std::string_view property, const FbxMovement* movement,
                      const Vector3d& rest, const Curves& curves, double same) {
   const auto stays = [&](std::size_t axis) {
-    // Keys of the old rate among those of the new one would make a third.
+    // At another rate, keys that stayed would mix with the new ones, and a reader would find
+    // neither rate.
     if (!keeps_rate_ && movement != nullptr && movement->curves[axis] &&
         movement->curves[axis]->keys().size() > 1)
       return false;
@@ -258,7 +261,7 @@ void EditedTake::set(std::size_t object, std::string_view property, const FbxMov
     if (!stays(axis)) set_axis(movement->curve_node, axis, curves[axis], false);
 }
 
-/// Whether the node moves so already, by whatever layers do it.
+/// True if the take in the file, with all its layers, already moves the node as `track` does.
 bool EditedTake::moves_so(const NodeTrack& track) const {
   const AnimatedNode& node = read_.take.nodes[track.node];
   if (!keeps_rate_ || static_cast<int>(ticks_.size()) != read_.take.frames) return false;
@@ -281,7 +284,8 @@ void EditedTake::move(const NodeTrack& track) {
   if (moves_so(track)) return;
   const std::size_t object = read_.object_of_node[track.node];
   FbxTransform transform = read_.transforms[track.node];
-  // Pivots do not move: positions and angles absorb their curves.
+  // Disconnects curves of pivots and the like: translation, rotation and scaling take over their
+  // effect.
   for (const FbxMovement& movement : read_.movements)
     if (movement.object == object && movement.property != kPlace && movement.property != kTurn &&
         movement.property != kScale && transform.part(movement.property) != nullptr)
@@ -339,8 +343,8 @@ void EditedTake::move(const ScalarTracks& tracks) {
   for (const Property& property : changed) move(property, given.at(property));
 }
 
-/// Sets the curves of a property. If several layers move it, or other properties share its curves,
-/// the values of all its axes go to curves of its own in the first layer.
+/// Sets the curves of a property. If several layers move the property, or others share its curves,
+/// all its axes get curves in the first layer that belong to it alone.
 void EditedTake::move(const Property& property, const GivenTracks& given) {
   const auto& [object, name] = property;
   const FbxMovement* const movement = movement_of(object, name);

@@ -83,7 +83,7 @@ class Output {
     put(at, bytes_.size());
   }
 
-  /// The recursion is as deep as the writing functions nest records.
+  /// Recursion depth is bounded: it is the depth to which the writing functions nest records.
   void add(const FbxOutRecord& record) {
     const std::size_t at = open(record.name, record.count, record.values);
     for (const FbxOutRecord& inner : record.records) add(inner);
@@ -101,7 +101,7 @@ class Output {
   std::string bytes_;
 };
 
-/// Copies the records of a file with changes.
+/// Copies the records of a file, applying edits.
 class EditedCopy {
  public:
   EditedCopy(const FbxRecords& source, const FbxEdits& edits)
@@ -133,14 +133,14 @@ class EditedCopy {
            record.values.size();
   }
 
-  /// The end that a record states; 0: none, a record of zeros ends it.
+  /// The end offset that a record states; 0: it states none, since a record of zeros ends it.
   std::size_t end_of(const FbxRecord& record) const {
     std::uint64_t end = 0;
     std::memcpy(&end, source_.bytes().data() + record.at, (out_.head_bytes() - 1) / 3);
     return static_cast<std::size_t>(end);
   }
 
-  /// The reader has bounded the depth of records.
+  /// Recursion depth is bounded: the reader limits the nesting of records.
   void add(const FbxRecord& record) {
     if (edits_.dropped.contains(&record)) return;
     if (const auto with = edits_.replaced.find(&record); with != edits_.replaced.end()) {

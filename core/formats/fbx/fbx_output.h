@@ -21,7 +21,7 @@ struct FbxOutRecord {
   std::string name;
   std::string values{};
   std::uint64_t count = 0;
-  bool is_list = false;               // true: writes the end of a list although it is empty
+  bool is_list = false;               // true: a record of zeros ends even an empty list
   std::list<FbxOutRecord> records{};  // a list keeps references to its records valid
 
   FbxOutRecord& value(std::int32_t number);
@@ -62,8 +62,8 @@ struct FbxEdits {
   std::unordered_map<const FbxRecord*, std::list<FbxOutRecord>> added;  // appended to a record
 };
 
-/// The file's bytes with these changes; only offsets of records change besides. The source must be
-/// binary and little-endian. Throws WriteError.
+/// The file's bytes with these changes. Nothing else changes except offsets of records. The source
+/// must be binary and little-endian. Throws WriteError.
 std::string fbx_edited_bytes(const FbxRecords& source, const FbxEdits& edits);
 
 }  // namespace mocapress

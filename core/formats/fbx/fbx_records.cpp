@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Binary: a head of 27 bytes, then records of
-//   end of the record, number of values, their bytes (u32 each, from version 7.5 on u64),
-//   u8 length of the name, name, values, records, a record of zeros.
-// A value is a letter for its type, then its bytes; an array is the number of elements, whether it
-// is compressed by zlib, the number of bytes (u32 each), bytes.
-// ASCII: `Name: value, value { records }`.
+// Binary: a header of 27 bytes, then records. A record is its end offset, its number of values and
+// their size in bytes (u32 each, from version 7.5 on u64), the length of its name (u8), the name,
+// the values, and its nested records, which a record of zeros ends. A value is a letter for its
+// type, then its bytes. An array is its number of elements, whether zlib compressed it, its number
+// of bytes (u32 each), then the bytes. ASCII: `Name: value, value { records }`.
 #include "core/formats/fbx/fbx_records.h"
 
 #include <zlib.h>

@@ -23,7 +23,7 @@ struct FbxValue {
   std::string_view text;  // for an array: its bytes in the file, from the element type on
 
   double number() const;       // NaN for a text
-  std::int64_t whole() const;  // a real number is rounded; 0 for what is no number
+  std::int64_t whole() const;  // a real number is rounded; 0 if the value is no number
   char letter() const;         // a single letter of version 6; 0: none
 };
 
@@ -48,7 +48,7 @@ class FbxRecords {
   bool is_big_endian() const { return is_big_endian_; }
   int version() const { return version_; }  // Version 7.4 is 7400.
 
-  /// The root, whose records no other record holds.
+  /// The root, whose nested records are those of the file's top level.
   const FbxRecord& top() const { return records_.front(); }
   const FbxRecord* first_child(const FbxRecord& record) const;
   const FbxRecord* next(const FbxRecord& record) const;

@@ -25,7 +25,7 @@ using Eigen::Vector3d;
 constexpr std::size_t kMostFbxNodes = 1 << 16;
 constexpr int kDeepestFbxNode = 1000;
 constexpr double kMostFbxPlacements = 1e8;  // node placements over all frames
-constexpr double kNearFrame = 0.1;          // frames; a key this near was meant to be on one
+constexpr double kNearFrame = 0.1;  // in frames: a key this near to a frame was meant to be on it
 
 bool is_joint_kind(std::string_view kind) {
   return kind == "LimbNode" || kind == "Limb" || kind == "Root";
@@ -147,7 +147,7 @@ void FbxTakeReader::find_nodes() {
       }
     parent[o] = static_cast<int>(above);
   }
-  // Nodes have the order of connections, as in other programs.
+  // Keeps children in the order of the file's connections, as other programs do.
   for (std::size_t o = 0; o < count; ++o)
     for (const FbxLink& link : objects_.children(o))
       if (link.property.empty() && parent[link.object] == static_cast<int>(o))
@@ -212,8 +212,8 @@ void FbxTakeReader::find_nodes() {
   mark_joints();
 }
 
-/// Marks bones of skins and their ancestors as joints; without skins, limbs. This way all clips of
-/// a figure have the same joints, whichever move.
+/// Marks as joints the bones of skins and those of their ancestors that are limb nodes; without a
+/// skin, all limb nodes. All clips of a figure then have the same joints, whatever moves in each.
 void FbxTakeReader::mark_joints() {
   auto& nodes = result_.take.nodes;
   std::vector<bool> is_bone(nodes.size());
@@ -224,7 +224,8 @@ void FbxTakeReader::mark_joints() {
       if (const int node = result_.node_of_object[link.object]; node > 0)
         is_bone[node] = any = true;
   }
-  // A clip of weights or properties alone has the nodes that carry those as its only joints.
+  // If nothing moves a node and there is no skin, nodes with moving weights or properties are
+  // joints, too.
   const auto moves_node = [&](const FbxMovement& movement) {
     return FbxTransform().part(movement.property) != nullptr && movement.moves();
   };
@@ -248,7 +249,7 @@ void FbxTakeReader::settle_axes() {
   if (unit >= 1e-6 && unit <= 1e6) result_.take.cm_per_unit = unit;
   const int up = static_cast<int>(settings.number("UpAxis", 1));
   const bool is_down = settings.number("UpAxisSign", 1) < 0;
-  // The axes that an up axis cannot express need a turn of the whole scene.
+  // UpAxis has only Y and Z, so X and negative directions become a turn of the whole scene.
   const auto turn = [&](double angle, const Vector3d& axis) {
     AnimatedNode& scene = result_.take.nodes.front();
     scene.rest.rotation = Eigen::AngleAxisd(angle, axis) * scene.rest.rotation;
@@ -280,9 +281,10 @@ std::optional<double> FbxTakeReader::stated_rate() const {
   return kFbxRates[static_cast<std::size_t>(mode)];
 }
 
-/// Key times of curves that move nodes, or of all others, with at least that many keys.
+/// Key times of the curves that move nodes, or with `of_nodes` false, of all other curves. Curves
+/// with fewer than `fewest` keys are left out.
 std::vector<double> FbxTakeReader::key_times(bool of_nodes, std::size_t fewest) const {
-  // Many curves share their key times.
+  // Uses each list of key times once, since many curves have equal ones.
   const auto is_earlier = [](const auto* a, const auto* b) {
     return std::lexicographical_compare(
         a->begin(), a->end(), b->begin(), b->end(),
@@ -320,7 +322,7 @@ void FbxTakeReader::clip_to_span(std::vector<double>& keys_s, std::optional<doub
   });
   double begin = goes_on ? first : std::max(first, keys_s.front());
   double end = goes_on ? last : std::min(last, keys_s.back());
-  if (rate) {  // whole frames within, where the span cuts: keys may have been made at another rate
+  if (rate) {  // cuts at whole frames within the span: keys may have been made at another rate
     const double origin = keys_s.front();
     begin = origin + std::ceil((begin - origin) * *rate - kNearFrame) / *rate;
     if (end != keys_s.back())
@@ -331,7 +333,8 @@ void FbxTakeReader::clip_to_span(std::vector<double>& keys_s, std::optional<doub
   keys_s = merged_times(keys_s, {begin, end});
 }
 
-/// Moves keys that were rounded to their frames.
+/// Moves every key to its nearest frame, as files round times; does nothing if a key is not near
+/// one.
 void FbxTakeReader::snap_to_frames(std::vector<double>& keys_s, std::optional<double> rate) const {
   if (!rate) return;
   std::vector<double> snapped;
@@ -359,7 +362,7 @@ void FbxTakeReader::sample() {
       if (!std::isfinite(movement.still(axis))) movement.still(axis) = rest(axis);
     of_node[n].push_back(&movement);
   }
-  // A single key holds its value at any time.
+  // Prefers curves of two keys or more: a single key holds its value at any time.
   std::vector<double> keys_s;
   for (const std::size_t fewest : {2, 1})
     for (const bool of_nodes : {true, false})
@@ -385,7 +388,7 @@ void FbxTakeReader::sample_node(std::size_t node, const std::vector<FbxMovement*
   AnimatedNode& of = result_.take.nodes[node];
   const FbxTransform& rest = result_.transforms[node];
   FbxTransform transform = rest;
-  std::vector<Vector3d*> parts;  // parts of the transform that the movements move
+  std::vector<Vector3d*> parts;  // the part of the transform that each movement moves
   for (const FbxMovement* const movement : movements)
     parts.push_back(transform.part(movement->property));
   const bool is_turned_by_curves = std::ranges::any_of(parts, [&](const Vector3d* part) {
@@ -402,7 +405,7 @@ void FbxTakeReader::sample_node(std::size_t node, const std::vector<FbxMovement*
     for (FbxMovement* const movement : movements) movement->curves = {};
 }
 
-/// The first layer replaces the value at rest; later layers combine by their modes.
+/// The first layer replaces the value at rest; later layers combine with it by their blend modes.
 void FbxTakeReader::apply(const FbxMovement& movement, double ticks, Vector3d& part) const {
   const Vector3d value = movement.at(ticks);
   const FbxLayer& layer = chosen_->layers[movement.layer];
@@ -514,8 +517,7 @@ void FbxTakeReader::sample_tracks() {
 }  // namespace
 
 double FbxFile::ticks_per_second() const {
-  // Files from 2019 on may count 141,120,000 ticks a second, which they state by a definition other
-  // than 127.
+  // Files from 2019 on may count 141,120,000 ticks a second; their TCDefinition is then not 127.
   constexpr double kNewTicks = 141'120'000;
   constexpr std::int64_t kUsual = 127;
   constexpr std::int64_t kHeadWithDefinition = 1004;
@@ -535,7 +537,7 @@ FbxTake read_fbx_take(FbxFile& file, const ReadOptions& options, FbxCurves curve
   FbxTake take = FbxTakeReader(file, options, curves).read();
   try {
     take.take.meshes = fbx_meshes(file, take, take.warnings);
-  } catch (const InputError& error) {  // an error here is no reason to refuse the motion
+  } catch (const InputError& error) {  // a bad mesh is no reason to refuse the motion
     const std::string reason =
         std::string(error.what()).substr(printable(file.records.file()).size() + 2);
     take.warnings.push_back({file.records.file(), 0, "its character is not read: " + reason});

@@ -51,7 +51,7 @@ struct FbxFile {
   FbxObjects objects;
 };
 
-/// Takes and keys beyond these times, in seconds, are not believed.
+/// Limit in seconds: keys beyond it are refused, and a take's stated span beyond it is ignored.
 inline constexpr double kMostFbxSeconds = 1e7;
 
 struct FbxTake {
@@ -68,7 +68,7 @@ struct FbxTake {
     double scale = 1;  // track value = scale * curve value
   };
   std::vector<TrackPlace> track_places;
-  std::vector<FbxMovement> movements;  // their curves are released, unless asked for
+  std::vector<FbxMovement> movements;  // their curves are emptied, unless FbxCurves::Keep
   Takes takes;
   Warnings warnings;
 };

@@ -60,7 +60,7 @@ FbxTransform::FbxTransform(const FbxProperties& node) {
   const auto stated = static_cast<int>(node.number("RotationOrder", 0));
   order = stated >= 0 && stated < kFbxOrders ? stated : 0;
   // Pre-rotation, post-rotation and order apply only to nodes with RotationActive. Files without
-  // that property mean them to apply.
+  // that property are meant to apply them.
   if (node.number("RotationActive", 1) == 0) {
     pre_rotation = post_rotation = Vector3d::Zero();
     order = 0;

@@ -46,7 +46,7 @@ struct FbxTransform {
   /// The part with that name, which a curve may move; null: none.
   Eigen::Vector3d* part(std::string_view property);
 
-  /// The rotations before and after the node's own.
+  /// The rotations before and after the one by the `rotation` angles.
   struct Turns {
     Eigen::Quaterniond before;
     Eigen::Quaterniond after;
@@ -55,8 +55,8 @@ struct FbxTransform {
 
   LocalTransform local() const { return local(turns()); }
   LocalTransform local(const Turns& turns) const;
-  /// Sets translation, rotation and scaling so that local() equals this, with angles nearest to the
-  /// current ones.
+  /// Sets translation, rotation and scaling so that local() returns this transform, with angles
+  /// nearest to the current ones.
   void set_local(const LocalTransform& local);
 
  private:

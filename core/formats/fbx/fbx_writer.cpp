@@ -32,7 +32,7 @@ constexpr std::int64_t kFirstId = 1000;
 
 constexpr float kPercentOfWhole = 100;
 
-/// The number of the order in which a joint's channels turn it; of other joints XYZ.
+/// The FBX number of a joint's rotation order, or of XYZ for joints without three different axes.
 int order_of(const Joint& joint) {
   std::vector<int> axes;
   for (const ChannelKind kind : joint.channels)
@@ -67,7 +67,7 @@ bool moves(const Track3& track) {
 
 class FbxDocument {
  public:
-  /// The joints as they rest, with the channels of `motion`.
+  /// Starts a document with the joints of `motion`, whose transforms at rest are in `rest`.
   FbxDocument(const Motion& motion, const std::vector<NodeTrack>& rest, const SourceFormat& format)
       : skeleton_(motion.skeleton),
         format_(format),
@@ -89,7 +89,7 @@ class FbxDocument {
   std::string bytes(int version);
 
  private:
-  /// A node's numbers, for references from other parts.
+  /// A written node: its id, for connections, its property record and its transform at rest.
   struct Node {
     std::int64_t id = 0;
     FbxOutRecord* properties = nullptr;
@@ -97,9 +97,10 @@ class FbxDocument {
   };
   struct MorphedMesh {
     std::int64_t shapes = 0;  // the deformer that holds them
-    // Channels by the name of their shape, and by how many of that name the take had before.
+    // Channels by the name of their shape, and by the number of shapes of that name before it in
+    // the take.
     std::map<std::pair<std::string, int>, std::int64_t> channels;
-    std::map<std::string, int> of_name;  // number of shapes of each name in the take that is added
+    std::map<std::string, int> of_name;  // shapes of each name so far in the take that is added
   };
 
   Node add_node(const std::string& name, std::string_view kind, std::int64_t parent);
@@ -120,7 +121,7 @@ class FbxDocument {
   const SourceFormat& format_;
   double rate_hz_;
   std::int64_t layer_ = 0;      // the layer of the take that is added
-  std::int64_t last_tick_ = 0;  // the latest in any take
+  std::int64_t last_tick_ = 0;  // latest tick of any take
   FbxOutRecord objects_{.name = "Objects"};
   FbxOutRecord connections_{.name = "Connections"};
   FbxOutRecord pose_{.name = "Objects"};  // record for the bind pose
@@ -128,7 +129,7 @@ class FbxDocument {
   std::vector<Node> joints_;
   std::map<std::string, Node> nodes_;                          // by name
   std::map<std::string, MorphedMesh> morphed_meshes_;          // by name
-  std::set<std::pair<std::int64_t, std::string>> properties_;  // each with the number of its node
+  std::set<std::pair<std::int64_t, std::string>> properties_;  // node id, property name
   int bound_ = 0;
 };
 
@@ -222,7 +223,7 @@ void FbxDocument::add_movement(const NodeTrack& track) {
     scales.fill(std::vector<float>(track.rotation.size(), 1.0F));
   for (const Vector3d& scale : track.scales) append(scale, scales);
   const std::int64_t model = joints_[track.node].id;
-  // A joint may be elsewhere than at rest, for example in another take.
+  // A constant translation is written if it differs from that at rest, as it may in another take.
   const Vector3d& rest = joints_[track.node].rest.translation;
   const bool is_at_rest = (track.translation.front() - rest).norm() <= 1e-9 * (1 + rest.norm());
   if (skeleton_.joint(static_cast<int>(track.node)).parent < 0 || !is_at_rest || moves(places))
@@ -231,7 +232,8 @@ void FbxDocument::add_movement(const NodeTrack& track) {
   if (!scales[0].empty()) out_.add(layer_, model, "Lcl Scaling", scales);
 }
 
-/// A node outside the skeleton exists only to hold tracks.
+/// The node that a track belongs to. Adds a node outside the skeleton if needed, which only holds
+/// tracks.
 FbxDocument::Node FbxDocument::node_of(const ScalarTrack& track) {
   if (track.node.empty() && !joints_.empty()) return joints_.front();
   const auto known = nodes_.find(track.node);
@@ -252,7 +254,7 @@ void FbxDocument::add_track(const ScalarTrack& track) {
   out_.add(layer_, node.id, track.name, track.values, track.steps);
 }
 
-/// The channel of a shape, which every take shares.
+/// The blend shape channel of a track, added when first asked for. All takes share it.
 std::int64_t FbxDocument::channel_of(const ScalarTrack& track) {
   MorphedMesh& mesh = morphed_meshes_[track.node];
   if (mesh.shapes == 0) {
@@ -342,7 +344,7 @@ FbxOutRecord FbxDocument::definitions() const {
 
 std::string FbxDocument::bytes(int version) {
   pose_.records.front().field("NbPoseNodes", static_cast<std::int32_t>(bound_));
-  // The end of the file follows from this date and id; some programs check that.
+  // The id at the end of the file must match this date and id; some programs check that.
   constexpr std::string_view kFileId(
       "\x28\xb3\x2a\xeb\xb6\x24\xcc\xc2\xbf\xc8\xb0\x2a\xa9\x2b\xfc\xf1", 16);
   objects_.records.splice(objects_.records.end(), pose_.records);
@@ -390,8 +392,8 @@ std::string fbx_bytes(const std::vector<FbxClip>& clips, const SourceFormat& sou
     throw Error("an FBX is written as version 7.4 or 7.7 only");
   const SourceFormat format = fbx_format(source, options);
   const Motion first = exported_motion(clips.front().motion, format, options);
-  // The first root rests at the origin: Blender turns a bone without length by what is left of its
-  // direction in floats, and far out little is.
+  // The first root rests at the origin: Blender finds the direction of a bone without length in
+  // floats, which keep little of it far from the origin.
   Pose rest = resting_pose(first, source);
   const Vector3d root = rest.origin.empty() ? Vector3d(Vector3d::Zero()) : rest.origin.front();
   for (Vector3d& origin : rest.origin) origin -= root;

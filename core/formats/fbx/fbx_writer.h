@@ -17,11 +17,12 @@ struct FbxClip {
   const ScalarTracks& tracks;
 };
 
-/// A binary FBX of a skeleton and its takes, without a mesh: limbs with their bind pose, bones'
-/// ends as limbs of their own, straight curves with a key each frame. Each joint turns in the order
-/// of its channels, or XYZ where it has no three; from key to key no angle takes the longer way
-/// round. Bones rest as gltf_bytes() has them in the first clip, the first root at the origin. All
-/// clips are of one rig (rig_of()), each at its own rate.
+/// A binary FBX of a skeleton and its takes, without a mesh: limb nodes with their bind pose,
+/// further limb nodes for the ends of bones, and linear curves with a key each frame. Each joint
+/// turns in the order of its three rotation channels, or else in the order XYZ; no angle takes the
+/// longer way round from key to key. Bones rest as gltf_bytes() would write them for the first
+/// clip, with the first root at the origin. All clips are of one rig (rig_of()), each at its own
+/// rate.
 ///
 /// Tracks become scales of joints, weights of blend shapes (whose meshes have no points, since a
 /// clip has none), visibility and custom properties of the node that they name; tracks without a
@@ -40,8 +41,7 @@ std::string fbx_bytes(const Motion& motion, const SourceFormat& source = {},
 /// axis; options override both.
 SourceFormat fbx_format(const SourceFormat& source, const WriteOptions& options = {});
 
-/// The names of the joints in fbx_bytes(): their own, or "joint" for none, and
-/// changed where two are alike.
+/// The unique joint names that fbx_bytes() writes; a joint without a name is called "joint".
 std::vector<std::string> fbx_names(const Skeleton& skeleton);
 
 }  // namespace mocapress
