@@ -16,8 +16,8 @@ inline constexpr double kUsualAmcRate = 120;  // Hz: CMU's rate, since their fil
 /// have no channels. Throws InputError.
 ///
 /// Three values on a bone with fewer dof turn it by Rz * Ry * Rx. With the header
-/// FORCE-ALL-JOINTS-BE-3DOF they are its dof, then the axes missing from it (CMU's wrists are
-/// continuous only in this reading). Without the header they are rx ry rz.
+/// FORCE-ALL-JOINTS-BE-3DOF the values belong to its dof, then to the missing axes (CMU's wrists
+/// are continuous only in this reading). Without the header the values are rx ry rz.
 MotionFile read_amc(const std::string& file, std::string_view text, const AsfSkeleton& skeleton,
                     const ReadOptions& options = {});
 

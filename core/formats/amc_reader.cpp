@@ -96,7 +96,7 @@ MotionFile AmcReader::read() {
   }
   if (frames_ == 0) cursor_.fail(cursor_.peek(), "expected a complete frame, found none");
   Motion motion = to_motion();
-  // Lengths do not count as values, so row_size_ may be more than zero.
+  // Does not test row_size_: rows also hold bones' lengths, which have no channel.
   if (motion.skeleton.channel_count() == 0)
     cursor_.fail(cursor_.peek(), "no bone has a value: nothing moves");
   unwrap_angles(motion.skeleton, motion.clip);
@@ -132,7 +132,7 @@ bool AmcReader::read_frame() {
   const Token number = cursor_.peek();
   take_frame_number();
   joints_in_frame_ = 0;
-  // A frame may leave out joints, so the bytes read do not bound its number of values.
+  // Frames may leave out joints, so even a short file can ask for many values.
   require_memory(cursor_.file(), kBytesOfReadValue * (frames_ + 1) * row_size_);
   values_.resize((frames_ + 1) * row_size_, kMissing);
   while (!cursor_.at_end() && !at_frame_number())

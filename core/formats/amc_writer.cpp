@@ -8,14 +8,14 @@
 namespace mocapress {
 namespace {
 
-/// A channel's place on its joint's line, and its factor there.
+/// One value on a joint's line: its channel, and the factor to the file's units.
 struct Value {
   int channel;
   double units_per_value;  // per cm or radian
 };
 
-/// The channels of a joint in the order of its dof: translations, then rotations, the one applied
-/// first in front.
+/// The values on a joint's line in the order of its dof: translations, then rotations. The rotation
+/// applied first comes first.
 std::vector<Value> values_of(const Skeleton& skeleton, int joint, double cm_per_unit) {
   std::vector<Value> translations;
   std::vector<Value> rotations;

@@ -19,7 +19,7 @@ struct AsfJoint {
   Joint joint;                                  // cm
   std::vector<std::optional<ChannelKind>> dof;  // column by column; unset: "l", a bone's length
   std::vector<int> columns;                     // each channel's column; -1: none, always zero
-  bool translates_along_axes = false;           // true: joint_from_axes has to turn translations
+  bool translates_along_axes = false;           // true: joint_from_axes turns translations, too
 
   /// Sets joint.channels and `columns` from `dof`. The rotation about the first of `rotation_axes`
   /// is applied first.
@@ -41,8 +41,8 @@ struct AsfSkeleton {
 AsfSkeleton read_asf(const std::string& file, std::string_view text,
                      std::optional<double> cm_per_unit = {});
 
-/// The motion with joints that Acclaim can express: no turned axes on the root or beside
-/// translations. asf_text() and amc_text() require this.
+/// The motion with joints that Acclaim can express: joint_from_axes is identity at the root and at
+/// joints that translate. asf_text() and amc_text() require this.
 Motion acclaim_motion(const Motion& motion);
 
 /// Joint names in an .asf and its .amc: one word each, unique, with "root" for the root.
@@ -51,12 +51,12 @@ std::vector<std::string> asf_names(const Skeleton& skeleton);
 /// CMU's unit of length: 0.45 units to the inch.
 inline constexpr double kAsfCmPerUnit = 2.54 / 0.45;
 
-/// The option's unit if set, else the source's if it was Acclaim, else CMU's.
+/// The centimetres per unit to write: the option's if set, else an Acclaim source's, else CMU's.
 double asf_cm_per_unit(const SourceFormat& source, const ReadOptions& options = {});
 
-/// The text of an .asf in degrees and the given unit of length. A child away from the end of its
-/// parent's bone gets a bone without dof, "to_<child>", that leads there. Throws WriteError unless
-/// the skeleton has one root.
+/// The text of an .asf in degrees and the given unit of length. If a child does not start at the
+/// end of its parent's bone, a bone without dof, "to_<child>", leads there. Throws WriteError
+/// unless the skeleton has one root.
 std::string asf_text(const Skeleton& skeleton, double cm_per_unit = kAsfCmPerUnit);
 
 }  // namespace mocapress

@@ -43,7 +43,8 @@ class AsfWriter {
   std::string text_;
 };
 
-/// The end of each joint's bone: its end site, or the first child away from its start.
+/// The end of each joint's bone: the place of the first child that is not at the joint's own
+/// origin, or else the end site.
 std::vector<Eigen::Vector3d> bone_ends(const Skeleton& skeleton) {
   std::vector<Eigen::Vector3d> ends;
   for (const Joint& joint : skeleton.joints())
@@ -56,7 +57,7 @@ std::vector<Eigen::Vector3d> bone_ends(const Skeleton& skeleton) {
   return ends;
 }
 
-/// A word for a joint that is no keyword, frame number or comment.
+/// A joint's name as one word that readers do not take for a keyword, frame number or comment.
 std::string bone_name(const std::string& name) {
   const std::string word = as_word(name, "");
   const bool misread = equals_ignoring_case(word, "begin") || equals_ignoring_case(word, "end") ||
@@ -119,8 +120,8 @@ void AsfWriter::make_bones() {
     bones_.push_back({unique_word("root_end", taken), 0, *end, nullptr});
 }
 
-/// Refuses skeletons that readers here would refuse; bones that only lead to a child count and nest
-/// as well.
+/// Refuses skeletons that the readers here would refuse. Bones that only lead to a child count,
+/// too.
 void AsfWriter::check_limits() const {
   if (bones_.size() > runtime::kMostJoints)
     throw Error("an .asf of this skeleton would have " + std::to_string(bones_.size()) +

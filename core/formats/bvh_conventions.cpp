@@ -12,9 +12,9 @@
 namespace mocapress {
 namespace {
 
-constexpr double kClear = 0.25;  // share of the way from one convention to the other
+constexpr double kClear = 0.25;  // share of OFFSET: a mean this near to zero or to OFFSET is clear
 
-/// A translation channel along whose axis the joint has an offset.
+/// A translation channel along an axis in which the joint's offset is not zero.
 struct OffsetColumn {
   Eigen::Index column;
   int axis;
@@ -52,7 +52,7 @@ bool begins_at_offset(const Clip& clip, const std::vector<OffsetColumn>& columns
   });
 }
 
-/// The height's column alone if the height is most of the offset, else all columns.
+/// The column of the up axis alone if most of the offset lies along it, else all columns.
 std::vector<OffsetColumn> steady_columns(const std::vector<OffsetColumn>& columns, UpAxis up) {
   const int up_axis = up == UpAxis::Y ? 1 : 2;
   double squared_length = 0;

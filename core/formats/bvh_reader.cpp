@@ -24,7 +24,7 @@ std::string number(double value) {
   return text;
 }
 
-/// A channel that joints here cannot have: a joint's size along an axis.
+/// A column that scales a joint along an axis. Joints have no channel for that.
 struct ScaleChannel {
   std::size_t column = 0;  // in the file's rows
   int joint = 0;
@@ -277,7 +277,7 @@ void BvhReader::read_rows() {
                            std::to_string(frames) + kOtherFrames);
 }
 
-/// The columns of joints. Scales become tracks, unless they stay at 1.
+/// The rows without the columns of scales, which become tracks unless they stay at 1.
 Eigen::MatrixXd BvhReader::without_scales(const RawRows& rows) {
   const auto left = rows.cols() - std::ssize(scales_);
   Eigen::MatrixXd kept(rows.rows(), left);

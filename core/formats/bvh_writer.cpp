@@ -20,7 +20,7 @@ bool translates(const Joint& joint) {
   return std::ranges::any_of(joint.channels, [](ChannelKind kind) { return !is_rotation(kind); });
 }
 
-/// True if all its rotation channels turn about different axes, which a BVH requires.
+/// True if a joint's rotation channels turn about different axes, as a BVH requires.
 bool has_an_order(const Joint& joint) {
   std::array<int, kChannelKinds> times{};
   for (const ChannelKind kind : joint.channels) ++times[static_cast<std::size_t>(kind)];
@@ -37,8 +37,8 @@ std::array<int, 3> rotation_order(const Joint& joint) {
   return {order[0], order[1], order[2]};
 }
 
-/// Bytes of the first character of `text`. 0: it is no UTF-8, or it is white space to readers that
-/// know more than ASCII's.
+/// The number of bytes of the first character of `text`. 0: the character is not UTF-8, or is white
+/// space beyond ASCII's, at which some readers end a word.
 std::size_t character_size(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const std::size_t size = byte(0) < 0x80 ? 1 : byte(0) < 0xE0 ? 2 : byte(0) < 0xF0 ? 3 : 4;
@@ -58,8 +58,8 @@ std::size_t character_size(std::string_view text) {
   return is_space ? 0 : size;
 }
 
-/// A word for a joint: UTF-8 without white space, braces or quotes (some programs put names into
-/// paths), and no keyword.
+/// A joint's name as one word: UTF-8 that is no keyword, without white space, braces, quotes or
+/// backslashes (some programs put names into paths).
 std::string joint_word(const std::string& name) {
   const std::string plain = as_word(name, "{}\"'\\");
   std::string word;
@@ -82,7 +82,7 @@ struct Place {
   std::size_t depth;
 };
 
-/// Joints in the order in which braces nest: each straight before its first child.
+/// Joints in depth-first order, in which a BVH nests them.
 std::vector<Place> depth_first(const Skeleton& skeleton) {
   std::vector<std::vector<int>> children(skeleton.joint_count());
   std::vector<Place> waiting;
@@ -179,8 +179,8 @@ void BvhWriter::close_joints(std::size_t from_depth, std::size_t to_depth) {
   for (std::size_t depth = from_depth; depth > to_depth; --depth) begin_line(depth - 1, "}\n");
 }
 
-/// Writes a joint's channels. A joint that moves along any axis gets all three positions, which may
-/// have to hold its offset.
+/// Writes the list of a joint's channels. A joint with any translation channel gets all three
+/// positions, since these may have to repeat its offset.
 void BvhWriter::write_channels(const Joint& joint) {
   text_ += translates(joint) ? "6 Xposition Yposition Zposition" : "3";
   for (const int axis : rotation_order(joint)) text_ += std::string(" ") + "XYZ"[axis] + "rotation";

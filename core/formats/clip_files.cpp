@@ -28,7 +28,7 @@ class FolderWalk {
 
   std::vector<FoundClip> clips_below(const fs::path& folder) {
     look_into(folder);
-    // A folder's links come after everything that is really below it.
+    // Follows links last, so that a folder is found under its own path if that is below `folder`.
     for (std::size_t i = 0; i < links_.size(); ++i) look_into(fs::path(links_[i]));
     std::ranges::sort(found_, {}, [](const FoundClip& clip) { return generic_utf8(clip.path); });
     return std::move(found_);

@@ -11,8 +11,8 @@
 
 namespace mocapress {
 
-/// The extensions that read_motion() reads, for messages and file dialogs, each after `before` and
-/// separated by `between`: ".bvh, .amc, .fbx, ..." for ", " and nothing, "*.bvh *.amc *.fbx ..."
+/// The extensions that read_motion() reads, for messages and file dialogs. Each follows `before`,
+/// and `between` separates them: ".bvh, .amc, .fbx, ..." for ", " and "", "*.bvh *.amc *.fbx ..."
 /// for " " and "*".
 std::string readable_extensions(std::string_view between, std::string_view before = "");
 
@@ -25,10 +25,10 @@ struct FoundClip {
   std::string problem;  // reason why it cannot be read, if known already; else empty
 };
 
-/// Every clip below a folder, in the order of their paths. Links are followed, and each folder is
-/// searched once, under its own path if that is below `folder`. The list includes, with their
-/// problem, folders that cannot be read, clips' names that belong to no file, and links that lead
-/// nowhere. The folder `left_out` is skipped.
+/// Every clip below a folder, in the order of their paths. Follows links, and searches each folder
+/// once, under its own path if that is below `folder`. The list includes, with their problems,
+/// folders that cannot be read, clips' names that belong to no file, and links that lead nowhere.
+/// Skips the folder `left_out`.
 std::vector<FoundClip> clips_below(const std::filesystem::path& folder,
                                    const std::optional<FileIdentity>& left_out = {});
 

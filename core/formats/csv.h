@@ -9,7 +9,7 @@
 
 namespace mocapress {
 
-/// "time_s,root.tx_cm,lfemur.rx_rad,...,face.smile", then one line a frame.
+/// The text of a .csv: "time_s,root.tx_cm,lfemur.rx_rad,...,face.smile", then one line a frame.
 std::string csv_text(const Motion& motion, const ScalarTracks& tracks = {});
 
 /// Reads curves that a motion file lacks, such as custom properties, IK and event curves: a line of

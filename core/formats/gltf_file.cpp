@@ -166,7 +166,7 @@ GltfFile::GltfFile(fs::path file, std::string_view bytes)
   if (!version.starts_with("2."))
     fail("is no glTF 2.0: " +
          (version.empty() ? "it states no version" : "its version is " + shortened(version)));
-  // Done once, since lists are often looked up.
+  // Checks all lists once, here, since they are often looked up.
   for (const char* kind : {"accessors", "animations", "buffers", "bufferViews", "images",
                            "materials", "meshes", "nodes", "skins", "textures"})
     list(json_, kind);
@@ -306,7 +306,7 @@ std::string GltfFile::resource(const std::string& uri) const {
   const fs::path folder = path_.has_parent_path() ? path_.parent_path() : fs::path(".");
   const auto place = real_path(folder / relative);
   if (!place) fail("refers to " + shown + ", which is not there");
-  // With links resolved, the place may be elsewhere, and on Windows on another drive.
+  // Resolved links may lead out of the folder, on Windows even to another drive.
   const fs::path below = place->lexically_relative(real_path(folder).value_or(fs::path()));
   if (below.empty() || leaves_its_folder(below) || path_kind(*place) != PathKind::File)
     fail("refers to " + shown + ", but only files in its own folder are read");
@@ -340,7 +340,8 @@ bool GltfFile::is_placeholder(std::size_t buffer) const {
   });
 }
 
-/// The bytes of a bufferView, placed by itself or by its extension.
+/// The bytes of bufferView number `view`. `stated` says where they are: the bufferView itself, or
+/// the extension that packs it.
 std::string_view GltfFile::part(std::size_t view, const Json& stated) {
   const std::string& bytes = buffer(required_index(stated, "buffer", "buffers"));
   const std::size_t begin = size(stated, "byteOffset", 0);
@@ -440,7 +441,8 @@ std::vector<double> GltfFile::values(std::size_t accessor, std::string_view type
   if (text(stated, "type") != type) fail(which + " is not " + std::string(type));
   const std::size_t components = components_of(type);
   const std::size_t count = size(stated, "count", 0);
-  // An accessor without bytes is all zero, and may state any count any number of times.
+  // Accessors without bytes are all zeros and take no room in a file, so their total count is
+  // limited.
   if (!stated.contains("bufferView")) zeros_read_ += std::min(count, kMostZeros + 1) * components;
   if (zeros_read_ > kMostZeros) fail("states more zeros that have no bytes than are read");
   if (count > std::numeric_limits<std::uint32_t>::max()) fail(kTooMuch);

@@ -51,26 +51,26 @@ class GltfFile {
   /// The file's objects of a kind ("nodes", "skins", ...); an empty list if it has none.
   const Json& list(const char* kind) const;
 
-  /// A list within `object`, with the same rules.
+  /// A list that is a member of `object`; an empty list if the member is absent.
   const Json& list(const Json& object, const char* key) const;
 
   /// A member that is an index into list(kind).
   std::optional<std::size_t> index(const Json& object, const char* key, const char* kind) const;
   std::size_t required_index(const Json& object, const char* key, const char* kind) const;
 
-  /// An array whose members are such indices.
+  /// A member that is an array of indices into list(kind).
   std::vector<std::size_t> indices(const Json& object, const char* key, const char* kind) const;
 
-  /// A whole number from 0 on; `otherwise` if it is absent.
+  /// A member that is a whole number from 0 on; `otherwise` if it is absent.
   std::size_t size(const Json& object, const char* key, std::size_t otherwise) const;
 
   /// An extension of an object by name; null if absent.
   const Json* extension(const Json& object, const char* name) const;
 
-  /// A text; empty if absent.
+  /// A member that is a text; empty if absent.
   std::string text(const Json& object, const char* key) const;
 
-  /// An array of `count` numbers, each finite and at most 1e9.
+  /// A member that is an array of `count` numbers, each finite and at most 1e9.
   std::optional<std::vector<double>> numbers(const Json& object, const char* key,
                                              std::size_t count) const;
 
@@ -86,13 +86,13 @@ class GltfFile {
   /// The bytes of a bufferView, without gaps.
   std::string bytes_of_view(std::size_t index);
 
-  /// Counts numbers that are read against the limit for a file.
+  /// Counts `numbers` towards the limit on numbers that are read from a file.
   void spend(std::size_t numbers);
 
-  /// The number of components in an element of such an accessor.
+  /// The number of components in an element of type "SCALAR", "VEC3", ...
   static std::size_t components_of(std::string_view type);
 
-  /// Normalises numbers of an accessor that were decoded elsewhere, if the accessor says so.
+  /// The values of an accessor that were decoded elsewhere, normalised if the accessor says so.
   std::vector<double> as_stated(std::size_t accessor, std::vector<double> values) const;
 
   /// All elements of an accessor as numbers: normalised ones from -1 or 0 to 1, sparse ones filled

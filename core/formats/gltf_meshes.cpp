@@ -45,7 +45,7 @@ class PlaceInPicture {
     set_ = file.size(*stated, "texCoord", set_);
     if (const auto offset = file.numbers(*stated, "offset", 2))
       moved_.translate(Eigen::Vector2d(offset->data()));
-    // Counter-clockwise, with the second coordinate pointing down.
+    // Counter-clockwise where the second coordinate points down, hence the sign.
     if (const auto angle = stated->find("rotation"); angle != stated->end() && angle->is_number())
       moved_.rotate(-angle->get<double>());
     if (const auto scale = file.numbers(*stated, "scale", 2))
@@ -155,8 +155,8 @@ std::vector<NodeMesh::Bone> MeshReader::bones_of_skin(std::size_t number) {
   return bones;
 }
 
-/// Unpacks a Draco primitive. If the same data is also there unpacked, for readers without Draco,
-/// that is read instead.
+/// Unpacks a Draco primitive, unless the file has the same data unpacked, too, for readers without
+/// Draco.
 void MeshReader::unpack(const Json& primitive) {
   packed_.reset();
   const Json* const draco = file_.extension(primitive, "KHR_draco_mesh_compression");

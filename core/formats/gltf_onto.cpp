@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A motion put into a glTF file that is there already, in place of an animation.
+// Puts a motion into an existing glTF file, in place of an animation.
 #include <algorithm>
 #include <map>
 #include <string>
@@ -19,7 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Weights of nodes that have a track for each weight. Among tracks of one name, each is used once.
+/// Morph weights of those nodes for whose every weight `tracks` has a track. Tracks of the same
+/// name are used in order, each once.
 std::vector<WeightsTrack> weights_of(const GltfTake& take, const ScalarTracks& tracks) {
   std::unordered_set<const ScalarTrack*> taken;
   std::map<std::size_t, WeightsTrack> of_node;
@@ -41,7 +42,8 @@ std::vector<WeightsTrack> weights_of(const GltfTake& take, const ScalarTracks& t
   return all;
 }
 
-/// Leaves out what moves the nodes of `tracks`: channels, and the samplers that only these had.
+/// Removes the channels that move the nodes of `tracks` and `weights`, and the samplers that only
+/// these channels used.
 void remove_channels(const GltfFile& file, const std::vector<NodeTrack>& tracks,
                      const std::vector<WeightsTrack>& weights, Json& animation) {
   std::unordered_set<std::size_t> nodes;
@@ -66,7 +68,8 @@ void remove_channels(const GltfFile& file, const std::vector<NodeTrack>& tracks,
   }
 }
 
-/// The media type of an image by its first bytes; empty for what is no image that a glTF may hold.
+/// The media type of an image, by its first bytes. Empty unless it is a PNG or JPEG, as glTF has
+/// them, or a KTX2 or WebP, as its extensions have them.
 std::string image_type(std::string_view bytes) {
   if (bytes.starts_with("\x89PNG")) return "image/png";
   if (bytes.starts_with("\xFF\xD8\xFF")) return "image/jpeg";
@@ -111,7 +114,8 @@ std::string joined_buffers(GltfFile& file, Json& json) {
   return bytes;
 }
 
-/// Puts the buffers that are files of their own, or the chunk of a .glb, into a .gltf.
+/// Makes a data URI of a .glb's chunk for a .gltf, and if `with_files`, of buffers in files of
+/// their own.
 void embed_buffers(GltfFile& file, Json& json, bool with_files) {
   for (std::size_t b = 0; b < file.list("buffers").size(); ++b) {
     if (file.is_placeholder(b)) continue;
@@ -121,8 +125,9 @@ void embed_buffers(GltfFile& file, Json& json, bool with_files) {
   }
 }
 
-/// Moves external images into the file: into the chunk of a .glb, as are those of data URIs. Images
-/// that are missing or remote stay references.
+/// Embeds images: those of data URIs in the chunk of a .glb and, if `with_files`, those in files of
+/// their own in that chunk or as data URIs of a .gltf. Images that are missing or remote stay
+/// references.
 void embed_images(const GltfFile& file, Json& json, bool with_files, BufferWriter* chunk) {
   if (!json.contains("images")) return;
   Json images = json["images"];  // apart: add_view() adds to `json`
@@ -170,10 +175,10 @@ std::string gltf_bytes_onto(const fs::path& onto, const Motion& motion, GltfCont
   Json json = file.json();
   for (const NodeTrack& track : tracks) {
     Json& node = json["nodes"][track.node];
-    // A node that an animation moves may have no matrix.
+    // An animated node must not have a matrix.
     if (node.erase("matrix") > 0) set_transform(node, track.rest);
   }
-  // A .glb has one buffer, its chunk; a .gltf gets one more.
+  // A .glb has one buffer, its chunk; a .gltf gets a new buffer for the animation.
   const bool is_glb = container == GltfContainer::Glb;
   const bool moves_away = !same_folder(onto.parent_path(), folder);
   std::string data;

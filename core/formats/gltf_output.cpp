@@ -58,7 +58,7 @@ std::string in_container(Json json, GltfContainer container, std::size_t buffer,
   json["buffers"][buffer]["byteLength"] = data.size();
   if (container == GltfContainer::Gltf)
     json["buffers"][buffer]["uri"] = data_uri(kBufferType, data);
-  // Bytes of a name that are no UTF-8 become the replacement character.
+  // In names, bytes that are not UTF-8 become the replacement character.
   std::string text = dumped(json, container == GltfContainer::Gltf ? 1 : -1);
   if (container == GltfContainer::Gltf) return text + '\n';
 

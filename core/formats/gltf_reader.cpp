@@ -39,7 +39,7 @@ struct KeyCurve {
   std::size_t node = 0;  // its index in the file
   Path path = Path::Translation;
   std::size_t target = 0;  // for weights: the morph target
-  std::string name;        // the morph target's
+  std::string name;        // the morph target's name
   Interpolation interpolation = Interpolation::Linear;
   std::size_t input = 0;       // accessor of the times
   std::vector<double> times;   // s, ascending or equal
@@ -49,7 +49,7 @@ struct KeyCurve {
 /// Reads values of a curve at ascending times.
 class KeyCurveReader {
  public:
-  /// A time within `snap` (s) of a key counts as that key's.
+  /// A time within `snap` seconds of a key gives that key's value.
   KeyCurveReader(const KeyCurve& curve, double snap)
       : curve_(curve), snap_(snap), width_(width_of(curve.path)) {}
 
@@ -234,8 +234,8 @@ std::vector<TakeName> TakeReader::take_names() const {
   return takes;
 }
 
-/// Reads the animation that was asked for, or the first that moves anything. One whose values never
-/// change is passed over; if all are such, the first is read.
+/// Reads the animation that was asked for, or else the first whose values change. If none changes,
+/// reads the first.
 void TakeReader::read_animation() {
   const std::vector<TakeName> takes = take_names();
   Warnings warnings;
@@ -355,7 +355,8 @@ std::vector<std::string> TakeReader::target_names(std::size_t number) const {
   return names;
 }
 
-/// Reads a curve for each target. Values of one key are stored side by side.
+/// Reads one curve for each morph target. At each key the file stores the values of all targets
+/// side by side.
 void TakeReader::read_weights(const Json& sampler, const Target& target) {
   if (std::ranges::any_of(weights_, [&](const KeyCurve& one) { return one.node == target.node; }))
     file_.fail("has an animation that moves the morph weights of a node twice");
@@ -380,7 +381,7 @@ void TakeReader::read_weights(const Json& sampler, const Target& target) {
   }
 }
 
-/// Adds all nodes except leaves that draw or light.
+/// Adds all nodes except those that only hold meshes, cameras or lights.
 void TakeReader::add_nodes() {
   const std::size_t count = parents_.size();
   std::vector<bool> is_joint(count);

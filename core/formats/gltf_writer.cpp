@@ -26,7 +26,7 @@ std::vector<float> inverse_bind_matrices(const Pose& rest, double cm_per_unit) {
   return values;
 }
 
-/// The nodes of a skeleton: its joints first, then where bones end.
+/// The nodes of a skeleton: first its joints, then the ends of bones.
 Json nodes_of(const Skeleton& skeleton, const std::vector<NodeTrack>& tracks, double cm_per_unit) {
   const std::vector<std::string> names = gltf_names(skeleton);
   Json nodes = Json::array();
@@ -84,7 +84,7 @@ std::string gltf_bytes(const Motion& given, GltfContainer container, const Sourc
     joints.push_back(j);
     if (skeleton.joint(j).parent < 0) roots.push_back(j);
   }
-  // The joints of a skin have a node above them all.
+  // glTF requires one node above all joints of a skin.
   if (roots.size() > 1) {
     nodes.push_back({{"name", "skeleton"}, {"children", roots}});
     roots = Json::array({nodes.size() - 1});
@@ -99,7 +99,7 @@ std::string gltf_bytes(const Motion& given, GltfContainer container, const Sourc
   Json animation = {{"samplers", Json::array()}, {"channels", Json::array()}};
   AnimationWriter writer(buffer, animation, 0, motion.clip.frames(), motion.clip.sample_rate_hz);
   for (const NodeTrack& track : tracks) writer.add(track, false);
-  // Without a channel it would be no animation, and the number of frames would be lost.
+  // An animation needs a channel, even if nothing moves: it also tells the number of frames.
   if (animation["channels"].empty() && !tracks.empty()) writer.add(tracks.front(), true);
   json["animations"].push_back(std::move(animation));
   return in_container(std::move(json), container, 0, buffer.release());

@@ -21,19 +21,19 @@ std::string gltf_bytes(const Motion& motion, GltfContainer container,
                        const SourceFormat& source = {}, const WriteOptions& options = {},
                        const ScalarTracks& tracks = {});
 
-/// The unit and the axes of a file: those of the options, else of a source that was a glTF, else
-/// metres and Y up.
+/// The unit and the axes of a file to write: those of the options, else of a source that was a
+/// glTF, else metres and Y up.
 SourceFormat gltf_format(const SourceFormat& source, const WriteOptions& options = {});
 
 /// The unique joint names that gltf_bytes() writes.
 std::vector<std::string> gltf_names(const Skeleton& skeleton);
 
-/// The file `onto` with `motion` in place of the animation that read_gltf() reads from it by
-/// `options.take`. Nodes with the names of its joints move as these do in the world, and scales and
-/// morph weights come from `tracks` where they are there. Everything else stays: meshes, materials,
-/// other animations, and the animation's effect on other nodes. `folder` is the folder of the
-/// result: if `onto` is in another, files beside it that it refers to go into the result. A .glb
-/// has all buffers in its chunk. Throws InputError, WriteError.
+/// The file `onto` in which `motion` replaces the animation that read_gltf() reads by
+/// `options.take`. Nodes with the names of the motion's joints move as these do in the world.
+/// Scales and morph weights come from `tracks`, where it has them. Everything else stays: meshes,
+/// materials, other animations, and the replaced animation's effect on other nodes. `folder` is the
+/// folder of the result: if `onto` is in another, files beside it that it refers to go into the
+/// result. A .glb has all buffers in its chunk. Throws InputError, WriteError.
 std::string gltf_bytes_onto(const std::filesystem::path& onto, const Motion& motion,
                             GltfContainer container, const std::filesystem::path& folder,
                             const SourceFormat& source = {}, const WriteOptions& options = {},

@@ -13,8 +13,8 @@ namespace {
 constexpr double kUnstatedRate = 30;     // Hz
 constexpr double kSlowestRate = 10;      // Hz; keys further apart were set by hand
 constexpr double kSameInstant = 1e-5;    // s
-constexpr double kOnFrame = 0.01;        // frames, as keys are floats
-constexpr double kNearFrame = 0.15;      // frames: half a millisecond at up to 300 Hz
+constexpr double kOnFrame = 0.01;        // in frames: less is rounding of keys, which are floats
+constexpr double kNearFrame = 0.15;      // in frames: half a millisecond at up to 300 Hz
 constexpr double kSameRate = 0.005;      // share of the rate
 constexpr double kDensestUnasked = 120;  // Hz; a higher rate needs keys that are as dense
 constexpr double kMostFramesPerKey = 4;
@@ -139,7 +139,7 @@ SampleTimes sample_times(const std::string& file, const std::vector<double>& key
   times.first_s = keys_s.front();
   const std::optional<double> guessed = wanted_hz ? std::nullopt : guess_rate(keys_s, stated_hz);
   times.rate_hz = wanted_hz ? *wanted_hz : guessed.value_or(stated_hz.value_or(kUnstatedRate));
-  // The keys' tolerance, plus rounding.
+  // The largest distance of a key from its frame, plus rounding.
   const double near =
       guessed ? std::max(1.01 * farthest_key(times.rate_hz, keys_s), kOnFrame) : kOnFrame;
   times.near_s = near / times.rate_hz;

@@ -12,13 +12,13 @@ namespace mocapress {
 
 /// Ways in which a node inherits its parent's scale. The node's translation is scaled in any case.
 enum class ScaleOfParent : std::uint8_t {
-  Whole,   // as glTF, and FBX where it says RSrs: a turned node is sheared
-  ByAxis,  // RrSs: scales are multiplied axis by axis, below all turns
-  None     // Rrs: Maya's segment scale compensation
+  Whole,   // glTF, and FBX's RSrs: the parent's full scale, which shears turned nodes
+  ByAxis,  // FBX's RrSs: scales multiply axis by axis and apply before all rotations
+  None     // FBX's Rrs: no scale, as with Maya's segment scale compensation
 };
 
-/// x_in_parent = translation + rotation * scale * x_in_node, in the file's unit, if the parent's
-/// scale applies as a whole.
+/// x_in_parent = translation + rotation * scale * x_in_node, in the file's unit, if `inherit` is
+/// Whole.
 struct LocalTransform {
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  // any length except 0
@@ -30,12 +30,12 @@ struct LocalTransform {
 class LocalFrames {
  public:
   LocalFrames() = default;
-  LocalFrames(const std::vector<LocalTransform>& frames) {  // NOLINT: a list of frames is one
+  LocalFrames(const std::vector<LocalTransform>& frames) {  // NOLINT: implicit on purpose
     reserve(frames.size());
     for (const LocalTransform& local : frames) push_back(local);
   }
 
-  /// Makes room for that many frames.
+  /// Sets the number of frames to reserve memory for.
   void reserve(std::size_t frames) { room_ = frames; }
   void push_back(const LocalTransform& local) {
     append(local.translation, translations_);
@@ -52,7 +52,7 @@ class LocalFrames {
   }
   LocalTransform front() const { return (*this)[0]; }
 
-  // One value, or one for each frame.
+  // Each holds one value for all frames, or one for each frame.
   const std::vector<Eigen::Vector3d>& translations() const { return translations_; }
   const std::vector<Eigen::Quaterniond>& rotations() const { return rotations_; }
   const std::vector<Eigen::Vector3d>& scales() const { return scales_; }

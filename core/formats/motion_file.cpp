@@ -68,14 +68,15 @@ struct SkeletonText {
   std::string text;
 };
 
-/// True for clips of differences to another clip, which often have rotations only.
+/// True if no bone has a length, as often in clips of differences to another clip, which may have
+/// rotations only.
 bool is_without_lengths(const Skeleton& skeleton) {
   const std::vector<double> lengths = skeleton.driven_lengths();
   return skeleton.joint_count() > 1 &&
          std::ranges::all_of(lengths, [](double length) { return length == 0; });
 }
 
-/// Keeps NaN and infinity out of files.
+/// Throws Error if a value to be written is NaN or infinite.
 void require_finite(const path& file, const Motion& motion, const ScalarTracks& tracks) {
   const auto is_finite = [](const ScalarTrack& track) {
     return std::ranges::all_of(track.values, [](float value) { return std::isfinite(value); });
@@ -203,7 +204,7 @@ Character read_character(const path& file) {
 
 namespace {
 
-/// Warnings about what looks odd on the figure.
+/// Warnings about a character that does not quite fit the clip and may look odd.
 Warnings fit_warnings(const path& file, const Character& character, const Skeleton& skeleton,
                       const OwnLengths& lengths) {
   Warnings warnings;

@@ -21,17 +21,17 @@ namespace mocapress {
 /// Properties that a file does not state, or states wrongly. Unset ones are taken from the file or
 /// guessed, and a guess is a warning.
 struct ReadOptions {
-  // An AMC may state no rate: kUsualAmcRate unless given. Keys of FBX and glTF are sampled at this
-  // rate; unset: at the rate they were made at.
+  // For an AMC that states no rate; unset: kUsualAmcRate. FBX and glTF are sampled at this rate;
+  // unset: at the rate at which their keys were made.
   std::optional<double> sample_rate_hz;
   std::optional<double> cm_per_unit;  // BVH states none: guessed from the skeleton's height
   std::optional<UpAxis> up;           // BVH and AMC state none: Y unless given
   std::optional<TranslationConvention> bvh_root;  // BVH states none: guessed from its values
   std::optional<std::string> take;  // in a file with several: the name, or the number from 1 on
-  // A .fbx, .gltf or .glb that read_motion() puts on: put_character().
+  // A .fbx, .gltf or .glb whose mesh read_motion() puts on the clip, as put_character() does.
   std::optional<std::string> character;
-  // A table of curves that read_motion() adds to the clip's: read_csv_tracks(). Unset: the one that
-  // find_tracks() finds.
+  // A .csv file of curves that read_motion() adds to the clip's own, read by read_csv_tracks().
+  // Unset: the file that find_tracks() finds.
   std::optional<std::string> tracks;
   std::optional<int> fbx_version;  // version of a written FBX: 7400 or 7700; unset: 7400
 
@@ -77,8 +77,8 @@ MotionFile read_motion(const std::filesystem::path& path,
                        const std::optional<std::filesystem::path>& skeleton_path = {},
                        const ReadOptions& options = {});
 
-/// The same for bytes that came another way, as from a pipe. `file` names them in messages and has
-/// the extension. No curves are searched beside it.
+/// Does the same as read_motion() for bytes that came another way, as from a pipe. `file` names
+/// them in messages, and its extension tells their format. Does not look for curves beside it.
 MotionFile read_motion_bytes(const std::filesystem::path& file, std::string_view bytes,
                              const std::optional<std::filesystem::path>& skeleton_path = {},
                              const ReadOptions& options = {});
@@ -93,18 +93,18 @@ std::vector<std::filesystem::path> files_of_motion(
 /// The mesh and skeleton of a .fbx, .gltf or .glb, which needs no animation. Throws InputError.
 Character read_character(const std::filesystem::path& path);
 
-/// Puts a character on the clip in place of its own, if it has one: what it looks like, and what
-/// Weighting::Skin measures. Says what does not fit. Throws InputError that names a joint that the
-/// clip lacks, where too little of the character would be left.
+/// Replaces the clip's skin by a character's: the one shown, and measured by Weighting::Skin. Warns
+/// of whatever does not fit. If too little of the character would be left, throws InputError, which
+/// names a joint that the clip lacks.
 void put_character(const std::filesystem::path& character, MotionFile& clip);
 
-/// Puts on a character that was already read from `file`. Returns its skin on the joints. Throws
-/// Error.
+/// Replaces the skeleton's skin by a character that was already read from `file`, and returns the
+/// character's skin bound to the skeleton. Throws Error.
 std::shared_ptr<const Skin> put_character(const std::filesystem::path& file,
                                           const Character& character, Skeleton& skeleton,
                                           Warnings& warnings);
 
-/// A function that does what read_character() does; it may keep characters that it has read.
+/// A function that returns read_character() of a file; it may keep characters that it has read.
 using CharacterReader =
     std::function<std::shared_ptr<const Character>(const std::filesystem::path& file)>;
 
@@ -114,8 +114,8 @@ MotionFile read_motion_of_many(const std::filesystem::path& path,
                                const std::optional<std::filesystem::path>& skeleton_path = {},
                                const ReadOptions& options = {}, const CharacterReader& read = {});
 
-/// The warning for errors that are not measured on a body around the bones: the mesh of `file`
-/// reaches much further, or no bone has a length.
+/// Warns of joints whose errors are not measured on a body around the bones: the mesh of `file`
+/// reaches much further there, or no bone has a length.
 Warnings surface_warnings(const std::filesystem::path& file, const Skeleton& skeleton);
 
 /// The bytes of a .bvh, .fbx, .glb, .gltf or .csv, by the extension of `file`, as write_motion()
@@ -143,10 +143,11 @@ void write_takes(const std::filesystem::path& path, const std::vector<FbxClip>& 
                  const SourceFormat& source = {}, const WriteOptions& options = {},
                  StagedFile::Existing existing = StagedFile::Existing::Replace);
 
-/// Whether write_motion_onto() writes a file of this extension onto one of that extension.
+/// True if write_motion_onto() can write a file with the extension of `path` from one with that of
+/// `onto`.
 bool can_be_onto(const std::filesystem::path& path, const std::filesystem::path& onto);
 
-/// Writes the .fbx, .glb or .gltf `onto` once more, to `path`, with this motion in place of the
+/// Writes a copy of the .fbx, .glb or .gltf `onto` to `path`, with this motion in place of the
 /// animation that it was read from: fbx_bytes_onto(), gltf_bytes_onto(). Throws InputError,
 /// WriteError; Error on an extension that does not fit.
 void write_motion_onto(const std::filesystem::path& path, const Motion& motion,

@@ -71,7 +71,7 @@ bool are_possible(const LocalFrames& frames) {
   return all(frames.translations()) && all(frames.rotations()) && all(frames.scales());
 }
 
-/// The use of a node.
+/// The use of a node for the skeleton.
 enum class Role {
   None,    // left out
   Part,    // only moves the joints below it
@@ -79,7 +79,7 @@ enum class Role {
   BoneEnd  // the end of its parent's bone
 };
 
-/// The nodes of a take, sorted by their use.
+/// The nodes of a take and the role of each.
 class NodeTree {
  public:
   NodeTree(const std::string& file, const std::vector<AnimatedNode>& nodes);
@@ -87,7 +87,7 @@ class NodeTree {
   Role role(std::size_t node) const { return roles_[node]; }
   LocalTransform local(std::size_t node, int frame) const;
   bool changes_scale(std::size_t node) const;
-  /// The nearest joint above, as a node; -1: none.
+  /// The node that is the nearest joint above; -1: none.
   int joint_above(std::size_t node) const;
 
  private:
@@ -123,10 +123,11 @@ void NodeTree::find_movement() {
   for (const AnimatedNode& node : nodes_) moves_.push_back(moves(node.frames));
 }
 
-/// Finds joints: nodes that begin a skeleton, and those between or above them.
+/// Finds joints. Skeletons begin at marked nodes, or without marks at moving nodes. All nodes above
+/// such a node are joints; of those below, the moving ones, or without marks all.
 void NodeTree::find_joints() {
   const std::size_t count = nodes_.size();
-  // For each node: a node that begins a skeleton is above it, or below it.
+  // above[i], below[i]: a node at which a skeleton begins is above node i, or below it.
   std::vector<bool> above(count);
   std::vector<bool> below(count);
   const auto begins = [&](std::size_t i) { return are_marked_ ? nodes_[i].joint : moves_[i]; };
@@ -151,8 +152,8 @@ int NodeTree::joint_children(std::size_t node) const {
       children_[node], [&](std::size_t child) { return roles_[child] == Role::Joint; }));
 }
 
-/// Folds still armatures and scene roots into the world, from the top; without marks, only as long
-/// as that splits no skeleton.
+/// Turns motionless nodes at the top, such as armatures and scene roots, into parts of the world.
+/// Without marks, stops where that would split a skeleton.
 void NodeTree::fold_from_top() {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     if (roles_[i] != Role::Joint) continue;
@@ -475,7 +476,7 @@ void MotionBuilder::add_skin() {
                   world_from(file_placement(source_.cm_per_unit, source_.up)), warnings_);
 }
 
-/// Adds tracks for the scales of joints that change.
+/// Adds tracks for joints' scales that change over time.
 void MotionBuilder::add_scales() {
   tracks_of_clip_ = take_.tracks;
   for (std::size_t j = 0; j < joints_.size(); ++j) {

@@ -18,7 +18,7 @@ namespace mocapress {
 struct AnimatedNode {
   std::string name;
   int parent = -1;     // comes before its children; -1: none
-  bool joint = false;  // true: a bone of a skin, says the file; false: unknown
+  bool joint = false;  // true: the file marks it as a joint; false: unknown
   LocalTransform rest;
   LocalFrames frames;  // one for each frame; empty: it stays at rest
 };
@@ -46,7 +46,7 @@ struct NodePlacement {
   Eigen::Vector3d scale;
 };
 
-/// The placement of the file's own axes, to which nodes without a parent belong.
+/// The placement of the file's own axes in the world. Nodes without a parent are placed below it.
 NodePlacement file_placement(double cm_per_unit, UpAxis up);
 
 NodePlacement below(const NodePlacement& parent, const LocalTransform& local);
@@ -72,7 +72,7 @@ MotionFile motion_of(const std::string& file, const NodeTake& take, const ReadOp
 /// joints.
 Character character_of(const std::string& file, const NodeTake& take);
 
-/// The take's node behind each joint of that motion.
+/// For each joint of motion_of(), the index of the take's node that it comes from.
 std::vector<std::size_t> nodes_of_joints(const std::string& file, const NodeTake& take);
 
 /// Drops a namespace that all names share: "mixamorig:Hips" becomes Hips, as motion_of() names its

@@ -53,7 +53,7 @@ class SkinBuilder {
   SkinBuilder(const std::vector<NodeJoint>& nodes, const Affine3d& world_from_file)
       : nodes_(nodes), world_from_file_(world_from_file) {}
 
-  /// False: a skin may not have so many bones.
+  /// Adds a mesh. Returns false if the skin would have too many bones.
   bool add(const NodeMesh& mesh);
   Skin take() { return std::move(skin_); }
 

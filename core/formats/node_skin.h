@@ -30,21 +30,22 @@ struct NodeMesh {
   std::vector<Eigen::Vector3d> positions;
   std::vector<Eigen::Vector3d> normals;                 // empty: computed from the triangles
   std::vector<std::array<std::uint32_t, 3>> triangles;  // indices of existing vertices
-  std::vector<Bone> bones;                              // a single one carries the mesh as it is
+  std::vector<Bone> bones;                              // a single bone carries the mesh rigidly
   std::vector<Weights> weights;                         // for each vertex; empty: all on bone 0
-  // The mesh's place in the bind pose, in the file's axes and unit. Unset: the rest pose of its
-  // first bone tells.
+  // The mesh's place in the bind pose, in the file's axes and unit. Unset: found from the rest
+  // poses of its bones.
   std::optional<Eigen::Affine3d> file_from_mesh;
   Eigen::Vector3f colour = kPlainSkin;  // sRGB
   std::shared_ptr<const SkinPicture> picture;
   std::vector<Eigen::Vector2d> in_picture;  // see Skin::Vertex; empty: no picture
 };
 
-/// The colour of a material in sRGB, from linear red, green and blue. Files use pure white where a
-/// picture has the colours; without a picture that becomes kPlainSkin.
+/// The colour of a material in sRGB, from linear red, green and blue. White without a picture
+/// becomes kPlainSkin, since files use pure white where a picture has the colours.
 Eigen::Vector3f material_colour(const Eigen::Vector3f& linear, bool has_picture);
 
-/// The picture. Null, with a warning for `file`, if the bytes cannot be a PNG or JPEG.
+/// The picture that these bytes hold. Null, with a warning for `file`, if they cannot be a PNG or
+/// JPEG.
 std::shared_ptr<const SkinPicture> picture_of(const std::string& file, const std::string& name,
                                               std::string bytes, Warnings& warnings);
 

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-/// The place and turn of a joint in its parent's axes.
+/// The transform of a joint relative to its parent.
 LocalTransform local_of(const Skeleton& skeleton, const Pose& pose, int joint, double cm_per_unit) {
   const auto j = static_cast<std::size_t>(joint);
   const int parent = skeleton.joint(joint).parent;
@@ -31,7 +31,7 @@ LocalTransform local_of(const Skeleton& skeleton, const Pose& pose, int joint, d
   return local;
 }
 
-/// The same for all joints of a pose where some are scaled.
+/// The transforms of all joints relative to their parents, in a pose where some are scaled.
 std::vector<LocalTransform> scaled_locals(const Skeleton& skeleton, const Pose& pose,
                                           const JointScales& scales, int frame,
                                           double cm_per_unit) {
@@ -53,7 +53,7 @@ std::vector<LocalTransform> scaled_locals(const Skeleton& skeleton, const Pose& 
   return locals;
 }
 
-/// The same for all joints of a pose, scaled or not.
+/// The transforms of all joints relative to their parents, scaled or not.
 std::vector<LocalTransform> locals_of(const Skeleton& skeleton, const Pose& pose,
                                       const JointScales& scales, int frame, double cm_per_unit) {
   if (scales.any()) return scaled_locals(skeleton, pose, scales, frame, cm_per_unit);
@@ -63,7 +63,7 @@ std::vector<LocalTransform> locals_of(const Skeleton& skeleton, const Pose& pose
   return locals;
 }
 
-/// A source file's nodes as they are to move.
+/// Moves the nodes of a source file as the joints of a motion move.
 class SourceTracks {
  public:
   SourceTracks(const std::string& file, const NodeTake& take, const ReadOptions& options)
@@ -86,7 +86,7 @@ class SourceTracks {
     std::vector<NodeTrack> tracks;
     for (std::size_t n = 0; n < tracks_.size(); ++n) {
       if (joint_of_node_[n] < 0) continue;
-      // Joints are in their places even if a changing scale is not known.
+      // Keeps the scale that still() used to place the node, if no track says how it changes.
       if (const Vector3d scale = still(n).scale;
           tracks_[n].scales.empty() && !scale.isApprox(tracks_[n].rest.scale, 1e-6))
         tracks_[n].scale = scale;
@@ -110,13 +110,14 @@ class SourceTracks {
     }
   }
 
-  /// The transform of a node that does not follow the motion, as the reader took it.
+  /// The transform of a node that does not follow the motion: that of the reader's first frame.
   LocalTransform still(std::size_t node) const {
     const AnimatedNode& of = take_.nodes[node];
     return of.frames.empty() ? of.rest : of.frames.front();
   }
 
-  /// Gives a node that follows the transform from its parent's place in the world to its own.
+  /// Places all nodes for one frame. A node that follows a joint gets the transform, relative to
+  /// its parent, that brings it to the joint's place in the world.
   void place(const Pose& pose, const JointScales& scales, int frame) {
     placements_.resize(tracks_.size());
     for (std::size_t n = 0; n < tracks_.size(); ++n) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The way back from a motion to nodes, which the writers of FBX and glTF share.
+// Turns a motion back into moving nodes, for the writers of FBX and glTF.
 #pragma once
 
 #include <array>
@@ -24,14 +24,14 @@ struct NodeTrack {
   std::vector<Eigen::Vector3d> scales;   // one for each frame, if it changes
 };
 
-/// The scales of joints that tracks hold.
+/// Scales of joints over time, from tracks.
 class JointScales {
  public:
   JointScales(const ScalarTracks& tracks, const Skeleton& skeleton);
 
   bool any() const { return any_; }
   bool has(std::size_t joint) const;
-  /// Along axes without a track it is 1.
+  /// The scale of a joint at a frame; 1 along axes without a track.
   Eigen::Vector3d at(std::size_t joint, int frame) const;
 
  private:
@@ -48,18 +48,18 @@ Pose resting_pose(const Motion& motion, const SourceFormat& source);
 std::vector<NodeTrack> tracks_of(const Motion& motion, const Pose& rest, double cm_per_unit,
                                  const JointScales& scales);
 
-/// The rest positions of these nodes, in cm.
+/// The placements of these nodes at rest, in cm.
 std::vector<NodePlacement> rest_placements(const Skeleton& skeleton,
                                            const std::vector<NodeTrack>& tracks,
                                            double cm_per_unit);
 
-/// The end of a joint's bone, in its node's axes: scales move it.
+/// The end of a joint's bone in the axes of its node, which may be scaled.
 Eigen::Vector3d end_in_node(const NodePlacement& node, const Eigen::Vector3d& end_site);
 
-/// Tracks for the nodes of a take that stand for the joints of `motion`, one for each, so that the
-/// nodes move as the joints do in the world. `names` are those of the joints as a reader gives
-/// them; `options` are what the take was read with. Throws InputError, which names `file`, if a
-/// joint has no node.
+/// Tracks for the nodes of a take that have the names of the joints of `motion`, one for each
+/// joint, so that the nodes move as the joints do in the world. `names` are the joints' names as a
+/// reader gives them; `options` are those the take was read with. Throws InputError, which names
+/// `file`, if a joint has no node.
 std::vector<NodeTrack> tracks_following(const std::string& file, const NodeTake& take,
                                         const Motion& motion, const std::vector<std::string>& names,
                                         const ReadOptions& options, const JointScales& scales);

@@ -17,9 +17,9 @@ struct TakeName {
   bool moves = true;  // true: moves a node
 };
 
-/// The index of the take with this name or, counted from 1, this number. By default the first that
-/// moves a node, else 0. A warning names the takes that are not read. Throws InputError; for a file
-/// without takes it says that the file may be a character.
+/// The index of the take with the name `wanted` or, counted from 1, that number. By default the
+/// first that moves a node, else 0. A warning names the takes that are not read. Throws InputError;
+/// for a file without takes it says that the file may be a character.
 std::size_t choose_take(const std::string& file, const std::vector<TakeName>& takes,
                         const std::optional<std::string>& wanted, Warnings& warnings);
 

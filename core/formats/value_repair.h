@@ -21,7 +21,7 @@ inline constexpr const char* kRepeated =
     " missing from a frame, where the frame before is repeated";
 inline constexpr const char* kKeysLeftOut = " left out: not a finite number";
 
-/// True for the text of such a warning, and false for those about guesses.
+/// True if a warning's text tells of such damage, false if it tells of a guess.
 bool tells_of_damage(std::string_view warning);
 
 }  // namespace mocapress

@@ -6,7 +6,8 @@
 namespace mocapress {
 namespace {
 
-/// The joint with translations first, then rz ry rx if it turns at all.
+/// The joint with its translation channels first, then rz ry rx if it turns at all, and with
+/// joint_from_axes identity.
 Joint turned_about_parent_axes(Joint joint) {
   joint.joint_from_axes.setIdentity();
   const auto removed = std::erase_if(joint.channels, is_rotation);
@@ -16,7 +17,7 @@ Joint turned_about_parent_axes(Joint joint) {
   return joint;
 }
 
-/// `from` holds the channels of `joint`, `to` those of its turned_about_parent_axes().
+/// Converts the channels of `joint`, in `from`, to those of turned_about_parent_axes(), in `to`.
 void convert_channels(const Joint& joint, const Eigen::MatrixXd& from,
                       Eigen::Ref<Eigen::MatrixXd> to) {
   Eigen::Index translations = 0;
