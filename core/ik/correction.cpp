@@ -14,7 +14,8 @@ namespace mocapress {
 
 namespace {
 
-/// The limbs of one thread, and each limb's effectors as indices into the list of all effectors.
+/// Corrects frames in one thread: holds the limbs, and each limb's effectors as indices into the
+/// list of all effectors.
 class Corrector {
  public:
   Corrector(const Skeleton& skeleton, const std::vector<Effector>& effectors, IkSolver solver)
@@ -39,7 +40,7 @@ class Corrector {
         targets_.push_back(limb.position(static_cast<int>(e)) +
                            differences.block<1, 3>(frame, 3 * places_[l][e]).transpose());
       const IkOutcome outcome = solve(solver_, limb, targets_);
-      // Rounded to the 32-bit floats that the runtime gives, since those are measured.
+      // Rounds to 32-bit floats as the runtime does, since errors are measured on its values.
       for (int a = 0; a < limb.angle_count(); ++a)
         clip.channels(frame, limb.channel(a)) = static_cast<float>(limb.angles()(a));
       report.worst_miss_cm = std::max(report.worst_miss_cm, outcome.miss_cm);

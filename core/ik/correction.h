@@ -16,11 +16,11 @@ namespace mocapress {
 Eigen::MatrixXd effector_tracks(const Eigen::MatrixXd& landmark_tracks,
                                 const std::vector<Effector>& effectors);
 
-/// The misses of a correction.
+/// The distances by which a correction missed its targets.
 struct CorrectionReport {
   double worst_miss_cm = 0;
   int unreached = 0;    // limbs at frames with an effector more than kReachedCm from its target
-  long iterations = 0;  // the solver's, over all frames
+  long iterations = 0;  // iterations of the solver over all frames
 
   /// Adds the report of further frames.
   void add(const CorrectionReport& other);
@@ -54,7 +54,7 @@ class KneeSpeed {
   double fastest_ = 0;
 };
 
-/// The same for a whole clip.
+/// The fastest turn (radians/s) of these effectors' knees in a whole clip.
 double fastest_knee(const Skeleton& skeleton, const std::vector<Effector>& effectors,
                     const Clip& clip);
 

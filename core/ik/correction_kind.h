@@ -15,7 +15,7 @@ std::string_view name(IkSolver solver);
 
 /// The frames at which effectors are brought to their original places.
 enum class CorrectAt {
-  EveryFrame,  // the paper's
+  EveryFrame,  // as in the paper
   Contacts,    // in contact spans, blended in and out beside them
 };
 

@@ -22,7 +22,7 @@ std::vector<int> limb_above(const Skeleton& skeleton, int joint) {
   const Pose pose = rest_pose(skeleton);
   const auto distance = [&](int a, int b) { return (pose.origin[a] - pose.origin[b]).norm(); };
   std::vector<int> limb;
-  int inner = joint;  // the joint the limb comes from
+  int inner = joint;  // the child of j on the way to `joint`
   for (int j = skeleton.joint(joint).parent; j >= 0 && skeleton.joint(j).parent >= 0;
        inner = j, j = skeleton.joint(j).parent) {
     const double own_reach = distance(j, joint);

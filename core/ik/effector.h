@@ -19,8 +19,8 @@ struct Effector {
 /// The effector at a joint. Throws Error when no joint above it in its limb can turn.
 Effector effector_at(const Skeleton& skeleton, int joint);
 
-/// The effector at a joint with all joints that can turn from `top`, above it, down to its parent.
-/// Throws Error when `top` is not above the joint or cannot turn.
+/// The effector at a joint whose chain is all joints that can turn from `top` down to the joint's
+/// parent. Throws Error when `top` is not above the joint or cannot turn.
 Effector effector_between(const Skeleton& skeleton, int top, int joint);
 
 /// The joints above `joint` up to where its limb leaves the trunk: the root, or the first joint

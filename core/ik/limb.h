@@ -30,12 +30,12 @@ class Limb {
   /// The column of a clip that holds this angle.
   int channel(int angle) const { return plan().turn[angle].channel; }
 
-  /// Takes a frame's values as they are.
+  /// Sets all channels to the values of a frame.
   void set_frame(const FrameRow& frame);
 
   Eigen::VectorXd angles() const;
 
-  /// Adds to one angle, or to all of them. radians
+  /// Adds radians to one angle, or to all of them.
   void turn(int angle, double by) { (*limb_)->turn(angle, by); }
   void turn(const Eigen::VectorXd& by) { (*limb_)->turn(by.data()); }
 
@@ -47,8 +47,8 @@ class Limb {
     return vector((*limb_)->velocity(effector, angle));
   }
 
-  /// True if it is a ball joint with a hinge below it and one effector, which is solved in closed
-  /// form.
+  /// True if the limb is a ball joint with a hinge below it and one effector. Such a limb is solved
+  /// in closed form.
   bool is_two_bones() const { return plan().is_two_bones; }
 
   /// Centre of an angle's turn.

@@ -27,7 +27,8 @@ IkOutcome solve(IkSolver solver, Limb& limb, std::span<const Eigen::Vector3d> ta
 
 namespace {
 
-/// Fills one frame's row of `turns` by moving each coordinate in turn.
+/// Fills one frame's row of `turns`: moves each effector a little along each axis and solves for
+/// that.
 void try_frame(IkSolver solver, Limb& limb, const FrameRow& frame, Eigen::MatrixXd& turns, int t) {
   constexpr double kTried = 1;  // cm: far more than a solver's miss
   const auto effectors = limb.effectors().size();

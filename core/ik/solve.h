@@ -25,14 +25,14 @@ using runtime::kReachedCm;
 /// reported. Requires targets.size() == limb.effectors().size().
 IkOutcome solve(IkSolver solver, Limb& limb, std::span<const Eigen::Vector3d> targets);
 
-/// The answer of a solver to small corrections of one limb's effectors.
+/// The turns by which a solver answers small corrections of one limb's effectors.
 struct LimbResponse {
   std::vector<Effector> effectors;
-  std::vector<int> channels;  // angles it may turn
+  std::vector<int> channels;  // angles that the solver may turn
   Eigen::MatrixXd turns;      // radians a cm: frames x 3 * effectors * channels
 };
 
-/// The response of each limb, around the poses of a clip. Frames are solved in parallel.
+/// The response of each limb to corrections at each pose of a clip. Frames are solved in parallel.
 std::vector<LimbResponse> limb_responses(const Skeleton& skeleton,
                                          const std::vector<Effector>& effectors, IkSolver solver,
                                          const Clip& clip);
