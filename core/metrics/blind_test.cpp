@@ -53,7 +53,8 @@ ThresholdFit ThresholdGrid::fit() const {
   for (double above = of_thresholds(high); above < kTail;) above += of_thresholds(--high);
   fit.low = std::exp(thresholds_(low));
   fit.high = std::exp(thresholds_(high));
-  // Far beyond the levels nothing was asked.
+  // The grid's ends are far beyond the levels, where nothing was asked: an interval that reaches
+  // them is no result.
   const double margin = std::log(kBeyond) / 4;
   fit.found = thresholds_(low) > thresholds_(0) + margin &&
               thresholds_(high) < thresholds_(thresholds_.size() - 1) - margin;
@@ -83,8 +84,8 @@ BlindTest::BlindTest(std::vector<double> levels, std::uint64_t seed, int questio
 }
 
 /// Asks for the largest error first, so that the viewer learns what to look for. Later questions
-/// are near the threshold that the answers tell of so far: at the nearest level, or one beside it,
-/// for the slope.
+/// are at the level nearest to the threshold estimated so far or, so that the slope can be
+/// estimated, at one beside it.
 void BlindTest::ask() {
   question_.x_is_b = random_.below(2) == 1;
   const auto last = static_cast<int>(std::ssize(levels_)) - 1;

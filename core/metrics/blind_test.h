@@ -16,16 +16,17 @@
 
 namespace mocapress {
 
-/// The share of right answers to errors of some level, by a logistic function of its logarithm.
+/// The share of right answers to errors of some level, by a logistic function of the level's
+/// logarithm.
 struct PsychometricCurve {
   double threshold = 1;  // level half-way between guessing and certainty: 74 % are right
-  double slope = 4;      // at the threshold, for a level e times as large
+  double slope = 4;      // of the logistic function, over the natural logarithm of the level
 
   double right(double level) const;
 };
 
-inline constexpr double kGuessed = 0.5;  // right answers to errors that nobody sees
-inline constexpr double kLapses = 0.02;  // wrong answers to errors that everybody sees
+inline constexpr double kGuessed = 0.5;  // share of right answers to errors that nobody sees
+inline constexpr double kLapses = 0.02;  // share of wrong answers to errors that everybody sees
 
 /// An answer to a question at one level.
 struct BlindAnswer {
@@ -35,9 +36,9 @@ struct BlindAnswer {
   bool operator==(const BlindAnswer&) const = default;
 };
 
-/// The curve that answers tell of, by their likelihood over a grid of thresholds and slopes.
+/// The curve estimated from answers, by their likelihood over a grid of thresholds and slopes.
 struct ThresholdFit {
-  PsychometricCurve curve;  // mean of the logarithms
+  PsychometricCurve curve;  // means of threshold and slope, in logarithms
   double low = 0;           // 95 % interval of the threshold
   double high = 0;
   bool found = false;  // false: the interval reaches the end of the grid, so that answers are too
@@ -59,10 +60,10 @@ class ThresholdGrid {
   Eigen::ArrayXXd likelihood_;  // thresholds x slopes, likewise
 };
 
-/// The same for all answers at once.
+/// ThresholdGrid::fit() after adding all answers at once.
 ThresholdFit fit_threshold(std::span<const BlindAnswer> answers, double least, double most);
 
-/// The probability that somebody who guesses has so many right answers or more.
+/// The probability of so many right answers or more by guessing.
 double p_by_guessing(int right, int answers);
 
 /// Asks questions: at which of some levels the next one is, and what X is.
@@ -83,7 +84,8 @@ class BlindTest {
   int questions() const { return questions_; }
   bool finished() const { return std::ssize(answers_) >= questions_; }
 
-  /// Takes the answer to question(), which is then the next one. Returns whether it was right.
+  /// Takes the answer to question() and moves on to the next one. Returns whether the answer was
+  /// right.
   bool answer(bool x_is_b);
 
   std::span<const BlindAnswer> answers() const { return answers_; }

@@ -62,8 +62,8 @@ double Distortion::degrees(const std::vector<int>& joints) const {
 
 namespace {
 
-/// The points of a weighting; for the skin its own points instead of those that approximate its
-/// error.
+/// The points of a weighting. For Weighting::Skin, the points of the skin itself, not those of
+/// carried_points(), which approximate their error.
 MeasuredPoints points_of(const Skeleton& skeleton, Weighting weighting) {
   MeasuredPoints measured = measured_points(skeleton, weighting);
   if (weighting != Weighting::Skin) return measured;
@@ -108,7 +108,7 @@ Eigen::MatrixXd PointErrors::squared(const TrackRows& original, const TrackRows&
                                      JointErrors& errors) const {
   const std::vector<Landmark>& points = measured_.points;
   Eigen::MatrixXd squared(original.rows(), std::ssize(points));
-  if (is_on_bones(weighting_)) {  // the first columns of the tracks
+  if (is_on_bones(weighting_)) {  // the points are the first columns of the tracks
     const auto along = [&](Eigen::Index i) {
       return (original.col(i) - decoded.col(i)).cwiseAbs2();
     };
@@ -195,7 +195,7 @@ void DistortionMeter::add_turns(int first_frame, Eigen::Index frames, JointError
     if (detail_ == Detail::Distances)
       turns_.col(j).segment(first_frame, frames) = degrees.cast<float>();
   }
-  // Bone ends follow all joints in the list and turn with their joint.
+  // A bone end turns with its joint. In the list of points, bone ends follow all joints.
   const std::vector<Landmark>& points = sets_.front().errors.measured().points;
   for (Eigen::Index end = skeleton_.joint_count(); end < turns_.cols(); ++end)
     turns_.col(end).segment(first_frame, frames) =

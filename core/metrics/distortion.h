@@ -31,8 +31,8 @@ class DistanceCounts {
     ++all_;
   }
 
-  /// The smallest distance that at least `share` of all do not exceed; may read up to kPrecision of
-  /// it low. 0 without distances.
+  /// The smallest distance that at least `share` of all do not exceed. The result may be too low by
+  /// up to kPrecision of its value. 0 without distances.
   double percentile(double share) const;
 
  private:
@@ -72,21 +72,21 @@ struct Spread {
 
 /// Errors of a decoded clip against its original, in centimetres.
 struct Distortion {
-  double eps_bone_ends = 0;  // the paper's eps_x in each weighting
+  double eps_bone_ends = 0;  // the paper's error eps_x by each weighting on bones
   double eps_joint_origins = 0;
   double p95 = 0;  // over all bone ends and frames, unweighted
   double p99 = 0;
   WorstPoint max;
   Eigen::MatrixXf distances;  // frames x landmarks; empty unless Detail::Distances
-  Spread surface;             // these: over the points of the weighting
+  Spread surface;             // surface, shell, skin: over the weighting's points
   Spread shell;
   std::optional<Spread> skin;  // unset: the skeleton has no skin
   // RMS and largest distance for each joint, over the skin points that it carries most: joints x 2;
   // -1: none. No rows without a skin.
   Eigen::MatrixX2d skin_of_joints;
-  // Rotation of each joint's error in the world, RMS over the frames.
+  // Degrees by which each joint is turned wrongly in the world, RMS over the frames.
   Eigen::VectorXd joint_degrees;
-  Eigen::VectorXd joint_max_degrees;  // the same, largest of all frames
+  Eigen::VectorXd joint_max_degrees;  // largest over the frames
   Eigen::VectorXd joint_max_cm;       // largest distance of each joint's origin
   Eigen::MatrixXf turns;   // frames x landmarks: degrees by which the landmark's joint is turned
   double p99_degrees = 0;  // over all of `turns`
@@ -102,7 +102,7 @@ struct Distortion {
   double degrees(const std::vector<int>& joints) const;
 };
 
-/// The amount that a DistortionMeter measures.
+/// The detail in which a DistortionMeter measures.
 enum class Detail {
   Means,      // eps_x and the worst point, in one weighting
   Figures,    // also percentiles, within 1 / 4096 (DistanceCounts)
@@ -117,7 +117,7 @@ class PointErrors {
   /// Squared errors (cm^2), frames x points, from rows of body_tracks() of both clips.
   Eigen::MatrixXd squared(const TrackRows& original, const TrackRows& decoded) const;
 
-  /// The same from JointErrors already computed for these rows.
+  /// Squared errors as above, from JointErrors that were already computed for these rows.
   Eigen::MatrixXd squared(const TrackRows& original, const TrackRows& decoded,
                           JointErrors& errors) const;
 
@@ -131,8 +131,8 @@ class PointErrors {
   MeasuredPoints measured_;
 };
 
-/// Compares two clips whose tracks arrive in blocks of frames, each once. Without Detail::Distances
-/// its memory does not grow with them.
+/// Compares two clips whose tracks arrive in blocks of frames, each once. Its memory does not grow
+/// with the number of frames, except for Detail::Distances.
 class DistortionMeter {
  public:
   /// Takes clips of `frames` frames. Detail::Means measures the given weighting, and counts errors
@@ -150,7 +150,8 @@ class DistortionMeter {
   double eps() const { return eps(0); }  // in the weighting of Detail::Means
   // The point with the largest distance among those of that weighting.
   const WorstPoint& worst() const { return sets_.front().worst; }
-  /// The same in any weighting, without Detail::Means, as Distortion::worst() has it.
+  /// The point with the largest distance in any weighting, as Distortion::worst(). Not with
+  /// Detail::Means.
   const WorstPoint& worst(Weighting weighting) const;
 
  private:
@@ -187,11 +188,11 @@ class DistortionMeter {
 /// Compares clips of one skeleton. Requires equal shapes.
 Distortion measure(const Skeleton& skeleton, const Clip& original, const Clip& decoded);
 
-/// The same with body_tracks(skeleton, original) already computed.
+/// measure() where body_tracks() of the original are already computed.
 Distortion measure(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
                    const Clip& decoded);
 
-/// The same for two body_tracks().
+/// measure() where body_tracks() of both clips are already computed.
 Distortion measure(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
                    const Eigen::MatrixXd& decoded_tracks);
 

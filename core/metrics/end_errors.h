@@ -10,13 +10,13 @@
 namespace mocapress {
 
 /// Errors at the ends of a decoded clip. A landmark's error is its decoded position minus its
-/// original one. The seam's error is the change of that from the last frame to the first, as a loop
-/// plays them.
+/// original one. The seam's error is the change of the landmark's error from the last frame to the
+/// first, as a loop plays them.
 struct EndErrors {
   double first_cm = 0;  // at the first pose, RMS over the body's surface
   double last_cm = 0;
   double seam_cm = 0;            // RMS over the landmarks
-  double seam_cm_per_frame = 0;  // the same for velocities
+  double seam_cm_per_frame = 0;  // the seam's error of velocities
   // Values to compare the seam with: changes between successive frames, RMS over the clip and
   // largest.
   double neighbours_cm = 0;

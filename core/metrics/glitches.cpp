@@ -7,7 +7,7 @@
 namespace mocapress {
 namespace {
 
-/// Distance (cm) of a landmark's error at a frame from the middle of the errors before and after.
+/// Distance (cm) of a landmark's error at a frame from the mean of the errors before and after.
 double jump(const Eigen::MatrixXd& original, const Eigen::MatrixXd& decoded, Eigen::Index frame,
             Eigen::Index landmark) {
   const auto error = [&](Eigen::Index t) -> Eigen::RowVector3d {
@@ -23,7 +23,7 @@ std::vector<Glitch> find_glitches(const Eigen::MatrixXd& original_tracks,
   assert(original_tracks.rows() == decoded_tracks.rows());
   assert(original_tracks.cols() == decoded_tracks.cols());
   const Eigen::Index frames = original_tracks.rows();
-  std::vector<Glitch> jumps;  // the largest of every frame except the ends
+  std::vector<Glitch> jumps;  // largest jump of each frame but the first and the last
   for (Eigen::Index t = 1; t + 1 < frames; ++t) {
     Glitch furthest{.frame = static_cast<int>(t)};
     for (Eigen::Index p = 0; p < original_tracks.cols() / 3; ++p)
@@ -31,7 +31,7 @@ std::vector<Glitch> find_glitches(const Eigen::MatrixXd& original_tracks,
         furthest = {static_cast<int>(t), static_cast<int>(p), cm};
     jumps.push_back(furthest);
   }
-  // A jump moves its neighbours' middles as well, half as far: those are no glitches of their own.
+  // A jump also makes its neighbours jump half as far, so only local maxima count.
   std::vector<Glitch> glitches;
   for (std::size_t i = 0; i < jumps.size(); ++i) {
     const bool stands_out = (i == 0 || jumps[i - 1].cm < jumps[i].cm) &&

@@ -11,7 +11,7 @@ namespace mocapress {
 struct Glitch {
   int frame = 0;
   int landmark = 0;
-  double cm = 0;  // distance from the middle of the errors before and after
+  double cm = 0;  // distance from the mean of the errors before and after
 
   bool operator==(const Glitch&) const = default;
 };

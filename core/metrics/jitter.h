@@ -45,10 +45,10 @@ class Jitter {
     std::array<std::array<double, 4>, 2> outputs;  // the last output and the one before
   };
 
-  /// A run of coordinates of one joint, and their additions to the sums of a window and of the
+  /// Some rows of one joint's coordinates, and what they add to the sums of a window and of the
   /// clip.
   struct Stretch {
-    std::array<const double*, 4> places;  // the first row's
+    std::array<const double*, 4> places;  // addresses in the first row
     int rows;
     std::array<double, 4> squares{};
     std::array<double, 4> accelerations{};  // squared, per frame

@@ -61,14 +61,14 @@ struct CueLimit {
 };
 
 /// Limits above which errors are noticed, and the viewer's distance from the figure. `least` grows
-/// with the distance, for what one sees shrinks. Turned heads and hands are judged by their size on
-/// the screen, too: their limits shrink with the figure's stature (visibility.h). Shares do not
-/// depend on the distance. "Ours" marks limits that no study gives: a blind test (blind_test.h)
-/// replaces them by a viewer's own.
+/// with the distance, since things look smaller from afar; `share` does not depend on it. Turned
+/// heads and hands are judged by their size on the screen, too: the smaller the figure, the larger
+/// their limits (visibility.h). "Ours" marks limits that no study gives: a blind test
+/// (blind_test.h) replaces them by a viewer's own.
 struct SightLimits {
   double distance_m = kUsualDistance;  // ours
   std::array<CueLimit, kCues> of_cues = {{
-      {2.4, 0.07},   // velocity: De Bruyn and Orban, share of the speed; 2.4 cm/s: of 4 degrees/s
+      {2.4, 0.07},   // velocity: De Bruyn and Orban, 7 % of the speed; 2.4 cm/s: at 4 degrees/s
       {1, 0.03},     // place: Harrison et al., share of the way from the root; 1 cm is ours
       {0.1, 1},      // jitter, RMS: ours; share of the original's own jitter
       {1.05, 0},     // slide: half the distance at which Prazak et al. saw it
@@ -82,12 +82,14 @@ struct SightLimits {
   const CueLimit& of(Cue cue) const { return of_cues[static_cast<std::size_t>(cue)]; }
   CueLimit& of(Cue cue) { return of_cues[static_cast<std::size_t>(cue)]; }
 
-  /// The error from which a cue is noticed where the original has `own` of what it is a share of.
+  /// The error from which a cue is noticed. `own` is the original's value of which CueLimit::share
+  /// is a share.
   double noticed_from(Cue cue, double own) const {
     return std::max(of(cue).least * (distance_m / kUsualDistance), of(cue).share * own);
   }
 
-  /// The distance in metres from which an error is not noticed; 0 if it is nowhere.
+  /// The viewer's distance in metres from which an error is no longer noticed; 0 if no distance
+  /// shows it.
   double unnoticed_from(Cue cue, double own, double value) const {
     return value <= of(cue).share * own ? 0 : value / of(cue).least * kUsualDistance;
   }
@@ -95,7 +97,8 @@ struct SightLimits {
   bool operator==(const SightLimits&) const = default;
 };
 
-/// "built-in limits", or "own limits: slide 2.1 cm, velocity 3 cm/s or 7 %": those that differ.
+/// The limits in words: "built-in limits" or, listing those that differ, "own limits: slide 2.1 cm,
+/// velocity 3 cm/s or 7 %".
 std::string limits_text(const SightLimits& limits);
 
 }  // namespace mocapress

@@ -11,15 +11,16 @@
 
 namespace mocapress {
 
-/// All limits, or those that differ from the built-in ones.
+/// The limits as JSON: all of them, or only those that differ from the built-in ones.
 Json to_json(const SightLimits& limits, bool all);
 
-/// The inverse; limits that are left out have the built-in value, and the distance `distance_m`.
-/// Throws Error for an unknown key and for a limit that is not above 0.
+/// The limits from such JSON. Limits that are left out have the built-in value; a distance that is
+/// left out is `distance_m`. Throws Error for an unknown key and for a limit that is not above 0.
 SightLimits limits_from(const Json& json, double distance_m = kUsualDistance);
 
-/// A file of a viewer's limits, and back. It is written without a distance, which presets and users
-/// choose, but may have one. Throws InputError, which names `file`.
+/// The text of a file of a viewer's limits, and the limits from such a text. It is written without
+/// a distance, since presets and users choose that, but a text that is read may have one. Throws
+/// InputError, which names `file`.
 std::string limits_to_text(const SightLimits& limits);
 SightLimits limits_from_text(const std::string& file, std::string_view text,
                              double distance_m = kUsualDistance);

@@ -266,7 +266,7 @@ void VisibilityMeter::compare_velocities(const Both& first, const Both& before, 
 void VisibilityMeter::compare_flight(const Both& first, const Both& before, const Both& now) {
   constexpr double kGravity = 981;  // cm/s^2
   constexpr double kFalling = 0.25;
-  constexpr double kWay = 10;  // cm/s: below, the body goes nowhere
+  constexpr double kWay = 10;  // cm/s: a slower body has no horizontal direction
   const double early = before.original.seconds - first.original.seconds;
   const double late = now.original.seconds - before.original.seconds;
   const Eigen::Vector3d acceleration = 2 / (early + late) *

@@ -25,14 +25,15 @@ std::string_view name(Sight sight);
 /// "not visible from 8 m".
 std::string sight_text(Sight sight, double distance_m);
 
-/// The rest of how errors are judged, beside SightLimits. Places are compared in means over
-/// kWindowSeconds: anything shorter is seen as trembling, if at all. Velocities are compared in
-/// means over two such windows.
+/// Further parameters by which errors are judged, besides SightLimits. Places are compared in means
+/// over kWindowSeconds: anything shorter is seen as trembling, if at all. Velocities are compared
+/// in means over two such windows.
 namespace noticed {
 inline constexpr double kWindowSeconds = 0.1;  // ours
-// Factor for slower or vertical flight: Reitsma and Pollard; its use: ours.
+// Factor on the limit of flight for errors that slow the body down or are vertical. The factor is
+// from Reitsma and Pollard; its use is ours.
 inline constexpr double kFlightEasier = 2;
-inline constexpr double kVisible = 2;  // factor above noticed from which errors are visible, ours
+inline constexpr double kVisible = 2;  // visible from this multiple of the limit on, ours
 }  // namespace noticed
 
 /// Classifies an error given as a multiple of the noticeable threshold.
@@ -69,8 +70,8 @@ struct SightTable {
   WorstSight at(int frame, int joint) const;
   WorstSight at(int frame) const;
 
-  /// One number for each joint that stresses its most noticeable moments: the power mean by 8 over
-  /// time.
+  /// For each joint, the power mean of times_noticed over time with exponent 8: it stresses the
+  /// most noticeable moments.
   Eigen::ArrayXd by_joint() const;
 };
 
@@ -150,8 +151,8 @@ class VisibilityMeter {
   void compare_flight(const Both& first, const Both& before, const Both& now);
   void add_turns(const TrackRows& original, const TrackRows& decoded);
 
-  /// An error to be judged. `own` is what the limit is a share of; a limit counts `easier` times:
-  /// the smaller a figure, the more its head may turn.
+  /// An error to be judged. `own` is the original's value of which the limit is a share. `easier`
+  /// is a factor on the limit, for example for the head of a small figure, which may turn further.
   struct Deviation {
     Cue cue;
     int joint;
@@ -196,7 +197,7 @@ class VisibilityMeter {
 /// Jitter of a clip, in the windows that VisibilityMeter uses.
 Jitter jitter_of(const Skeleton& skeleton, const TrackRows& tracks, double sample_rate_hz);
 
-/// The same for complete body_tracks().
+/// measure_visibility() of complete body_tracks().
 Visibility measure_visibility(const Skeleton& skeleton, const Eigen::MatrixXd& original_tracks,
                               const Eigen::MatrixXd& decoded_tracks, double sample_rate_hz,
                               const std::vector<ContactSpan>& contacts,
