@@ -12,10 +12,10 @@ namespace {
 
 constexpr int kFewestJoints = 6;  // turning joints that make a figure
 constexpr double kFarFromRest = 45 * std::numbers::pi / 180;
-constexpr double kAtTheOrigin = 0.1;  // share of the height below the root
-constexpr double kLegs = 0.5;         // height below the root, over what is above or beside it
+constexpr double kAtTheOrigin = 0.1;  // share of the height of the legs
+constexpr double kLegs = 0.5;         // least height below the root / extent above or beside it
 
-/// A joint turns by at most the sum of its angles.
+/// True if no joint turns far from rest: a joint turns by at most the sum of its angles.
 bool stays_near_rest(const Motion& motion) {
   int turning = 0;
   for (int j = 0; j < motion.skeleton.joint_count(); ++j) {

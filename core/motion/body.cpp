@@ -20,7 +20,7 @@ constexpr double kShortestBone = 0.001;
 constexpr double kLongestExtent = 0.12;  // share of the stature: a head, which has no bone
 constexpr double kStatureOfReach = 1.7;  // stature over the way from the root to the furthest joint
 
-/// Per cent of an adult's skin; for limbs, one side.
+/// Per cent of an adult's skin in a region; for limbs, on one side.
 double skin_share(BodyRegion region) {
   switch (region) {
     case BodyRegion::Trunk:
@@ -49,8 +49,9 @@ bool has_translation(const Joint& joint) {
   return std::ranges::any_of(joint.channels, [](ChannelKind kind) { return !is_rotation(kind); });
 }
 
-/// Marks joints that slide against their parent, so that no bone lies between. Where most joints
-/// can translate, translation channels tell nothing, except for hips above a root on the floor.
+/// Marks joints that slide against their parent, so that no bone leads to them. Where most joints
+/// have translation channels, these are no evidence of sliding, except for hips above a root on the
+/// floor.
 std::vector<bool> sliding_joints(const Skeleton& skeleton) {
   const std::vector<Joint>& joints = skeleton.joints();
   const auto able = std::ranges::count_if(joints, has_translation);
@@ -150,7 +151,7 @@ class Anatomy {
  private:
   BodyRegion& named_at(int joint) { return named_[joint]; }
 
-  /// Joints named for a region without such a joint above them.
+  /// Joints named for a region that are not below another such joint.
   std::vector<int> tops(BodyRegion region) const {
     std::vector<int> found;
     for (int j = 0; j < skeleton_.joint_count(); ++j) {
@@ -177,7 +178,7 @@ class Anatomy {
   }
 
   const Skeleton& skeleton_;
-  std::vector<BodyRegion> named_;  // Trunk: no name tells
+  std::vector<BodyRegion> named_;  // Trunk if no name tells
   std::vector<int> ends_below_;    // number of heads, hands and feet at a joint or below
   std::vector<Limb> arms_;
   std::vector<Limb> legs_;
@@ -196,7 +197,7 @@ double reach(const Skeleton& skeleton, const std::vector<bool>& slides) {
   return furthest;
 }
 
-/// Stretches with their axes only; radius and share are still 0.
+/// The bones as limbs that only have their axes; radius and share are still 0.
 std::vector<BodyLimb> bones(const Skeleton& skeleton, const std::vector<bool>& slides,
                             double stature) {
   std::vector<BodyLimb> bones;
@@ -218,8 +219,8 @@ std::vector<BodyLimb> bones(const Skeleton& skeleton, const std::vector<bool>& s
   return bones;
 }
 
-/// Adds bones for joints that turn nothing else, since everything below them slides, as it does
-/// where a scale changes.
+/// Adds a bone to each joint whose turning would otherwise move no bone: all joints below it slide,
+/// as where a scale changes.
 void add_unseen(const Skeleton& skeleton, double stature, std::vector<BodyLimb>& limbs) {
   std::vector<bool> seen(skeleton.joint_count(), false);
   const auto mark_from = [&](int joint) {

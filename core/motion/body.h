@@ -23,7 +23,7 @@ std::vector<BodyRegion> body_regions(const Skeleton& skeleton);
 std::optional<double> stature(const Skeleton& skeleton);
 
 /// The first joint that carries the body. A game's root on the floor does not: its only child moves
-/// away from it. Landmarks from here on are the body's.
+/// away from it. The landmarks of this joint and of those after it are the body's.
 int body_root(const Skeleton& skeleton);
 
 /// A stretch of body around a bone: a cylinder whose axis begins at a joint's origin.
@@ -36,9 +36,9 @@ struct BodyLimb {
 
 /// The body around a skeleton; its shares sum to 1. Each region of a human has a known share of the
 /// surface. The region's bones divide it by their lengths, which gives their thickness. In other
-/// skeletons every centimetre of bone has the same share. A joint that drives no bone extends the
-/// bone before it. A joint that translates ends no bone; if its turning would then show nowhere, it
-/// gets a short bone of its own. Empty if nothing has a length.
+/// skeletons every centimetre of bone has the same share. A last joint without an end site extends
+/// the bone before it. No bone leads to a joint that slides on translation channels. A joint whose
+/// turning would then move no bone gets a short one of its own. Empty if nothing has a length.
 std::vector<BodyLimb> body_limbs(const Skeleton& skeleton);
 
 }  // namespace mocapress

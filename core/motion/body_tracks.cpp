@@ -71,8 +71,8 @@ struct TrackColumns {
   }
 };
 
-/// Writes errors of a joint, laid out as OfJoint, from row t on; returns the first row that fills
-/// no whole vector.
+/// Writes errors of a joint, laid out as OfJoint, from row t on. Returns the first row of the rest
+/// that fills no whole vector.
 template <typename Vector>
 MOCAPRESS_INLINE Eigen::Index find_errors(const TrackColumns& tracks, Eigen::Index origin,
                                           Eigen::Index shell, Eigen::Index t, double* errors) {
@@ -113,8 +113,8 @@ const JointErrors::OfJoint& JointErrors::of(int joint) {
 
 namespace {
 
-/// Writes the squared error of a point from row t on; returns the first row that fills no whole
-/// vector. `columns` are laid out as OfJoint.
+/// Writes the squared error of a point from row t on. Returns the first row of the rest that fills
+/// no whole vector. `columns` are laid out as OfJoint.
 template <typename Vector>
 MOCAPRESS_INLINE Eigen::Index square_of(const double* columns, Eigen::Index rows,
                                         const Eigen::Vector3d& in_joint, Eigen::Index t,
@@ -154,7 +154,8 @@ void JointErrors::find_squares(const OfJoint& of_joint, const Eigen::Vector3d& i
 }
 
 Eigen::VectorXd JointErrors::degrees(const OfJoint& of_joint) {
-  // A rotation by the angle a moves the ends of the axes by 8 sin(a / 2)^2 in all, squared.
+  // A rotation by an angle a moves the ends of the three axes by squared distances that sum to 8
+  // sin(a / 2)^2.
   Eigen::ArrayXd sine = of_joint.col(3).cwiseAbs2();
   for (Eigen::Index i = 4; i < 12; ++i) sine += of_joint.col(i).array().square();
   sine = (sine / 8).min(1).sqrt();
@@ -162,7 +163,7 @@ Eigen::VectorXd JointErrors::degrees(const OfJoint& of_joint) {
 }
 
 void visit_tracks(const Skeleton& skeleton, const Clip& clip, const TrackBlock& visit) {
-  constexpr int kBlock = 512;  // frames at a time, so that memory stays near the processor
+  constexpr int kBlock = 512;  // frames at a time, few enough for the cache
   const std::vector<Landmark> points = landmarks(skeleton);
   Eigen::MatrixXd tracks;
   for (int first = 0; first == 0 || first < clip.frames(); first += kBlock) {

@@ -15,14 +15,14 @@ namespace mocapress {
 /// to a joint is an affine combination of that joint's origin and its shell points.
 Eigen::MatrixXd body_tracks(const Skeleton& skeleton, const Clip& clip);
 
-/// The movement and turn of each joint's error: differences of body_tracks(), joint by joint.
+/// Errors of each joint's position and rotation: differences of body_tracks(), joint by joint.
 class JointErrors {
  public:
-  /// Frames x 12: the error of the origin (cm), then of each axis (per cm along it).
+  /// Frames x 12: the error of the origin (cm), then that of each axis (cm for each cm along it).
   using OfJoint = Eigen::Matrix<double, Eigen::Dynamic, 12>;
 
-  /// Takes rows of body_tracks() of both clips, which must outlive this. With few rows at a time
-  /// the results stay near the processor.
+  /// Takes rows of body_tracks() of both clips, which must outlive this. Few rows at a time keep
+  /// the results in the cache.
   JointErrors(const Skeleton& skeleton, const Eigen::Ref<const Eigen::MatrixXd>& original,
               const Eigen::Ref<const Eigen::MatrixXd>& decoded);
 
@@ -46,7 +46,7 @@ class JointErrors {
 /// Some frames of body_tracks(), not copied.
 using TrackRows = Eigen::Ref<const Eigen::MatrixXd>;
 
-/// Gets body_tracks() of the frames from `first_frame` on.
+/// Receives body_tracks() of the frames from `first_frame` on.
 using TrackBlock = std::function<void(int first_frame, const Eigen::MatrixXd& tracks)>;
 
 /// Visits body_tracks() of a clip in order of time, some frames at a time, so that its tracks are

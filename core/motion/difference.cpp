@@ -19,7 +19,8 @@ auto count_rotations(const Joint& joint) {
   return std::ranges::count_if(joint.channels, is_rotation);
 }
 
-/// The skeleton, in which joints about several axes turn freely.
+/// The skeleton with three rotation channels about different axes on each joint that has two or
+/// more channels.
 Skeleton freely_turning(const Skeleton& skeleton) {
   Skeleton result;
   for (Joint joint : skeleton.joints()) {
@@ -54,7 +55,7 @@ void require_joints_of(const Motion& base, const Motion& motion) {
                 ": it is one pose, or has as many frames as the clip");
 }
 
-/// The values of a joint's channels in a frame. A base of one frame is everywhere the same.
+/// The values of a joint's channels in a frame. A motion of one frame has the same values in all.
 Eigen::RowVectorXd values_of(const Motion& motion, int joint, int frame) {
   return motion.clip.channels.block(
       motion.clip.frames() == 1 ? 0 : frame, motion.skeleton.first_channel(joint), 1,
@@ -68,7 +69,7 @@ double sum_of_kind(const Joint& joint, const Eigen::RowVectorXd& values, Channel
   return sum;
 }
 
-/// Combines each joint of a motion with the base's: `sign` is 1 to add, -1 to subtract.
+/// Adds the base to a motion joint by joint (`sign` 1), or subtracts it (-1).
 Motion combined(const Motion& base, const Motion& motion, int sign) {
   Motion result{freely_turning(motion.skeleton), {motion.clip.sample_rate_hz, {}}};
   result.clip.channels.setZero(motion.clip.frames(), result.skeleton.channel_count());
@@ -98,7 +99,7 @@ Motion combined(const Motion& base, const Motion& motion, int sign) {
   return result;
 }
 
-/// The points of a skin in frames that are turned.
+/// The points of a skin, with places in each joint's frame turned by `turns`.
 std::shared_ptr<const SkinPoints> turned(const std::shared_ptr<const SkinPoints>& skin,
                                          const std::vector<Eigen::Matrix3d>& turns) {
   if (skin == nullptr) return skin;
@@ -119,9 +120,9 @@ Motion sum_of(const Motion& base, const Motion& difference) {
   return combined(base, difference, 1);
 }
 
-// A joint's frame is turned by the base's rotation in the world, W, so that at rest it lies as the
-// world does. A difference D of its rotation is then W D W^-1, W that of its parent: the same
-// channels about other axes.
+// Each joint's frame is turned by the joint's rotation in the world in the base, so that at rest it
+// is parallel to the world's. A difference D of the joint's rotation then becomes W D W^-1, where W
+// is the parent's rotation in the world: the same channels about other axes.
 Motion on_base_pose(const Motion& base, const Motion& difference) {
   Pose pose;
   compute_pose(base.skeleton, base.clip.channels.row(0), pose);

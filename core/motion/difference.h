@@ -15,12 +15,11 @@ namespace mocapress {
 /// joints or frames differ.
 Motion difference_to(const Motion& base, const Motion& motion);
 
-/// Adds such differences to their base, in the channels of the differences.
+/// Adds differences as from difference_to() to their base, in the channels of the differences.
 Motion sum_of(const Motion& base, const Motion& difference);
 
 /// The differences as a motion whose rest pose is the base's first frame: joints are where base
-/// plus difference places them. If a joint below a root moves against its parent, it does so along
-/// other axes.
+/// plus difference places them. Only translations of joints below a root go along other axes.
 Motion on_base_pose(const Motion& base, const Motion& difference);
 
 }  // namespace mocapress

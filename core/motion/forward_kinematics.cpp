@@ -31,7 +31,7 @@ struct Turns {
   }
 };
 
-/// The angle about `axis` that brings a turn nearest to `rotation`.
+/// The angle of the turn about `axis` that is nearest to `rotation`.
 double nearest_angle(int axis, const Eigen::Matrix3d& rotation) {
   const int b = (axis + 1) % 3;
   const int c = (axis + 2) % 3;

@@ -26,7 +26,7 @@ void turn_joint(const Joint& joint, const Eigen::Matrix3d& rotation, Eigen::RowV
 Eigen::Vector3d three_angles(const std::array<int, 3>& axes, const Eigen::Matrix3d& rotation,
                              const Eigen::Vector3d& previous);
 
-/// True if the joint turns at all.
+/// True if the joint has a rotation channel.
 bool turns(const Joint& joint);
 
 /// One row of Clip::channels: a frame. Rows of a column-major matrix are strided.

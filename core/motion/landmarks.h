@@ -51,7 +51,8 @@ std::string_view name(Weighting weighting);
 /// One weight for each of landmarks(skeleton), summing to 1. Requires is_on_bones(weighting).
 Eigen::VectorXd landmark_weights(const Skeleton& skeleton, Weighting weighting);
 
-/// Writes the world positions of landmarks into one row of landmark_tracks(), or into several.
+/// Writes the world positions of landmarks in one frame, or several, into rows of
+/// landmark_tracks().
 void place_landmarks(const std::vector<Landmark>& points, const Pose& pose, int frame,
                      Eigen::MatrixXd& tracks);
 void place_landmarks(const std::vector<Landmark>& points, const PoseBlock& poses, int first,
@@ -61,7 +62,7 @@ void place_landmarks(const std::vector<Landmark>& points, const PoseBlock& poses
 /// first. Frames are computed in parallel.
 Eigen::MatrixXd landmark_tracks(const Skeleton& skeleton, const Clip& clip);
 
-/// The same for points of any kind.
+/// World positions (cm) of points of any kind over a clip, laid out like landmark_tracks().
 Eigen::MatrixXd point_tracks(const Skeleton& skeleton, const std::vector<Landmark>& points,
                              const Clip& clip);
 

@@ -10,14 +10,14 @@
 namespace mocapress {
 namespace {
 
-/// Landmarks of a pose, a column each. cm, y up
+/// Positions of a pose's landmarks, one column each. cm, y up
 using Places = Eigen::Matrix3Xd;
 
 double rms(const Places& differences) {
   return std::sqrt(differences.squaredNorm() / static_cast<double>(differences.cols()));
 }
 
-/// The rotation about the vertical that brings `places` nearest to `other`, both centred.
+/// The rotation about the vertical that brings `places` nearest to `other` when both are centred.
 Eigen::Matrix3d turn_onto(const Places& other, const Places& places) {
   const Places from = places.colwise() - places.rowwise().mean();
   const Places to = other.colwise() - other.rowwise().mean();
@@ -40,7 +40,7 @@ class LoopFinder {
 
   Loop find() const {
     constexpr int kLeastFrames = 8;
-    constexpr double kAlike = 0.5;   // share of a usual step
+    constexpr double kAlike = 0.5;   // share of the usual movement from frame to frame
     constexpr double kStill = 1e-3;  // cm a frame
     const int frames = motion_.clip.frames();
     if (frames < kLeastFrames) return Loop::None;

@@ -12,8 +12,8 @@ namespace mocapress {
 /// file format.
 enum class Loop : std::uint8_t {
   None = 0,
-  Repeats = 1,  // the last frame shows the first pose again: one round takes frames - 1
-  Follows = 2,  // the first frame follows the last: one round takes frames
+  Repeats = 1,  // the last frame shows the first pose again: one round takes frames - 1 steps
+  Follows = 2,  // the first frame follows the last: one round takes as many steps as frames
 };
 
 /// "none", "repeats", "follows".
@@ -24,7 +24,7 @@ std::string_view name(Loop loop);
 /// usual change of velocity in a frame. The root may stand and head elsewhere.
 Loop find_loop(const Motion& motion);
 
-/// The same with landmark_tracks() already computed.
+/// find_loop() where landmark_tracks() are already computed.
 Loop find_loop(const Motion& motion, const Eigen::MatrixXd& tracks);
 
 }  // namespace mocapress

@@ -18,7 +18,7 @@ constexpr double kLargestScale = 100;  // and its inverse the smallest
 /// A joint that carries some of the skin, and the bone that leads to it.
 struct Carrier {
   int joint;                        // the clip's joint
-  int above = -1;                   // place in the list of the next carrier above; -1: none
+  int above = -1;                   // index of the nearest carrier above; -1: none
   int below = 0;                    // number of bones with this one as `above`
   const SkinBone* bone;             // the skin's bone
   Vector3d in_bind;                 // cm, in the world of the bind pose
@@ -26,7 +26,8 @@ struct Carrier {
   std::optional<Vector3d> of_clip;  // likewise; none: `above` is not above it in the clip
 };
 
-/// The way from one joint to another below it, with the joints between them at rest.
+/// The vector from a joint to another below it, with the joints between them at rest; unset if the
+/// other is not below it.
 std::optional<Vector3d> offset_between(const Skeleton& skeleton, int above, int joint) {
   Vector3d sum = Vector3d::Zero();
   for (; joint > above; joint = skeleton.joint(joint).parent) sum += skeleton.joint(joint).offset;
@@ -61,8 +62,8 @@ std::vector<Carrier> carriers_of(const std::vector<SkinBone>& bones, const Skele
   return carriers;
 }
 
-/// The way from the root to the hips, where the body branches first. Their places are the clip's,
-/// scaled, as a clip may move any of them.
+/// Marks the joints from the root to the hips, where the body first branches. Their places are the
+/// clip's, scaled, since a clip may move any of them.
 std::vector<bool> on_trunk(const std::vector<Carrier>& carriers) {
   std::vector<bool> trunk;
   for (const Carrier& carrier : carriers) trunk.push_back(carrier.above < 0);
@@ -74,8 +75,9 @@ std::vector<bool> on_trunk(const std::vector<Carrier>& carriers) {
   return trunk;
 }
 
-/// The height of the hips above the lowest joint, divided by that of the clip's bones in the same
-/// pose: the pose in which the skin was bound, a standing one.
+/// The height of the hips above the lowest joint with the character's bones, divided by the same
+/// height with the clip's bones. Both are taken in the pose in which the skin was bound, a standing
+/// one.
 double leg_scale(const std::vector<Carrier>& carriers, const std::vector<bool>& trunk) {
   std::size_t at = 0;  // a root, unless there is a limb
   for (std::size_t i = 0; i < carriers.size(); ++i)
@@ -115,7 +117,7 @@ OwnLengths own_lengths(const std::vector<SkinBone>& bones, const Skeleton& from,
     }
     lengths.bones.push_back(bone);
   }
-  // Joints that carry nothing go where the joints above them go.
+  // Joints that carry no skin keep the clip's distance from the joint above.
   for (int j = 0; j < to.joint_count(); ++j)
     if (to.joint(j).parent >= 0 &&
         std::ranges::none_of(carriers, [j](const Carrier& carrier) { return carrier.joint == j; }))

@@ -28,7 +28,8 @@ void for_frames(int frames, const Work& work) {
     work(std::integral_constant<int, kMost>());
 }
 
-/// Runs `work` on a block of kFrames, by AVX2 where vectors of four pay.
+/// Runs `work` on a block of kFrames frames, with AVX2 if the block is large enough for vectors of
+/// four to pay.
 template <int kFrames, typename Work>
 void for_block(const Work& work) {
   if (kFrames != kMost || !with_avx2(work)) work();
@@ -79,7 +80,7 @@ MOCAPRESS_INLINE void find_sines_and_cosines(const double* __restrict radians,
   }
 }
 
-/// Rotates two columns into one another.
+/// Rotates two columns into one another, by each frame's angle.
 template <int kFrames>
 MOCAPRESS_INLINE void turn_columns(const double* __restrict sines, const double* __restrict cosines,
                                    double* __restrict first, double* __restrict second) {

@@ -16,7 +16,7 @@ std::string without_namespace(const std::string& joint) {
 std::string shared_namespace(const Skeleton& skeleton) {
   if (skeleton.joint_count() == 0) return {};
   const std::string& first = skeleton.joint(0).name;
-  std::string shared = first.substr(0, first.rfind(':') + 1);  // none where there is no colon
+  std::string shared = first.substr(0, first.rfind(':') + 1);  // empty if there is no colon
   const bool all = std::ranges::all_of(skeleton.joints(), [&](const Joint& joint) {
     return joint.name.starts_with(shared) && joint.name.size() > shared.size();
   });

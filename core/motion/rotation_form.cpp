@@ -34,8 +34,7 @@ Joint with_form(Joint joint, const RotationForm& form) {
   return joint;
 }
 
-/// The one of the two solutions whose middle angle is within a right angle of zero, as in most
-/// sources.
+/// The solution whose middle angle is within a right angle of zero, as in most sources.
 Eigen::Vector3d first_angles(const std::array<int, 3>& axes, const Eigen::Matrix3d& rotation) {
   using std::numbers::pi;
   Eigen::Vector3d angles = three_angles(axes, rotation, Eigen::Vector3d::Zero());
@@ -158,7 +157,7 @@ Skeleton with_forms(const Skeleton& skeleton, const RotationForms& forms) {
     const Joint& joint = skeleton.joints()[j];
     result.add(turns_freely(joint) ? with_form(joint, forms[j]) : joint);
   }
-  result.set_skin(skeleton.skin());  // still right: the joints' rotations are the same
+  result.set_skin(skeleton.skin());  // still valid: the joints' rotations are the same
   return result;
 }
 

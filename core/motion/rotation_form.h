@@ -29,11 +29,11 @@ bool turns_freely(const Joint& joint);
 /// A constant rotation: axis times angle, x y z in units of pi / 16, each -16 .. 15.
 using FixedTurn = std::array<std::int8_t, 3>;
 
-inline constexpr int kFixedTurns = 16;  // in half a turn
+inline constexpr int kFixedTurns = 16;  // steps in half a turn
 
 Eigen::Matrix3d rotation_of(const FixedTurn& turn);
 
-/// The nearest fixed turn; most are within 10 degrees of the rotation.
+/// The fixed turn nearest to a rotation, mostly within 10 degrees of it.
 FixedTurn fixed_turn_near(const Eigen::Matrix3d& rotation);
 
 /// R = before * (three angles about coordinate axes) * after.
@@ -56,8 +56,9 @@ RotationForms rotation_forms(const Skeleton& skeleton);
 /// channels. `forms`: one for each joint.
 Skeleton with_forms(const Skeleton& skeleton, const RotationForms& forms);
 
-/// The same motion in the channels of with_forms(), continuous over time. It begins with the middle
-/// angle within a right angle of zero; a part of a motion begins near the angles given.
+/// The same motion in the channels of with_forms(), continuous over time. In its first frame,
+/// middle angles are within a right angle of zero; a part of a motion can begin near the angles
+/// given instead.
 Motion with_forms(const Motion& motion, const RotationForms& forms);
 Motion with_forms(const Motion& motion, const RotationForms& forms,
                   const Eigen::Matrix3Xd& first_angles);

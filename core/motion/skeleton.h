@@ -70,7 +70,8 @@ struct Joint {
   std::optional<Eigen::Vector3d> end_site;  // cm, in the joint's frame; leaves only
 };
 
-/// rotation = parent_from_axes * (the product of the rotation channels) * axes_from_joint
+/// A joint's constant rotations: rotation = parent_from_axes * (the product of the rotation
+/// channels) * axes_from_joint
 struct JointAxes {
   Eigen::Matrix3d parent_from_axes;
   Eigen::Matrix3d axes_from_joint;

@@ -21,9 +21,9 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kSameDirection = 0.97;  // cosine
-constexpr double kSameAxes = 0.8;        // share of the bones' length that lies the same way
+constexpr double kSameAxes = 0.8;        // least share of bone length whose directions agree
 constexpr double kShortest = 0.1;        // cm; shorter bones have no direction
-constexpr double kLeastCarried = 0.5;    // share of the surface that joints of the clip carry
+constexpr double kLeastCarried = 0.5;    // least share of the surface on joints of the clip
 
 /// Maps joints of one skeleton to joints of another with the same name; -1: none.
 std::vector<int> joints_by_name(const Skeleton& from, const Skeleton& to) {
@@ -37,7 +37,7 @@ std::vector<int> joints_by_name(const Skeleton& from, const Skeleton& to) {
   return joints;
 }
 
-/// Throws Error where joints that `to` lacks carry most of the skin.
+/// Throws Error if joints that `to` lacks carry most of the skin.
 void require_most(const Skin& skin, const Skeleton& from, const Skeleton& to,
                   const std::vector<int>& joint_in_to) {
   const auto is_there = [&](int joint) { return joint_in_to[joint] >= 0; };
@@ -55,7 +55,8 @@ void require_most(const Skin& skin, const Skeleton& from, const Skeleton& to,
               ": they carry most of the character");
 }
 
-/// Moves vertices on missing joints to joints that `to` has, as they were bound.
+/// Binds the vertices of joints that `to` lacks to the nearest joint above that it has, keeping
+/// their places in the bind pose.
 void hold_missing(Skin& skin, const Skeleton& from, const std::vector<int>& joint_in_to) {
   const std::vector<SkinBone> bones = skin.bones;
   const auto bone_of = [&](int joint) {
@@ -64,7 +65,7 @@ void hold_missing(Skin& skin, const Skeleton& from, const std::vector<int>& join
   const auto topmost = std::ranges::find_if(
       bones, [&](const SkinBone& bone) { return joint_in_to[bone.joint] >= 0; });
   for (SkinBone& bone : skin.bones) {
-    // A joint that carries nothing does not say where it was when the skin was bound.
+    // Passes over joints that carry nothing, since their places in the bind pose are unknown.
     int carrier = bone.joint;
     while (carrier >= 0 && (joint_in_to[carrier] < 0 || bone_of(carrier) == bones.end()))
       carrier = from.joint(carrier).parent;
@@ -90,8 +91,8 @@ bool have_same_axes(const Skeleton& from, const Skeleton& to, const std::vector<
   return same >= kSameAxes * all;
 }
 
-/// The turn of the mesh around each joint of `from`, from the bind pose to the rest pose of another
-/// skeleton, in which the joint's bone points elsewhere. A joint without exactly one bone turns as
+/// The rotation of the mesh around each joint of `from`, from the bind pose to the rest pose of
+/// `to`, in which the joint's bone may point elsewhere. A joint without exactly one bone turns as
 /// its parent does.
 std::vector<Matrix3d> rest_from_bind(const Skin& skin, const Skeleton& from, const Skeleton& to,
                                      const std::vector<int>& joint_in_to) {
@@ -188,7 +189,7 @@ Skin bound_to(const Skin& skin, const Skeleton& from, const Skeleton& to) {
   if (!have_same_axes(from, to, joint_in_to)) {
     const std::vector<Matrix3d> turns = rest_from_bind(bound, from, to, joint_in_to);
     for (SkinBone& bone : bound.bones) {
-      // At rest the joints of `to` are turned as the world is.
+      // In the rest pose, the frames of `to` are parallel to the world's.
       const Matrix3d& turn = turns[bone.joint];
       Affine3d from_bind = Affine3d::Identity();
       from_bind.linear() = turn;

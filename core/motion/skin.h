@@ -28,21 +28,22 @@ struct BoneWeights {
   std::array<float, 4> weights{};
 };
 
-/// A character's own bone lengths on a clip of a body with others. Joints turn as in the clip. The
-/// place of a joint is that in the clip, scaled by `scale` about `centre`, plus the differences in
-/// length of the bones above it. So the mesh does not tear, and feet reach the floor, y = 0.
+/// A character's own bone lengths, on a clip of a body with other lengths. Joints turn as in the
+/// clip. A joint's place is that in the clip, scaled by `scale` about `centre`, plus the
+/// differences in length of the bones above the joint. So the mesh does not tear, and feet reach
+/// the floor, y = 0.
 struct OwnLengths {
   struct Bone {
     int joint;               // the clip's joint at the end of the bone
     int above;               // the joint at which the bone begins; -1: none
     Eigen::Vector3d longer;  // cm, in the frame of `above`
   };
-  double scale = 1;  // factor on the world: length of its legs / length of the clip's legs
+  double scale = 1;  // leg length of the character / of the clip's body; scales the world
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // cm, on the floor: the world grows around it
   std::vector<Bone> bones;                           // parents first; empty: the clip's lengths
 };
 
-/// A picture that a mesh has its colours from: a PNG or JPEG as it is in the file.
+/// A picture with a mesh's colours: a PNG or JPEG as it is in the file.
 struct SkinPicture {
   std::string name;
   std::string bytes;
@@ -61,7 +62,7 @@ struct Skin {
     BoneWeights carried_by;
     // Place in the picture: measured from the upper left corner, in widths and heights; it repeats.
     Eigen::Vector2f in_picture = Eigen::Vector2f::Zero();
-    int picture = -1;  // index into `pictures`, multiplied by the colour; -1: the colour alone
+    int picture = -1;  // index into `pictures`; `colour` multiplies it; -1: `colour` alone
   };
 
   std::vector<Vertex> vertices;

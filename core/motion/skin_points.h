@@ -15,19 +15,19 @@ namespace mocapress {
 /// points. Empty for a mesh without area.
 SkinPoints points_on(const Skin& skin);
 
-/// Makes Weighting::Skin measure this skin on the skeleton's joints. Null or a skin without area:
-/// it measures nothing.
+/// Makes Weighting::Skin measure this skin on the skeleton's joints. With null or a skin without
+/// area, it measures nothing.
 void measure_on(const Skin* skin, Skeleton& skeleton);
 
-/// The squared error of all skin points, expressed by points that are each fixed to one joint, as
-/// an ErrorModel takes them. Each share of a point counts by itself: where joints that carry a
-/// point move apart, its error is overrated, since the square of a mean is less than the mean of
-/// squares. The error of points that one joint carries alone is exact. Each joint has four points,
-/// with the mean and the second moments of its shares.
+/// Points that are each fixed to one joint, as an ErrorModel takes them, and whose squared error
+/// stands for that of all skin points. Each joint's share of a skin point counts by itself. This
+/// overrates the error where joints that carry a point move apart, since the square of a mean is
+/// less than the mean of squares; the error of points that one joint carries alone is exact. Each
+/// joint has four points, with the mean and the second moments of its shares.
 MeasuredPoints carried_points(const SkinPoints& skin, const Skeleton& skeleton);
 
-/// Corners of the box around the points that each joint mostly carries. If every corner is near its
-/// place, so is every point between them.
+/// For each joint, the corners of the box around the points that it mostly carries. If every corner
+/// is near its original place, so is every point in the box.
 std::vector<Landmark> corners_of(const SkinPoints& skin, const Skeleton& skeleton);
 
 /// The part of a mesh that one joint carries, as four points with its mean and second moments.
