@@ -17,7 +17,8 @@ struct Gain {
   Eigen::VectorXd signal;
 };
 
-/// Algorithm 1's m, with everything derived from it.
+/// The vector m of Algorithm 1 (the coefficients that each channel keeps), with all that follows
+/// from it.
 class Allocation {
  public:
   Allocation(const RankedCoefficients& ranked, const ErrorModel& model, const Kept& start)

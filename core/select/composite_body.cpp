@@ -47,7 +47,8 @@ MOCAPRESS_INLINE void increase(CompositeBody::Column& column, int t, const Vecto
   store<Vector>(sum + by, column.data() + t);
 }
 
-// Each function handles as many frames as fill whole vectors, and returns the first one left over.
+// The functions below handle as many frames as fill whole vectors, and return the first frame left
+// over.
 
 template <typename Vector>
 MOCAPRESS_INLINE int add_points(CompositeBody& body, double weight, const ThreeColumns& places,

@@ -11,8 +11,8 @@ namespace mocapress {
 /// Places or axes over some frames: three columns of numbers.
 using ThreeColumns = std::array<const double*, 3>;
 
-/// Weighted landmarks that move as one body, at up to kFrames frames: the sums of w, w x and w x
-/// x^T.
+/// Landmarks with weights w and places x that move as one body, at up to kFrames frames: the sums
+/// of w, w x and w x x^T.
 struct CompositeBody {
   static constexpr int kFrames = 64;  // few enough for the first-level cache
   using Column = std::array<double, kFrames>;
@@ -26,7 +26,7 @@ struct CompositeBody {
   void add(double weight, const ThreeColumns& places, const ThreeColumns& origin, int frames);
   void add(const CompositeBody& other, int frames);
 
-  /// The same body with `place` as its origin.
+  /// The body with places relative to `place`.
   CompositeBody seen_from(const ThreeColumns& place, const ThreeColumns& origin, int frames) const;
 };
 

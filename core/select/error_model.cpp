@@ -20,7 +20,7 @@ constexpr int kVector = 8;                               // numbers
 constexpr Eigen::Index kSampleEvery = 2;                 // frames
 constexpr Eigen::Index kBlock = CompositeBody::kFrames;  // frames at a time
 
-/// Three columns of a matrix that has three for each item, starting at a frame.
+/// The three columns of item `index` in a matrix of three columns an item, from frame `first` on.
 ThreeColumns three_of(const Eigen::MatrixXd& matrix, int index, Eigen::Index first) {
   const double* const from = matrix.data() + Eigen::Index{3} * index * matrix.rows() + first;
   return {from, from + matrix.rows(), from + 2 * matrix.rows()};
@@ -34,7 +34,7 @@ Eigen::Vector3d at(const std::array<CompositeBody::Column, 3>& columns, Eigen::I
   return at({columns[0].data(), columns[1].data(), columns[2].data()}, frame);
 }
 
-/// The inertia of a body about the origin: small turns to the torque that they cause.
+/// The inertia of a body about the origin: maps a small turn to the torque that it causes.
 Eigen::Matrix3d inertia_of(const Eigen::Vector3d& square, const Eigen::Vector3d& mixed) {
   Eigen::Matrix3d inertia;
   inertia << square.y() + square.z(), -mixed.z(), -mixed.y(),  //
@@ -45,7 +45,7 @@ Eigen::Matrix3d inertia_of(const Eigen::Vector3d& square, const Eigen::Vector3d&
 
 }  // namespace
 
-/// Movements by the skeleton's own channels: unit axes.
+/// The movements by the skeleton's own channels, about or along axes of unit length.
 ErrorModel::Posed ErrorModel::pose_channels(const Skeleton& skeleton, const Clip& original,
                                             const std::vector<Landmark>& points) {
   const std::vector<Landmark> origins = joint_origins(skeleton);
@@ -261,8 +261,8 @@ void ErrorModel::add(const PointResponse& response) {
 }
 
 void ErrorModel::find_gradient(const Eigen::MatrixXf& errors, Eigen::MatrixXf& gradient) const {
-  // With this many frames, the numbers used again on the way from joint to joint and back stay in
-  // the cache.
+  // With this many frames at a time, numbers that are used again on the way from joint to joint and
+  // back stay in the cache.
   constexpr Eigen::Index kTile = 64;
   constexpr Eigen::Index kFewTiles = 4;
   using State = std::array<JointState, kTile / EightFrames::kCount>;

@@ -41,8 +41,8 @@ class ErrorModel {
   ErrorModel(const Skeleton& skeleton, const Clip& original, Weighting weighting);
   ErrorModel(const Skeleton& skeleton, const Clip& original, const MeasuredPoints& measured);
 
-  /// The same for other signals than the skeleton's channels. Signals then take the place of
-  /// "channels" below.
+  /// A model of signals other than the skeleton's channels, which then take the place of "channels"
+  /// below.
   ErrorModel(const Skeleton& skeleton, const Clip& original, const MeasuredPoints& measured,
              SignalMoves moves);
 
@@ -52,19 +52,19 @@ class ErrorModel {
   /// D: the diagonal of G_t, frames x channels. (cm per unit of the channel)^2.
   const Eigen::MatrixXd& curvature() const { return curvature_; }
 
-  /// The entry of G_t for two channels at each frame, if there is one.
+  /// True if G_t has an entry for two channels; the entry at each frame.
   bool are_related(int a, int b) const;
   Eigen::ArrayXf entry(int a, int b) const;
 
-  /// Writes G for some channels into the first columns and rows of `sums`, summed over the frames
-  /// of a function, each weighted by its square; entries that are zero are left as they are. G
-  /// changes slowly, so only even frames are summed, and some 16 of them for long functions.
+  /// Fills the first columns and rows of `sums` with G for some channels, summed over the frames of
+  /// a function, each weighted by the function's square. Entries that are zero are left as they
+  /// are. G changes slowly, so only even frames are summed, and some 16 of them for long functions.
   /// Channels are in the order of their joints.
   void sum_squares(const std::vector<int>& channels, const ShortFunction& function,
                    Eigen::MatrixXf& sums) const;
 
-  /// Tells if a channel moves a joint's origin, and the velocity it gives to points at `places`
-  /// (frames x 3, cm, in world space): cm per unit.
+  /// True if a channel moves a joint's origin; the velocity that a channel gives to points at
+  /// `places` (frames x 3, cm, in world space): cm per unit.
   bool moves(int channel, int joint) const;
   Eigen::MatrixXd velocity(int channel, const Eigen::MatrixXd& places) const;
 
@@ -72,7 +72,7 @@ class ErrorModel {
   void add(const PointResponse& response);
 
   /// G times errors of all channels (frames x channels). The result has its frames rounded up to a
-  /// multiple of eight. Equals an ErrorSweep without changes on the way, in less time.
+  /// multiple of eight. Faster than an ErrorSweep that changes no errors, with the same result.
   void find_gradient(const Eigen::MatrixXf& errors, Eigen::MatrixXf& gradient) const;
 
   /// gradient += G times an error of `delta` (one value a frame) in `channel` alone. Touches only

@@ -9,7 +9,7 @@ namespace {
 
 constexpr Eigen::Index kEight = EightFrames::kCount;
 
-/// One joint's turn in a pass over the linkage.
+/// The work on one joint in a pass over the linkage.
 struct Task {
   const LinkageJoint& joint;
   FrameRange frames;
@@ -23,7 +23,7 @@ struct Task {
   }
 };
 
-// `part` below is the first frame of a vector within its eight.
+// Below, `part` is a vector's first frame within its group of eight.
 
 template <typename Vector>
 MOCAPRESS_INLINE void load_three(const EightFrames* from, int part, Three<Vector>& three) {
@@ -137,7 +137,8 @@ MOCAPRESS_INLINE void hand_up_of(const Task& task, const JointState* state, Join
       }
       add(torque_below, torque);
       add(force_below, force);
-      // The energy of its own errors, plus twice the work they share with the errors below.
+      // Adds the energy of the joint's own errors, plus twice their work against the forces from
+      // below.
       Vector energy;
       Vector work;
       load(energies + kEight * eight + part, energy);

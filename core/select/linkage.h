@@ -30,7 +30,7 @@ struct LinkageJoint {
   static constexpr int kMoment = 3;   // sum of weight times place over all it moves, relative to it
   static constexpr int kInertia = 6;  // likewise, about x y z: weight times (yy + zz), ...
   static constexpr int kMixed = 9;    // weight times yz, zx, xy
-  static constexpr int kAxes = 12;    // each channel's x y z: turn or shift of a unit
+  static constexpr int kAxes = 12;    // each channel's turn or shift for one unit: x y z
 
   int parent;  // -1: none
   int first_channel;
@@ -46,7 +46,7 @@ struct LinkageJoint {
 
   int axis_of(int channel) const { return kAxes + 3 * (channel - first_channel); }
 
-  /// Three numbers at a frame.
+  /// Sets or gets three numbers at a frame.
   void set(Eigen::Index frame, int which, const Eigen::Vector3d& three) {
     for (int i = 0; i < 3; ++i)
       numbers[eight_of(frame, which + i)].of_frame[lane_of(frame)] = static_cast<float>(three(i));
@@ -86,7 +86,7 @@ struct ErrorColumns {
   Eigen::Index stride;
 };
 
-// States cover only the frames in `range`.
+// In the functions below, states cover only the frames in the given range.
 
 /// The pass from the leaves up, last joint first. Adds the forces from the joint's own errors, and
 /// those that joints below have handed to `state`, to the parent's (null: none). Adds the energy of
@@ -94,7 +94,7 @@ struct ErrorColumns {
 void hand_up(const LinkageJoint& joint, ErrorColumns errors, FrameRange frames,
              const JointState* state, JointState* parent, float* energies);
 
-/// Sets the parent's forces to the joint's alone.
+/// Sets the parent's forces to those that this joint hands up, without errors of its own.
 void hand_up(const LinkageJoint& joint, FrameRange frames, const JointState* state,
              JointState* parent);
 

@@ -113,7 +113,7 @@ void PointTerm::add_work(int channel, const Eigen::MatrixXf& forces,
 
 void PointTerm::add_sums(const std::vector<int>& channels, Eigen::Index first, Eigen::Index apart,
                          const Eigen::ArrayXf& weights, Eigen::MatrixXf& sums) const {
-  std::vector<Eigen::Index> mine;  // places of these among `channels`
+  std::vector<Eigen::Index> mine;  // indices in `channels` of those that have a place here
   for (Eigen::Index i = 0; i < std::ssize(channels); ++i)
     if (place_of(channels[i]) >= 0) mine.push_back(i);
   const Eigen::Index samples = weights.size();

@@ -22,7 +22,7 @@ struct PointResponse {
   Eigen::MatrixXd weights;
 };
 
-/// The change that such a response makes to G_t of an ErrorModel. Let J be the movement of the
+/// The change that a PointResponse makes to G_t of an ErrorModel. Let J be the movement of the
 /// points by all channels and K the turns. An error e of the channels leaves (1 - K J) e, so that
 ///
 ///   G' = (1 - K J)^T G (1 - K J) + J^T W J = G - J^T B - B^T J + J^T C J,
@@ -57,10 +57,11 @@ class PointTerm {
  private:
   Eigen::Index place_of(int channel) const { return place_[static_cast<std::size_t>(channel)]; }
 
-  std::vector<int> channels_;  // channels for which it is not zero
+  std::vector<int> channels_;  // channels for which the change is not zero
   std::vector<int> place_;     // each channel's place among them, or -1
   Eigen::Index width_ = 0;     // numbers for each channel and frame
-  // J and B: frames x width * channels_; J alone if nothing turns. Later C J - B and -J.
+  // motions_: J and B, or J alone if nothing turns. forces_: C J - B and -J. Both: frames x width *
+  // channels_.
   Eigen::MatrixXf motions_;
   Eigen::MatrixXf forces_;
 };

@@ -38,7 +38,7 @@ RankedCoefficients rank_coefficients(const Clip& clip, Basis basis);
 /// The number of coefficients that each channel keeps, its largest ones: the paper's vector m.
 using Kept = std::vector<int>;
 
-/// trunc(theta_c, kept) for every channel, as coefficients: all but the largest are zero.
+/// The coefficients of trunc(theta_c, kept) for every channel: all but the largest are zero.
 Eigen::MatrixXd truncate(const RankedCoefficients& ranked, const Kept& kept);
 
 /// The signal (one value a frame) from the coefficients of `channel` ranked [first, last).

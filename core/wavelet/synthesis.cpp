@@ -90,7 +90,7 @@ float ShortFunction::dot_of_squares(const float* samples) const {
 
 ShortFunctions::ShortFunctions(const Lifting& lifting) {
   const Synthesis synthesis(lifting);
-  const double* last = nullptr;  // the previous function: those of a band share their values
+  const double* last = nullptr;  // the previous function's values, which a band's functions share
   for (int c = 0; c < lifting.length(); ++c) {
     const auto& [first, values] = synthesis[c];
     const auto size = static_cast<int>(values.size());

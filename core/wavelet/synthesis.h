@@ -57,8 +57,8 @@ class ShortFunction {
     for (int i = 0; i < size_; i += kVector) visit(first_ + i, Values(values_ + i));
   }
 
-  /// Inner product with samples, and with squares of the function's values. kVector - 1 samples
-  /// more must be readable.
+  /// Inner products of samples with the function's values, and with their squares. kVector - 1
+  /// samples more must be readable.
   float dot(const float* samples) const;
   float dot_of_squares(const float* samples) const;
 
