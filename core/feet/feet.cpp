@@ -43,10 +43,9 @@ bool names_a_ball(const std::string& name) {
   return contains_any(lower(name), {"toe", "ball", "forefoot"});
 }
 
-/// Feet by name: in each limb the outermost joint named as a foot but not as a toe, or else its
-/// child named as a toe or ball. Of several such children the first with the shortest name is
-/// taken: LeftToe goes before LeftToeTwist, so both feet get the same joint in any order of
-/// children.
+/// Feet by name: in each limb the outermost joint named as a foot but not as a toe. A child of it
+/// that is named as a toe or ball takes its place; of several, the first with the shortest name. So
+/// LeftToe goes before LeftToeTwist, and both feet get the same joint in any order of children.
 std::vector<int> feet_by_name(const Skeleton& skeleton) {
   std::vector<int> feet;
   for (int j = 0; j < skeleton.joint_count(); ++j) {

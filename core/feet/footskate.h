@@ -57,7 +57,7 @@ Footskate measure_footskate(const std::vector<ContactSpan>& contacts,
                             const Eigen::MatrixXd& original_tracks,
                             const Eigen::MatrixXd& decoded_tracks, double sample_rate_hz);
 
-/// Footskate for each contact. Unlike a total, it compares between clips of any length.
+/// Footskate per contact. Unlike a total, it can be compared between clips of different lengths.
 struct SlidePerContact {
   double mean_cm = 0;   // over all contacts; one that slid no further than in the original counts 0
   double worst_cm = 0;  // largest of any contact

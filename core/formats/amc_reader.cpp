@@ -23,7 +23,7 @@ constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 struct Columns {
   std::size_t first = 0;
   std::size_t count = 0;
-  std::size_t frames = 0;  // number up to the last with this joint; 0: none
+  std::size_t frames = 0;  // frames up to the last with this joint; 0: none
 };
 
 class AmcReader {

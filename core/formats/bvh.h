@@ -24,9 +24,9 @@ struct BvhStyle {
   std::optional<TranslationConvention> root;
 };
 
-/// The source's style, unless options ask otherwise. A root that replaced its OFFSET keeps doing
-/// so. A root that added to it gets an OFFSET of zero, which every program reads alike, Blender and
-/// MotionBuilder included.
+/// The style of a BVH to be written: the source's, unless options ask otherwise. A root that
+/// replaced its OFFSET keeps doing so. A root that added to it gets an OFFSET of zero, which every
+/// program reads alike, Blender and MotionBuilder included.
 BvhStyle bvh_style(const SourceFormat& source, const ReadOptions& options = {});
 
 /// The text of a BVH, in degrees and in a form that simple readers accept. Every joint has three

@@ -33,7 +33,7 @@ std::vector<OffsetColumn> offset_columns(const Skeleton& skeleton, int index) {
   return columns;
 }
 
-/// The place of the mean translation between zero (0) and the offset (1).
+/// The position of the mean translation along the offset: 0 at zero, 1 at the offset's end.
 double share_of_offset(const Clip& clip, const std::vector<OffsetColumn>& columns) {
   double along = 0;
   double squared_length = 0;

@@ -39,7 +39,7 @@ class FolderWalk {
     try {
       const std::optional<FileIdentity> identity = identity_of(folder);
       if (identity && !seen_.insert(*identity).second) return;
-    } catch (const InputError&) {  // opening it gives the reason
+    } catch (const InputError&) {  // list_folder() reports the reason
     }
     const FolderListing listing = list_folder(folder);
     for (const FolderEntry& entry : listing.entries) look_at(entry);

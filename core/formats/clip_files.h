@@ -16,7 +16,7 @@ namespace mocapress {
 /// for " " and "*".
 std::string readable_extensions(std::string_view between, std::string_view before = "");
 
-/// True if the extension is one of these, in upper or lower case.
+/// True if read_motion() reads files with this extension, in upper or lower case.
 bool is_clip(const std::filesystem::path& path);
 
 /// A clip below a folder, or a folder that could not be searched.

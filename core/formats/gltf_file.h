@@ -103,7 +103,7 @@ class GltfFile {
   struct View;  // numbers among a buffer's bytes
 
   void read_glb(std::string_view bytes);
-  /// The bytes that accessors see. A packed bufferView is unpacked once.
+  /// The bytes of a bufferView as accessors see them: a packed one is unpacked, once.
   std::string_view view_bytes(std::size_t index);
   const Json* packing(const Json& buffer_view) const;
   std::string_view part(std::size_t view, const Json& stated);

@@ -125,7 +125,8 @@ std::vector<NodeMesh> MeshReader::read() {
   return meshes;
 }
 
-/// The nearest node of the take at or above a node, which carries what the node draws.
+/// The bone that carries what a node draws: the nearest node of the take, the node itself or one
+/// above.
 std::vector<NodeMesh::Bone> MeshReader::bones_of(std::size_t number) {
   Affine3d carrier_from_mesh = Affine3d::Identity();
   int at = static_cast<int>(number);

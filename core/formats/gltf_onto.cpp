@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Morph weights of those nodes for whose every weight `tracks` has a track. Tracks of the same
+/// Morph weights of the nodes all of whose weights have a track in `tracks`. Tracks of the same
 /// name are used in order, each once.
 std::vector<WeightsTrack> weights_of(const GltfTake& take, const ScalarTracks& tracks) {
   std::unordered_set<const ScalarTrack*> taken;
@@ -78,8 +78,8 @@ std::string image_type(std::string_view bytes) {
   return "";
 }
 
-/// Joins all buffers into the first, for the chunk of a .glb, and returns its bytes. Placeholders
-/// of packed bufferViews follow it.
+/// Joins all buffers into the first, for the chunk of a .glb, and returns its bytes. In the list of
+/// buffers, placeholders of packed bufferViews follow it.
 std::string joined_buffers(GltfFile& file, Json& json) {
   std::string bytes;
   std::vector<std::size_t> begins;
@@ -125,12 +125,12 @@ void embed_buffers(GltfFile& file, Json& json, bool with_files) {
   }
 }
 
-/// Embeds images: those of data URIs in the chunk of a .glb and, if `with_files`, those in files of
-/// their own in that chunk or as data URIs of a .gltf. Images that are missing or remote stay
-/// references.
+/// Embeds images. Those of data URIs go into the chunk of a .glb. If `with_files`, those in files
+/// of their own go into that chunk, or become data URIs of a .gltf. Images that are missing or
+/// remote stay references.
 void embed_images(const GltfFile& file, Json& json, bool with_files, BufferWriter* chunk) {
   if (!json.contains("images")) return;
-  Json images = json["images"];  // apart: add_view() adds to `json`
+  Json images = json["images"];  // a copy, since add_view() changes `json`
   for (Json& image : images) {
     const std::string uri = file.text(image, "uri");
     if (uri.empty() || (is_data_uri(uri) ? chunk == nullptr : !with_files)) continue;

@@ -31,7 +31,8 @@ struct SampleTimes {
   double at(int frame) const { return first_s + frame / rate_hz; }
 };
 
-/// Merges times into one ascending list without repetitions. `times` must be such a list already.
+/// Merges times into one ascending list without repetitions. `times` must already be ascending and
+/// without repetitions.
 std::vector<double> merged_times(const std::vector<double>& times, std::vector<double> more);
 
 /// Sample times from the first key to the last. `keys_s`: sorted, finite, not empty. `stated_hz`:

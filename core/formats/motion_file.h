@@ -21,8 +21,8 @@ namespace mocapress {
 /// Properties that a file does not state, or states wrongly. Unset ones are taken from the file or
 /// guessed, and a guess is a warning.
 struct ReadOptions {
-  // For an AMC that states no rate; unset: kUsualAmcRate. FBX and glTF are sampled at this rate;
-  // unset: at the rate at which their keys were made.
+  // A rate that overrides a BVH's or AMC's; an AMC without a rate has kUsualAmcRate. Keys of FBX
+  // and glTF are sampled at this rate; unset: at the rate at which they were made.
   std::optional<double> sample_rate_hz;
   std::optional<double> cm_per_unit;  // BVH states none: guessed from the skeleton's height
   std::optional<UpAxis> up;           // BVH and AMC state none: Y unless given
@@ -38,8 +38,8 @@ struct ReadOptions {
   bool operator==(const ReadOptions&) const = default;
 };
 
-/// Properties for a file to be written that differ from its source's. The rate is only stated: no
-/// frame is added or left out.
+/// Properties of a file to be written that differ from its source's. The rate only changes the rate
+/// that the file states: no frame is added or left out.
 using WriteOptions = ReadOptions;
 
 /// The animations of a file, by the ReadOptions::take that selects each.
@@ -53,7 +53,7 @@ struct MotionFile {
   Motion motion;  // cm, Y up, radians (unwrapped), seconds
   Warnings warnings;
   SourceFormat source;
-  bool states_rate = true;           // false: the format's usual rate, or the given one
+  bool states_rate = true;           // false: the rate is the format's usual one, or the options'
   std::shared_ptr<const Skin> skin;  // bound to motion.skeleton; null: the file has none
   Takes takes;
   ScalarTracks tracks;  // as many frames as the clip
@@ -137,7 +137,7 @@ Warnings write_motion(const std::filesystem::path& path, const Motion& motion,
                       const ScalarTracks& tracks = {},
                       StagedFile::Existing existing = StagedFile::Existing::Replace);
 
-/// Writes an .fbx of clips of one rig, a take each: fbx_bytes(). Throws WriteError.
+/// Writes an .fbx of clips of one rig, a take each, with fbx_bytes(). Throws WriteError.
 struct FbxClip;
 void write_takes(const std::filesystem::path& path, const std::vector<FbxClip>& clips,
                  const SourceFormat& source = {}, const WriteOptions& options = {},

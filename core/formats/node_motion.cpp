@@ -362,7 +362,7 @@ void MotionBuilder::place_nodes() {
   }
 }
 
-/// The placement of a node below its parent's.
+/// The placement in the world of a node whose transform relative to its parent is `local`.
 NodePlacement MotionBuilder::placed(std::size_t node, const LocalTransform& local,
                                     const std::vector<NodePlacement>& placements) const {
   const int parent = take_.nodes[node].parent;

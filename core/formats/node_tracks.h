@@ -14,7 +14,7 @@
 
 namespace mocapress {
 
-/// A node's movement against its parent, in the file's unit.
+/// A node's movement relative to its parent, in the file's unit.
 struct NodeTrack {
   std::size_t node = 0;  // its index
   LocalTransform rest;

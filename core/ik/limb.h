@@ -42,7 +42,8 @@ class Limb {
   /// Position of the effector with the present angles (cm, world space).
   Eigen::Vector3d position(int effector) const { return vector((*limb_)->position(effector)); }
 
-  /// Velocity that a turn of `angle` gives the effector: cm a radian, zero if it does not move it.
+  /// The effector's velocity as `angle` turns, in cm a radian; zero if the angle does not move the
+  /// effector.
   Eigen::Vector3d velocity(int effector, int angle) const {
     return vector((*limb_)->velocity(effector, angle));
   }

@@ -66,7 +66,7 @@ ThresholdFit fit_threshold(std::span<const BlindAnswer> answers, double least, d
 /// The probability of so many right answers or more by guessing.
 double p_by_guessing(int right, int answers);
 
-/// Asks questions: at which of some levels the next one is, and what X is.
+/// Chooses the questions: the level of error of the next one, and whether X is A or B.
 class BlindTest {
  public:
   static constexpr int kUsualQuestions = 40;

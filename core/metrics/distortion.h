@@ -37,7 +37,7 @@ class DistanceCounts {
 
  private:
   static constexpr int kFraction = 23;  // bits of a float's fraction
-  static constexpr int kBits = 12;      // bits of the fraction that count
+  static constexpr int kBits = 12;      // leading bits of the fraction that choose a count
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
   void open(std::uint32_t exponent);
@@ -135,9 +135,8 @@ class PointErrors {
 /// with the number of frames, except for Detail::Distances.
 class DistortionMeter {
  public:
-  /// Takes clips of `frames` frames. Detail::Means measures the given weighting, and counts errors
-  /// of each frame `frame_factors` times unless that is empty; other details measure all
-  /// weightings.
+  /// Takes clips of `frames` frames. Detail::Means measures the given weighting, and weights each
+  /// frame's errors by `frame_factors` unless that is empty; other details measure all weightings.
   DistortionMeter(const Skeleton& skeleton, int frames, Detail detail,
                   Weighting weighting = Weighting::BoneEnds, Eigen::VectorXd frame_factors = {});
 
@@ -148,7 +147,7 @@ class DistortionMeter {
   Distortion distortion() const;
 
   double eps() const { return eps(0); }  // in the weighting of Detail::Means
-  // The point with the largest distance among those of that weighting.
+  // The point with the largest distance in the weighting of Detail::Means.
   const WorstPoint& worst() const { return sets_.front().worst; }
   /// The point with the largest distance in any weighting, as Distortion::worst(). Not with
   /// Detail::Means.

@@ -7,7 +7,8 @@
 namespace mocapress {
 namespace {
 
-/// Distance (cm) of a landmark's error at a frame from the mean of the errors before and after.
+/// Distance (cm) of a landmark's error at a frame from the mean of its errors one frame before and
+/// after.
 double jump(const Eigen::MatrixXd& original, const Eigen::MatrixXd& decoded, Eigen::Index frame,
             Eigen::Index landmark) {
   const auto error = [&](Eigen::Index t) -> Eigen::RowVector3d {

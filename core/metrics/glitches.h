@@ -16,8 +16,9 @@ struct Glitch {
   bool operator==(const Glitch&) const = default;
 };
 
-/// Frames whose error differs from both neighbours' by `least_cm` or more, in order of time, each
-/// with the landmark that jumps furthest. Jumps of the original itself do not count. Tracks as from
+/// Frames at which a landmark's error is `least_cm` or more from the mean of the errors before and
+/// after, and further than in the frames beside. They are in order of time, each with the landmark
+/// that jumps furthest. Jumps of the original itself do not count. Tracks as from
 /// landmark_tracks(), equal in shape.
 std::vector<Glitch> find_glitches(const Eigen::MatrixXd& original_tracks,
                                   const Eigen::MatrixXd& decoded_tracks, double least_cm = 0.5);

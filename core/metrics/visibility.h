@@ -102,7 +102,7 @@ struct Visibility {
 /// empty if nothing differs.
 std::string reason(const WorstSight& worst, const Skeleton& skeleton);
 
-/// The verdict without the table.
+/// The verdict of a Visibility, without its table.
 struct Seen {
   double times_noticed = 0;     // the worst error's
   double visible_share = 0;     // share of the frames
@@ -176,7 +176,7 @@ class VisibilityMeter {
   Eigen::VectorXd reaches_;  // cm from the root, along the bones
   std::vector<int> heads_;
   std::vector<int> hands_;
-  double turns_easier_;  // factor of the limits of heads and hands
+  double turns_easier_;  // factor on the limits of heads and hands
 
   int window_ = 0;  // the one being filled
   Eigen::RowVectorXd original_sum_;

@@ -15,7 +15,8 @@ constexpr double kFarFromRest = 45 * std::numbers::pi / 180;
 constexpr double kAtTheOrigin = 0.1;  // share of the height of the legs
 constexpr double kLegs = 0.5;         // least height below the root / extent above or beside it
 
-/// True if no joint turns far from rest: a joint turns by at most the sum of its angles.
+/// True if kFewestJoints or more turn, and none far from rest. A joint turns by at most the sum of
+/// its angles.
 bool stays_near_rest(const Motion& motion) {
   int turning = 0;
   for (int j = 0; j < motion.skeleton.joint_count(); ++j) {

@@ -20,7 +20,7 @@ auto count_rotations(const Joint& joint) {
 }
 
 /// The skeleton with three rotation channels about different axes on each joint that has two or
-/// more channels.
+/// more rotation channels.
 Skeleton freely_turning(const Skeleton& skeleton) {
   Skeleton result;
   for (Joint joint : skeleton.joints()) {

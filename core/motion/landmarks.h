@@ -35,7 +35,7 @@ enum class Weighting : std::uint8_t {
   BoneEnds = 0,      // a segment's far end carries its length: hands, feet and head count too
   JointOrigins = 1,  // a joint's origin carries the length of the segments it drives: the paper's
   Surface = 2,  // points on the body, which every turn of a joint moves: this is what people see
-  Shell = 3,    // three points 3 cm from each joint, all alike: ACL's
+  Shell = 3,    // three points 3 cm from each joint, equally weighted: ACL's
   Skin = 4,     // points on a character's mesh, which must be present
 };
 

@@ -19,9 +19,10 @@ enum class Loop : std::uint8_t {
 /// "none", "repeats", "follows".
 std::string_view name(Loop loop);
 
-/// True if the clip is a loop. Its first and last pose must be alike: they differ by at most half
-/// of what the clip usually moves in a frame. Their velocities may differ by as much, plus the
-/// usual change of velocity in a frame. The root may stand and head elsewhere.
+/// Finds whether the clip is a loop, and of which kind. The first pose must be like the last or, if
+/// it follows the last, like the pose that would come next: it may differ by at most half of what
+/// the clip usually moves in a frame. The velocities at both ends may differ by as much, plus a few
+/// times the usual change of velocity. The root may end elsewhere and face another direction.
 Loop find_loop(const Motion& motion);
 
 /// find_loop() where landmark_tracks() are already computed.

@@ -117,7 +117,7 @@ OwnLengths own_lengths(const std::vector<SkinBone>& bones, const Skeleton& from,
     }
     lengths.bones.push_back(bone);
   }
-  // Joints that carry no skin keep the clip's distance from the joint above.
+  // Joints that carry no skin are moved by as much as the joints above them.
   for (int j = 0; j < to.joint_count(); ++j)
     if (to.joint(j).parent >= 0 &&
         std::ranges::none_of(carriers, [j](const Carrier& carrier) { return carrier.joint == j; }))

@@ -8,9 +8,9 @@
 
 namespace mocapress {
 
-/// Finds how much longer the bones between joints that carry a skin are than those of `to`. `bones`
-/// are those of the skin, with joints of `from`, in the axes of `to`. The result has no bones if no
-/// length differs.
+/// Finds by how much a skin's bones, between the joints that carry it, are longer than the bones of
+/// `to`. `bones` are those of the skin, with joints of `from`, in the axes of `to`. The result has
+/// no bones if no length differs.
 OwnLengths own_lengths(const std::vector<SkinBone>& bones, const Skeleton& from, const Skeleton& to,
                        const std::vector<int>& joint_in_to);
 

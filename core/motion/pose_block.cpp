@@ -36,7 +36,7 @@ void for_block(const Work& work) {
 }
 
 MOCAPRESS_INLINE double rounded(double value) {
-  constexpr double kWhole = 6755399441055744;  // 1.5 * 2^52: adding it drops the fraction
+  constexpr double kWhole = 6755399441055744;  // 1.5 * 2^52: adding it rounds to a whole number
   return value + kWhole - kWhole;
 }
 

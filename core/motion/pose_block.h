@@ -56,7 +56,7 @@ class PoseBlock {
 template <typename Visit>
 void visit_poses(const Skeleton& skeleton, const Eigen::MatrixXd& channels, int from, int end,
                  const Visit& visit, Eigen::MatrixXd* axes = nullptr) {
-  constexpr int kBlocks = 4;  // least number of blocks for one PoseBlock
+  constexpr int kBlocks = 4;  // least number of blocks that share a PoseBlock
   const int blocks = (end - from + PoseBlock::kMostFrames - 1) / PoseBlock::kMostFrames;
   parallel_ranges(0, blocks, kBlocks, [&](int first_block, int end_block) {
     PoseBlock poses(skeleton);

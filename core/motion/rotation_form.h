@@ -36,7 +36,8 @@ Eigen::Matrix3d rotation_of(const FixedTurn& turn);
 /// The fixed turn nearest to a rotation, mostly within 10 degrees of it.
 FixedTurn fixed_turn_near(const Eigen::Matrix3d& rotation);
 
-/// R = before * (three angles about coordinate axes) * after.
+/// A form of a joint's rotation: R = before * (rotations by three angles about coordinate axes) *
+/// after.
 struct RotationForm {
   RotationOrder order = RotationOrder::Xyz;
   FixedTurn before{};
@@ -49,7 +50,7 @@ struct RotationForm {
 /// One form for each joint. Forms of joints that do not turn freely have no meaning.
 using RotationForms = std::vector<RotationForm>;
 
-/// The forms of a source's skeleton: an order, without fixed turns.
+/// The forms that a source's skeleton has: rotation orders, without fixed turns.
 RotationForms rotation_forms(const Skeleton& skeleton);
 
 /// The skeleton with its joints' rotation channels in other forms, at the same places among the

@@ -25,8 +25,8 @@ double area_of(const Skin& skin, const std::array<std::uint32_t, 3>& triangle) {
   return (at(1) - at(0)).cross(at(2) - at(0)).cast<double>().norm() / 2;
 }
 
-/// Engines move vertices, and a point between them moves linearly with them, so it is linear in the
-/// joints' poses as well.
+/// A point in a triangle, by its shares of the corners. Engines move the vertices, and a point
+/// between them moves linearly with them, so the point is linear in the joints' poses as well.
 SkinPoint point_in(const Skin& skin, const std::array<std::uint32_t, 3>& triangle,
                    const Vector3d& shares_of_corners) {
   std::map<int, SkinPointShare> by_joint;

@@ -14,8 +14,8 @@ namespace mocapress {
 
 struct CompositeBody;
 
-/// The movement of a joint by one unit of each signal, at the original pose. Signals are in the
-/// order of their joints.
+/// The movement that one unit of each signal gives its joint, at the original pose. Signals are in
+/// the order of their joints.
 struct SignalMoves {
   struct Place {
     int joint;
@@ -68,7 +68,7 @@ class ErrorModel {
   bool moves(int channel, int joint) const;
   Eigen::MatrixXd velocity(int channel, const Eigen::MatrixXd& places) const;
 
-  /// Adds a term for points whose errors count differently.
+  /// Adds a term for points whose errors count differently (PointTerm).
   void add(const PointResponse& response);
 
   /// G times errors of all channels (frames x channels). The result has its frames rounded up to a
@@ -114,7 +114,7 @@ class ErrorModel {
 /// The present error of a set of channels, and its cost.
 class ErrorState {
  public:
-  /// No error in any channel.
+  /// Starts without an error in any channel.
   explicit ErrorState(const ErrorModel& model);
 
   /// Adds `delta` (one value a frame) to the error of `channel`.

@@ -23,8 +23,8 @@ struct alignas(32) EightFrames {
   std::array<float, kCount> of_frame{};
 };
 
-/// A joint at each frame. Its numbers are stored in reading order: all numbers of eight frames,
-/// then all of the next eight.
+/// A joint with its numbers at each frame. They are stored in the order in which they are read: all
+/// numbers of eight frames, then all of the next eight.
 struct LinkageJoint {
   static constexpr int kArm = 0;      // from its parent to it: x y z
   static constexpr int kMoment = 3;   // sum of weight times place over all it moves, relative to it
@@ -103,7 +103,7 @@ void hand_up(const LinkageJoint& joint, FrameRange frames, const JointState* sta
 void enter(const LinkageJoint& joint, ErrorColumns errors, FrameRange frames,
            const JointState* parent, JointState* state);
 
-/// Does the same for a joint without errors of its own and without forces from joints below.
+/// enter() for a joint without errors of its own and without forces from joints below.
 void enter(const LinkageJoint& joint, FrameRange frames, const JointState* parent,
            JointState* state);
 

@@ -125,7 +125,7 @@ FbxLayer FbxAnimation::layer_of(std::size_t object) {
   return layer;
 }
 
-/// The movement of a curve node, for any property.
+/// Reads the movement that a curve node holds, whatever property it moves.
 FbxMovement FbxAnimation::movement_of(std::size_t curve_node, std::size_t layer) {
   FbxMovement movement{.layer = layer, .curve_node = curve_node};
   const FbxProperties properties = objects_.properties(curve_node);

@@ -81,7 +81,7 @@ class LayerElement {
   bool empty() const { return values_.empty() && indices_.empty(); }
   const std::vector<std::int64_t>& indices() const { return indices_; }
 
-  /// The first value of a corner; null: the file has too few values.
+  /// A corner's values, `width_` of them; null: the file has too few values.
   const double* at(std::size_t corner, std::size_t point, std::size_t polygon) const {
     std::size_t place = by_ == By::Corner    ? corner
                         : by_ == By::Point   ? point
@@ -315,7 +315,7 @@ FbxMeshReader::Material FbxMeshReader::material_of(std::size_t object, std::size
     material.picture = picture_of_texture(*texture);
   const FbxProperties properties = objects_.properties(object);
   const char* const name = properties.has("DiffuseColor") ? "DiffuseColor" : "Diffuse";
-  // Ignores the colour that multiplies a picture: programs write any grey there.
+  // With a picture, ignores the material's colour: programs write any grey there.
   if (material.picture) {
     material.colour = material_colour(Eigen::Vector3f::Ones(), true);
   } else if (properties.has(name)) {
@@ -327,7 +327,7 @@ FbxMeshReader::Material FbxMeshReader::material_of(std::size_t object, std::size
   return material;
 }
 
-/// The texture of the material's colour, or in version 6 of the node's.
+/// The texture of the material's colour or else, as in version 6, of the node.
 std::optional<std::size_t> FbxMeshReader::texture_of(std::size_t material,
                                                      std::size_t model) const {
   constexpr std::string_view kColours[] = {"DiffuseColor", "Maya|baseColor", "Maya|base_color_map",

@@ -30,7 +30,7 @@ class FbxProperties {
   bool is_custom(std::string_view name) const;
 
  private:
-  /// The property's values, after name, types and flags.
+  /// The values that follow a property's name, types and flags.
   std::vector<FbxValue> values(std::string_view name) const;
   const FbxRecord* find(std::string_view name) const;
 

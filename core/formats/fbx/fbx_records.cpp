@@ -33,7 +33,8 @@ constexpr std::size_t kMostRecords = 4'000'000;
 constexpr std::size_t kArrayHead = 13;
 constexpr std::size_t kMostDeflateRatio = 1040;
 
-/// The bytes of a fixed-size value or of an array's element; 0 for other types.
+/// The size in bytes of a fixed-size value or of an array's element, by its type; 0 for other
+/// types.
 std::size_t bytes_of_type(char type) {
   switch (type) {
     case 'C':

@@ -15,11 +15,12 @@ namespace mocapress {
 /// first.
 Eigen::Quaterniond fbx_rotation(const Eigen::Vector3d& degrees, int order = 0);
 
-/// The angles (degrees) of a rotation in that order, the solution nearest to `near`.
+/// The angles (degrees) of a rotation in one of FBX's orders; of the two solutions the one nearer
+/// to `near`.
 Eigen::Vector3d fbx_angles(const Eigen::Quaterniond& rotation, int order,
                            const Eigen::Vector3d& near = Eigen::Vector3d::Zero());
 
-/// The axes of an order; the first is turned about first.
+/// The axes of one of FBX's orders, in the order of turning.
 const int* fbx_axes(int order);
 
 inline constexpr int kFbxOrders = 7;  // the last one, spheric XYZ, is read as XYZ
@@ -43,7 +44,7 @@ struct FbxTransform {
   bool is_spheric = false;
   ScaleOfParent inherit = ScaleOfParent::Whole;
 
-  /// The part with that name, which a curve may move; null: none.
+  /// The part of the transform that curves of this property move; null: none.
   Eigen::Vector3d* part(std::string_view property);
 
   /// The rotations before and after the one by the `rotation` angles.

@@ -96,7 +96,7 @@ class FbxDocument {
     LocalTransform rest;
   };
   struct MorphedMesh {
-    std::int64_t shapes = 0;  // the deformer that holds them
+    std::int64_t shapes = 0;  // id of the deformer that holds the shapes
     // Channels by the name of their shape, and by the number of shapes of that name before it in
     // the take.
     std::map<std::pair<std::string, int>, std::int64_t> channels;
