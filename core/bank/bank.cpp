@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 /// A clip ready to be put into a bank.
 struct ReadyClip {
   std::vector<std::string> tags;
-  std::variant<std::monostate, PackedClip, ClipForBank> clip;  // unset: copied as it is
+  std::variant<std::monostate, PackedClip, ClipForBank> clip;  // unset: copied from the old bank
 };
 
 /// The pieces that finer tiers add to a clip of a packed bank.
@@ -64,7 +64,7 @@ class Filler {
     throw InputError(utf8(source.file), 0, 0, error.what());
   }
 
-  /// Bytes that IK corrections take of the clips put so far.
+  /// Returns how many bytes the IK corrections take in the clips put so far.
   std::uint64_t ik_bytes() const { return ik_bytes_; }
 
   void put(const std::string& name, ReadyClip ready) {
@@ -78,7 +78,7 @@ class Filler {
     }
   }
 
-  /// Copies a clip from a bank of the same form.
+  /// Copies a clip from a bank of the same form, packed or cooked.
   void copy(const BankFile& bank, const runtime::BankEntry& entry) {
     std::vector<std::string> tags = bank.tags(entry);
     if (!bank.is_cooked()) {
@@ -96,7 +96,7 @@ class Filler {
   }
 
  private:
-  /// The outline's number in the new bank, searched once.
+  /// Returns the outline's number in the new bank. Copies the outline there on first use.
   std::uint32_t copied_outline(const mcpk_bank& bank, std::uint32_t outline) {
     const auto there = copied_outlines_.find(outline);
     if (there != copied_outlines_.end()) return there->second;
@@ -116,19 +116,19 @@ class Filler {
   InternItem intern_ = [this](runtime::BankItem kind, std::span<const std::byte> bytes) {
     return writer_.intern(kind, bytes);
   };
-  std::vector<std::byte> learned_;  // PRIO, which clips are coded with
-  // New numbers of the old bank's outlines.
+  std::vector<std::byte> learned_;  // payload of PRIO, the priors that clips are coded with
+  // Numbers in the new bank, by numbers in the old one.
   std::unordered_map<std::uint32_t, std::uint32_t> copied_outlines_;
 };
 
-/// The next clip: one of the old bank, or a source.
+/// A clip to put next: from the old bank if is_copy, else from a source.
 struct Step {
   std::uint32_t number;
   bool is_copy;
 };
 
-/// All clips in the order of their names, without clips of the old bank that are removed or share a
-/// name with a source.
+/// Returns all clips in the order of their names. Clips of the old bank that are removed, or share
+/// a name with a source, are left out.
 std::vector<Step> merged(const BankFile* old, const std::set<std::uint32_t>& removed,
                          const std::vector<BankSource>& sources) {
   std::vector<Step> steps;
@@ -149,8 +149,8 @@ std::vector<Step> merged(const BankFile* old, const std::set<std::uint32_t>& rem
   return steps;
 }
 
-/// The learned knowledge that a bank's clips are coded with; empty: they are coded as clips outside
-/// a bank.
+/// Returns the learned priors (payload of PRIO) that a bank's clips are coded with. Empty: the bank
+/// has none, so its clips are coded like clips outside a bank.
 std::vector<std::byte> learned_in(const mcpk_bank& bank) {
   for (std::uint32_t part = 0; part < bank.count(runtime::BankItem::Part); ++part) {
     const runtime::Bytes item = bank.item(runtime::BankItem::Part, part);
@@ -161,8 +161,8 @@ std::vector<std::byte> learned_in(const mcpk_bank& bank) {
   return {};
 }
 
-/// Throws if `path` is a file other than a bank, or a source, so that a slip in the command line
-/// destroys nothing.
+/// Throws if `path` holds a file that is not a bank, or one of the sources, so that a slip in the
+/// command line destroys nothing.
 void require_place_for_bank(const fs::path& path, const std::vector<BankSource>& sources) {
   if (path_kind(path) != PathKind::File) return;
   for (const BankSource& source : sources) refuse_source(path, {source.file});
@@ -171,7 +171,7 @@ void require_place_for_bank(const fs::path& path, const std::vector<BankSource>&
     throw WriteError(utf8(path) + ": is there and is no bank: not overwritten");
 }
 
-/// Locks the bank. Unset: the observer stopped it.
+/// Locks the bank. Returns nothing if the observer stopped it.
 std::optional<FileLock> lock_bank(const fs::path& path, const Observer<BankProgress>& observer) {
   std::optional<FileLock> lock =
       FileLock::wait_for(path, [&] { return should_continue(observer, BankProgress{}); });
@@ -180,7 +180,7 @@ std::optional<FileLock> lock_bank(const fs::path& path, const Observer<BankProgr
   return lock;
 }
 
-/// Writes the bank. False: the observer stopped it.
+/// Writes the bank. Returns false if the observer stopped it.
 bool write_bank(const fs::path& path, const BankFile* old, const std::set<std::uint32_t>& removed,
                 std::vector<BankSource> sources, const BankOptions& options, const BankTexts& texts,
                 const Observer<BankProgress>& observer) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Banks on disk: made, added to, unpacked. The bytes are core/runtime/format/bank.h's.
+// Makes banks on disk, adds clips to them and removes clips. core/runtime/format/bank.h defines
+// their bytes.
 #pragma once
 
 #include <cstdint>
@@ -21,20 +22,20 @@ namespace mocapress {
 /// "packed", "cooked".
 std::string_view name(runtime::BankForm form);
 
-/// The form of this name; unset if there is none.
+/// Returns the form with this name, if there is one.
 std::optional<runtime::BankForm> bank_form(std::string_view name);
 
 struct BankOptions {
   runtime::BankForm form = runtime::BankForm::Packed;
-  std::vector<std::string> tags;  // given to the clips that are put in
-  BankTexts texts;                // the bank's own; an existing key gets the new value
-  Cooking cooking;                // for the clips that are put into a cooked bank
-  // For a packed bank: learns from its clips how to code their motions, which takes seconds and
-  // pays from some hundred clips on.
+  std::vector<std::string> tags;  // added to the tags of every clip that is put in
+  BankTexts texts;                // describe the bank; an existing key gets the new value
+  Cooking cooking;                // used for clips that are put into a cooked bank
+  // Packed banks only: learn from the clips how to code their motions. This takes seconds and pays
+  // off from some hundred clips on.
   bool learn = false;
 };
 
-/// Progress in clips; 0 of 0 while another program changes the bank.
+/// Progress in clips; both counts are 0 while waiting for another program that changes the bank.
 struct BankProgress {
   std::size_t done = 0;
   std::size_t clips = 0;
@@ -42,28 +43,28 @@ struct BankProgress {
   std::uint64_t ik_bytes = 0;           // bytes of the IK corrections in the clips cooked so far
 };
 
-// One writer changes a bank at a time; others wait, in this program or another.
+// Only one writer changes a bank at a time; others wait, whether in this program or another.
 
-/// Makes a bank, which takes its place whole or not at all. False: the observer stopped it, and the
-/// place is unchanged. Throws InputError, also if two clips have one name. Throws WriteError, also
-/// if the place has a file that is no bank or a bank that a source belongs to.
+/// Makes a bank, which appears at its path whole or not at all. Returns false, and leaves the path
+/// unchanged, if the observer stopped it. Throws InputError, also if two clips have the same name.
+/// Throws WriteError, also if the path holds a file that is not a bank, or one of the sources.
 bool make_bank(const std::filesystem::path& bank, std::vector<BankSource> sources,
                const BankOptions& options, const Observer<BankProgress>& observer = {});
 
-/// Adds clips to a bank in its form. A clip replaces one of the same name, even if it came from
-/// there.
+/// Adds clips to a bank, in the bank's form. A clip replaces the bank's clip of the same name, even
+/// if it was read from there.
 bool add_to_bank(const std::filesystem::path& bank, std::vector<BankSource> sources,
                  const BankOptions& options, const Observer<BankProgress>& observer = {});
 
-/// Removes clips from a bank, with the data that only they used. Throws InputError, also for a name
-/// that is not in the bank.
+/// Removes clips from a bank, and shared data that no other clip uses. Throws InputError, also for
+/// a name that is not in the bank.
 bool remove_from_bank(const std::filesystem::path& bank, const std::vector<std::string>& names,
                       const Observer<BankProgress>& observer = {});
 
-/// Writes a copy of a packed bank that has only the first tiers, 1 or more. Its bytes are those at
-/// the beginning of the whole bank, but for the head. False: the observer stopped it, and the place
-/// is unchanged. Throws InputError, also if the bank has fewer tiers, and WriteError as make_bank()
-/// does.
+/// Writes a copy of a packed bank that has only the first `tiers` tiers, 1 or more. Apart from the
+/// head, its bytes are the beginning of the whole bank. Returns false, and leaves the path
+/// unchanged, if the observer stopped it. Throws InputError, also if the bank has fewer tiers, and
+/// WriteError as make_bank() does.
 bool strip_bank(const std::filesystem::path& bank, const std::filesystem::path& stripped, int tiers,
                 const Observer<BankProgress>& observer = {});
 

@@ -23,7 +23,7 @@ struct BankClip {
   double sample_rate_hz = 0;
   int frames = 0;
   int joints = 0;
-  std::uint64_t motion_bytes = 0;  // packed: the size that ratios count; cooked: 0
+  std::uint64_t motion_bytes = 0;  // packed: the bytes that compression ratios count; cooked: 0
 };
 
 /// Reads the head of a bank without checking it; bytes that the file lacks are zero. Unset for an
@@ -38,12 +38,12 @@ struct SkeletonInBank {
 };
 
 struct SkeletonsInBank {
-  std::vector<SkeletonInBank> all;     // by their first clips
-  std::vector<std::uint32_t> of_clip;  // for each clip, its number among `all`
+  std::vector<SkeletonInBank> all;     // in the order of their first clips
+  std::vector<std::uint32_t> of_clip;  // for each clip: index of its skeleton in `all`
 };
 
-/// A bank on disk with all of its bytes checked. All of it is in memory, since the pages of a
-/// mapped file would be lost if somebody cut it short.
+/// A bank on disk, with all of its bytes checked. The whole file is read into memory: pages of a
+/// mapped file would be lost if somebody cut the file short.
 class BankFile {
  public:
   /// Throws InputError.
@@ -53,23 +53,24 @@ class BankFile {
   std::uint32_t clips() const { return bank_->clips; }
   bool is_cooked() const { return bank_->is_cooked(); }
   runtime::BankEntry entry(std::uint32_t clip) const;
-  /// The number of a clip. Throws InputError if the bank has no clip of this name.
+  /// Returns the number of a clip. Throws InputError if the bank has no clip of this name.
   std::uint32_t find(std::string_view name) const;
   BankClip describe(std::uint32_t clip) const;
   std::vector<std::string> tags(const runtime::BankEntry& entry) const;
   BankTexts texts() const;
-  /// Decodes one clip for each skeleton of a packed bank.
+  /// Finds the skeletons of a packed bank by decoding one clip for each.
   SkeletonsInBank skeletons() const;
 
-  /// A clip of a cooked bank. Throws InputError if its bytes are no valid clip.
+  /// Returns a clip of a cooked bank. Throws InputError if its bytes are not a valid clip.
   const mcpr_cooked* cooked(const runtime::BankEntry& entry) const;
 
-  /// The original .mcpr, byte for byte; of a stripped bank, a file with the motion of its tiers.
-  /// Throws Error for a clip of a cooked bank.
+  /// Returns the original .mcpr, byte for byte. From a stripped bank: a .mcpr with the motion of
+  /// the tiers that are left. Throws Error for a clip of a cooked bank.
   std::vector<std::byte> extract(const runtime::BankEntry& entry) const;
 
-  /// Decodes a clip's first and last frame with the runtime. Throws InputError if it cannot be
-  /// played. False: no engine plays it (the paper's codings, comparison methods).
+  /// Checks that a clip plays: decodes its first and last frame with the runtime. Throws InputError
+  /// if that fails. Returns false if no engine plays the clip's method (the paper's codings,
+  /// comparison methods).
   bool play(std::uint32_t clip) const;
 
  private:

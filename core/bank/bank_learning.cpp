@@ -18,10 +18,10 @@
 namespace mocapress {
 namespace {
 
-/// A context that the clips taught something about.
+/// A coding context that PRIO may change, since the clips taught something about it.
 struct LearnedContext {
   std::size_t context;
-  double worth;  // about the bits saved
+  double worth;  // bits that changing it saves, roughly
 };
 
 std::uint8_t code_of(double log_odds, int seen) {
@@ -29,7 +29,8 @@ std::uint8_t code_of(double log_odds, int seen) {
   const auto step = static_cast<int>(
       std::clamp(std::lround(log_odds / kStep + (runtime::kLearnedSteps - 1) / 2.0), 0L,
                  static_cast<long>(runtime::kLearnedSteps) - 1));
-  // A context seldom seen keeps its value for all clips, which may lie between two levels.
+  // Contexts that hardly occur keep the trust of the built-in priors, which may lie between two
+  // levels: this takes the nearest level.
   const auto trust = std::ranges::min_element(runtime::kLearnedTrusts, {},
                                               [&](int worth) { return std::abs(worth - seen); });
   return static_cast<std::uint8_t>(step + runtime::kLearnedSteps *
@@ -45,7 +46,7 @@ double share_of(double log_odds) {
   return 1 / (1 + std::exp(-log_odds));
 }
 
-/// Extra bits for coding a bit that is set with probability `is` but expected with `expected`.
+/// Extra bits for each coded bit that is 1 with probability `is` but was expected with `expected`.
 double divergence(double is, double expected) {
   return is * std::log2(is / expected) + (1 - is) * std::log2((1 - is) / (1 - expected));
 }
@@ -53,7 +54,7 @@ double divergence(double is, double expected) {
 std::vector<LearnedContext> learned_contexts(std::span<const NotedClip> clips,
                                              const CodingKnowledge& before,
                                              const CodingKnowledge& after) {
-  constexpr float kSoon = 30;  // number of bits after which a context has learned by itself
+  constexpr float kSoon = 30;  // bits of one clip after which a context has adapted to it
   const auto tallies = tally_contexts(clips, after);
   std::vector<LearnedContext> learned;
   for (std::size_t c = 0; c < after.log_odds.size(); ++c) {
@@ -70,7 +71,7 @@ std::vector<LearnedContext> learned_contexts(std::span<const NotedClip> clips,
   return learned;
 }
 
-/// PRIO's payload, and the knowledge that a reader gets from it.
+/// The payload of PRIO, and the priors that a reader gets from it.
 struct Lesson {
   std::vector<std::byte> bytes;
   CodingKnowledge known;
@@ -100,7 +101,8 @@ Lesson lesson_of(const std::vector<bool>& is_told, const CodingKnowledge& before
   return lesson;
 }
 
-/// The sources whose motion is a single adaptively coded piece.
+/// Reads the bits of up to some hundreds of sources. Leaves out clips in segments and other codings
+/// than the adaptive one.
 std::vector<NotedClip> noted(const std::vector<BankSource>& sources, const BankSourceReader& files,
                              const std::function<bool()>& may_go_on) {
   constexpr std::size_t kMostClips = 600;
@@ -132,7 +134,7 @@ std::vector<std::byte> learn_from(const std::vector<BankSource>& sources,
                                   const BankSourceReader& files,
                                   const Observer<BankProgress>& observer) {
   constexpr int kRounds = 6;
-  constexpr double kFinest = 0.1;  // log odds, as a first step
+  constexpr double kFinest = 0.1;  // log odds are first fitted in multiples of this
   constexpr int kMoreRounds = 4;
   constexpr std::size_t kCounts[] = {500, 1000, 2000, 4000};  // numbers of contexts to try
   bool is_stopped = false;
@@ -155,7 +157,8 @@ std::vector<std::byte> learn_from(const std::vector<BankSource>& sources,
   std::vector<std::byte> best;
   for (const std::size_t count : kCounts) {
     if (!may_go_on()) break;
-    // Other contexts keep their usual values, so the chosen ones are learned beside them.
+    // Contexts that are not written keep their built-in priors, so the others are fitted again
+    // beside them.
     CodingKnowledge told = before;
     std::vector<bool> is_told(before.log_odds.size());
     for (std::size_t i = 0; i < std::min(count, contexts.size()); ++i) {

@@ -9,8 +9,9 @@
 
 namespace mocapress {
 
-/// Learns from some hundred of the clips, read through `files`. Empty if it would take more bytes
-/// than it saves, or the observer stopped it. Throws InputError.
+/// Learns from up to some hundreds of the clips, read through `files`. Returns the payload of PRIO;
+/// empty if it would take more bytes than it saves, or if the observer stopped it. Throws
+/// InputError.
 std::vector<std::byte> learn_from(const std::vector<BankSource>& sources,
                                   const BankSourceReader& files,
                                   const Observer<BankProgress>& observer = {});

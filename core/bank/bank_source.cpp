@@ -22,8 +22,8 @@ std::string lower_extension(const fs::path& path) {
   return extension;
 }
 
-/// Adds every file below `folder` that is named as a clip. One that cannot be read is refused
-/// later, so none is left out silently.
+/// Adds every .mcpr below `folder`. A file that cannot be read is added too, and refused later, so
+/// that none is left out silently.
 void add_below(const fs::path& folder, const fs::path& top, std::vector<BankSource>& sources) {
   const FolderListing listing = list_folder(folder);
   for (const auto& [path, is_link, kind, problem] : listing.entries) {

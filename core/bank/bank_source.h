@@ -19,12 +19,13 @@ struct BankSource {
   std::string of_bank;  // name in its old bank; empty: the file is a .mcpr
 };
 
-/// Finds sources: files as given, named by their stems; every .mcpr below a folder, named by its
-/// path from there without extension; every clip of a packed bank, by its name. Throws InputError
-/// for an input without any.
+/// Finds sources in the inputs. A file is named by its stem, each .mcpr below a folder by its path
+/// from that folder without extension, and each clip of a packed bank keeps its name. Throws
+/// InputError for a folder without a .mcpr, and for a cooked bank.
 std::vector<BankSource> find_bank_sources(const std::vector<std::filesystem::path>& inputs);
 
-/// Reads sources. Banks among them stay open, each once, in whatever order their clips come.
+/// Reads sources. Each bank among them is opened once and stays open, whatever the order of the
+/// clips.
 class BankSourceReader {
  public:
   struct File {
@@ -35,7 +36,7 @@ class BankSourceReader {
   /// Throws InputError.
   explicit BankSourceReader(const std::vector<BankSource>& sources);
 
-  /// Many threads may call it. Throws InputError.
+  /// Reads one source. Many threads may call it. Throws InputError.
   File read(const BankSource& source) const;
 
  private:

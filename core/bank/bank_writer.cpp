@@ -154,7 +154,7 @@ void BankWriter::put_entry(const std::string& name, std::uint32_t kind, std::uin
   last_tags_ = tags;
 }
 
-/// Writes the checksum of the last block, if there is one.
+/// Writes the checksum of the latest block, if there is one.
 void BankWriter::end_block() {
   if (blocks_.empty()) return;
   const std::uint32_t checksum = runtime::bank_checksum(checked_.data(), checked_.size());
@@ -173,7 +173,7 @@ runtime::BankRegion BankWriter::write_region(std::span<const std::byte> bytes,
   return region;
 }
 
-/// The table of the tiers that are written after it.
+/// Returns the table of the finer tiers. The tiers themselves are written right after it.
 std::vector<std::byte> BankWriter::tier_table() const {
   std::vector<std::byte> table;
   if (tiers_.empty()) return table;

@@ -32,7 +32,8 @@ class SharedTables {
  public:
   SharedTables() : bytes_(runtime::kFirstTable) {}
 
-  /// The table's offset in the block, aligned as the table itself is.
+  /// Adds a table unless it is there already. Returns its offset in the block, which has the
+  /// alignment that tables need.
   std::uint32_t intern(std::span<const std::byte> table);
   const std::vector<std::byte>& bytes() const { return bytes_; }
 
@@ -41,15 +42,15 @@ class SharedTables {
     std::uint32_t place;
     std::size_t bytes;
   };
-  std::unordered_multimap<std::size_t, Table> places_;  // by hash; the bytes are stored below
+  std::unordered_multimap<std::size_t, Table> places_;  // by hash of the table
   std::vector<std::byte> bytes_;
 };
 
-/// Keys and values: texts about a bank, for people to read.
+/// Texts about a bank for people to read: pairs of key and value.
 using BankTexts = std::vector<std::pair<std::string, std::string>>;
 
-/// Writes a bank clip by clip, in the order of their names, into a file that takes its place whole
-/// or not at all. Only the index and data that clips share are kept in memory.
+/// Writes a bank clip by clip, in the order of the clips' names, into a file that appears at its
+/// path whole or not at all. Keeps in memory only the index and what clips share.
 class BankWriter {
  public:
   /// Throws WriteError, like all members.
@@ -58,8 +59,8 @@ class BankWriter {
   std::uint32_t intern(runtime::BankItem kind, std::span<const std::byte> bytes);
   SharedTables& tables() { return tables_; }
 
-  /// Adds a clip. Also throws InputError if the name is invalid or does not come after the one
-  /// before. `pieces` are what tiers add to a packed clip; they are kept in memory to the end.
+  /// Adds a clip. Throws InputError if the name is invalid or does not come after the last one.
+  /// `pieces` are what finer tiers add to a packed clip; they are kept in memory until finish().
   void add(const std::string& name, std::uint32_t kind, std::span<const std::byte> bytes,
            std::vector<std::string> tags, const ClipPieces& pieces = {});
 
@@ -87,14 +88,14 @@ class BankWriter {
   std::uint32_t last_kind_ = 0;
   std::uint32_t last_tags_ = 0;
   std::vector<std::byte> blocks_;
-  std::vector<std::byte> checked_;  // bytes for the checksum of the last block
+  std::vector<std::byte> checked_;  // bytes that the latest block's checksum covers
   std::vector<std::byte> entries_;
   std::vector<std::uint64_t>
-      clips_;  // begin of each clip: cooked ones later get the place of the tables
+      clips_;  // offset of each cooked clip; finish() stores the distance to the tables in each
   std::uint32_t count_ = 0;
   struct TierPieces {
-    std::vector<std::byte> bytes;       // pieces of all clips, one after the other
-    std::vector<std::uint32_t> begins;  // one for each clip
+    std::vector<std::byte> bytes;       // pieces of all clips, back to back
+    std::vector<std::uint32_t> begins;  // offset of each clip's piece in `bytes`
   };
   std::vector<TierPieces> tiers_;
 };

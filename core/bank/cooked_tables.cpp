@@ -15,12 +15,12 @@ namespace {
 
 using runtime::TableOffset;
 
-/// Copies a clip's tables to their places in a bank.
+/// Copies a clip's tables into the tables that a bank's clips share.
 class TableMover {
  public:
   TableMover(const mcpr_cooked& from, SharedTables& to) : from_(from), to_(to) {}
 
-  /// Sets the tables' new places in the head.
+  /// Stores the tables' new offsets in the head.
   void move(mcpr_cooked& head) {
     const std::uint32_t columns = runtime::kGroup * from_.groups;
     const std::uint32_t row_columns = runtime::kGroup * from_.row_groups;
@@ -122,7 +122,7 @@ ClipForBank cook_for_bank(std::span<const std::byte> file, const Cooking& cookin
 }
 
 std::vector<std::byte> put_tables(const mcpr_cooked& clip, SharedTables& tables) {
-  // A clip has to lie in aligned memory to be read.
+  // Clips can only be read from aligned memory.
   const AlignedBytes copy(static_cast<std::size_t>(clip.bytes));
   std::memcpy(copy.data(), &clip, copy.size());
   auto* const head = reinterpret_cast<mcpr_cooked*>(copy.data());

@@ -26,18 +26,19 @@ struct ClipForBank {
 /// Options for cooking.
 struct Cooking {
   bool apply_ik = true;
-  /// The furthest that cooking the IK correction may move a joint at any frame, cm; 0: not at all.
-  /// Unset: the error that the clip's file states.
+  /// The furthest that cooking the IK correction may move a joint at any frame, in cm; 0: not at
+  /// all. Unset: the error that the clip's file states.
   std::optional<float> ik_error;
-  /// As in mcpr_cook_options: fewer are faster and larger. 0: as suits memory.
+  /// Number of finest bands that stay details, as in mcpr_cook_options: with fewer, poses are
+  /// faster and clips larger. 0: as suits memory.
   std::uint32_t detail_bands = 0;
 };
 
 /// Cooks a .mcpr. Throws FormatError.
 ClipForBank cook_for_bank(std::span<const std::byte> file, const Cooking& cooking);
 
-/// The bytes of a clip for a bank. Its tables go into `tables`, whose place in the bank is not set
-/// yet.
+/// Returns the bytes of a clip for a bank, and puts its tables into `tables`. The distance from
+/// clip to tables is set later, by BankWriter::finish().
 std::vector<std::byte> put_tables(const mcpr_cooked& clip, SharedTables& tables);
 
 }  // namespace mocapress
