@@ -25,11 +25,12 @@ AppendedFile::~AppendedFile() {
   try {
     if (now && now->size == 0 && is_at(file_.number(), target_)) remove_file(target_);
   } catch (const InputError&) {
-    // An empty file may stay; it does no harm.
+    // An empty file that cannot be looked at stays; it does no harm.
   }
 }
 
-/// The file that is at the place once it is locked: another process may have replaced it between.
+/// Opens and locks the file at the path. Repeats if another process replaced the file before it was
+/// locked.
 void AppendedFile::open() {
   Opened opened;
   do {
@@ -83,7 +84,8 @@ void AppendedFile::append(std::string_view line) {
     return;
   }
   const int why = errno;
-  // Half a line would spoil the next. Without a lock the end of the file may be somebody else's.
+  // Half a line would spoil the next one, so it is cut off. Without a lock this could cut off lines
+  // of another process.
   if (!warning_ && !cut_to(file_.number(), size_)) fail(errno);
   fail(why);
 }
@@ -92,7 +94,7 @@ void AppendedFile::replace(const std::function<void(StagedFile&)>& write) {
   StagedFile file(target_);
   write(file);
   file.commit();
-  open();  // the old file is released only then
+  open();  // opens and locks the new file, and only then releases the old one
 }
 
 void AppendedFile::fail(int error) const {

@@ -14,20 +14,21 @@
 
 namespace mocapress {
 
-/// Another process has the file open.
+/// Thrown if another process has the file open.
 class InUse : public WriteError {
   using WriteError::WriteError;
 };
 
-/// A file of lines, open in one process at a time. A line is on the disk when append() returns, and
-/// a line that could not be written whole is taken out again.
+/// A text file that lines are appended to, open in one process at a time. When append() returns,
+/// the line is on the disk; a line that could not be written whole is cut off again.
 class AppendedFile {
  public:
   /// A function like lock_now() of open_file.h.
   using Lock = int (*)(int file);
 
-  /// Opens the file or creates it; follows links as StagedFile does. Throws WriteError; InUse while
-  /// another process has it open; InputError if the system cannot tell what is at the place.
+  /// Opens the file or creates it. Follows links as StagedFile does. Throws InUse while another
+  /// process has the file open, InputError if the system cannot tell what is at the path, and
+  /// WriteError for any other failure.
   explicit AppendedFile(std::filesystem::path path, Lock lock);
   explicit AppendedFile(std::filesystem::path path);
   AppendedFile(const AppendedFile&) = delete;
@@ -36,7 +37,7 @@ class AppendedFile {
   /// Removes the file if this object created it and it is still empty.
   ~AppendedFile();
 
-  /// Set if the file system has no locks, so that other processes are not kept away.
+  /// Set if the file system has no locks, so that other processes can open the file too.
   const std::optional<Warning>& warning() const { return warning_; }
 
   std::uint64_t size() const { return size_; }
@@ -44,10 +45,10 @@ class AppendedFile {
   /// Reads `length` bytes, or fewer at the end of the file. Throws InputError.
   std::string read(std::uint64_t offset, std::size_t length) const;
 
-  /// Appends `line`, given without its end. Throws WriteError.
+  /// Appends `line`, which has no line end, and a line end. Throws WriteError.
   void append(std::string_view line);
 
-  /// Replaces all contents at once by what `write` writes. Throws WriteError, and what `write`
+  /// Replaces all contents at once by what `write` writes. Throws WriteError, and whatever `write`
   /// throws.
   void replace(const std::function<void(StagedFile&)>& write);
 
@@ -63,7 +64,7 @@ class AppendedFile {
   [[noreturn]] void fail(int error) const;
 
   std::filesystem::path path_;
-  std::filesystem::path target_;  // the file that its links lead to
+  std::filesystem::path target_;  // the file at the end of the path's links
   Lock lock_;
   FileDescriptor file_;
   bool made_ = false;

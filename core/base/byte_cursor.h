@@ -14,8 +14,8 @@ namespace mocapress {
 
 static_assert(std::endian::native == std::endian::little, "files are little-endian");
 
-/// Reads little-endian values from untrusted bytes. Every read is checked: one past the end throws
-/// FormatError with the offset counted from `base_offset`, the place of these bytes in their file.
+/// Reads little-endian values from untrusted bytes. Checks every read: a read past the end throws
+/// FormatError. Offsets in errors count from `base_offset`, the place of these bytes in their file.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::byte> bytes, std::size_t base_offset = 0)
@@ -28,16 +28,16 @@ class ByteReader {
     return value;
   }
 
-  /// The next `size` bytes, not copied.
+  /// Reads `size` bytes. The span points to them; nothing is copied.
   std::span<const std::byte> take(std::size_t size);
 
-  /// A string stored as one length byte and its characters.
+  /// Reads a string stored as one length byte and its characters.
   std::string read_short_string();
 
   std::size_t remaining() const { return bytes_.size() - position_; }
   std::size_t offset() const { return base_offset_ + position_; }
 
-  /// Throws FormatError at the present offset.
+  /// Throws FormatError at the current offset.
   [[noreturn]] void fail(const std::string& message) const;
 
   /// Throws FormatError unless every byte was read.
@@ -57,7 +57,7 @@ class ByteWriter {
   void write(T value) { append(std::as_bytes(std::span(&value, 1))); }
   void append(std::span<const std::byte> bytes);
 
-  /// At most 255 bytes are kept, as a length byte and the characters.
+  /// Writes a length byte and the characters. Cuts the text to 255 bytes.
   void write_short_string(const std::string& text);
 
   const std::vector<std::byte>& bytes() const { return bytes_; }

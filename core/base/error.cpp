@@ -8,15 +8,15 @@
 namespace mocapress {
 namespace {
 
-/// One line of at most 200 characters, whatever names and words of a file are in it.
+/// Returns the message as one line of at most 200 characters, however long the names in it are.
 std::string one_line(const std::string& message) {
   constexpr std::size_t kLongest = 200;
   constexpr std::string_view kCut = "...";
   std::string line = printable(message);
   std::size_t characters = 0;
-  std::size_t cut = 0;  // where the characters end that leave room for kCut
+  std::size_t cut = 0;  // end of the longest beginning that leaves room for kCut
   for (std::size_t i = 0; i < line.size(); ++i) {
-    const bool follows = (static_cast<unsigned char>(line[i]) & 0xC0U) == 0x80U;  // in UTF-8
+    const bool follows = (static_cast<unsigned char>(line[i]) & 0xC0U) == 0x80U;  // UTF-8
     if (!follows && ++characters == kLongest - kCut.size() + 1) cut = i;
     if (characters > kLongest) return line.substr(0, cut).append(kCut);
   }

@@ -13,9 +13,9 @@ class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A text file that cannot be read. what() is "file:line:column: message"; line and column count
+/// An input file that cannot be read. what() is "file:line:column: message"; line and column count
 /// from 1, and line 0 stands for the file as a whole ("file: message"). The message becomes one
-/// printable() line of at most 200 characters, though names in it may be longer.
+/// printable() line of at most 200 characters, however long the names in it are.
 class InputError : public Error {
  public:
   InputError(const std::string& file, int line, int column, const std::string& message);
@@ -42,19 +42,19 @@ class WriteError : public Error {
   using Error::Error;
 };
 
-/// A quality target (ratio, size, error) that no setting of the method meets; what() gives the
-/// best.
+/// A quality target (ratio, size, error) that no setting of the method meets. what() tells the best
+/// result.
 class TargetMissed : public Error {
   using Error::Error;
 };
 
-/// Something a reader repaired or guessed: worth saying, no reason to refuse the file.
+/// A repair or guess by a reader: worth telling, but no reason to refuse the file.
 struct Warning {
   std::string file;
   int line = 0;  // from 1; 0: the file as a whole
   std::string message;
 
-  std::string text() const;  // as InputError::what()
+  std::string text() const;  // in the form of InputError::what()
   bool operator==(const Warning&) const = default;
 };
 

@@ -18,7 +18,7 @@
 namespace mocapress {
 namespace {
 
-/// Git leaves such a text in place of a large file that has not been fetched.
+/// True for the small text that Git LFS leaves in place of a large file that was not fetched.
 bool is_lfs_pointer(std::string_view text) {
   return text.starts_with("version https://git-lfs.github.com/spec/");
 }
@@ -40,7 +40,7 @@ Buffer read_whole(const std::filesystem::path& path) {
   return buffer;
 }
 
-/// Hands a stream's text on to a staged file, a piece at a time.
+/// Passes a stream's text to a staged file, piece by piece.
 class StagedBuffer : public std::streambuf {
  public:
   explicit StagedBuffer(StagedFile& file) : file_(file) { begin(); }
@@ -100,7 +100,7 @@ void write_stream(const std::filesystem::path& path,
   StagedFile file(path);
   StagedBuffer buffer(file);
   std::ostream stream(&buffer);
-  stream.exceptions(std::ios::badbit);  // lets exceptions of the file through
+  stream.exceptions(std::ios::badbit);  // lets exceptions of `file` through
   stream.imbue(std::locale::classic());
   write(stream);
   stream.flush();

@@ -14,11 +14,11 @@
 
 namespace mocapress {
 
-/// A file opened for reading. Throws InputError for what cannot be opened and for pipes, sockets
-/// and devices: these are not waited for.
+/// Opens a file for reading. Throws InputError if that fails, and for pipes, sockets and devices,
+/// without waiting for them.
 FileDescriptor open_to_read(const std::filesystem::path& path);
 
-/// The whole file. Throws InputError when it cannot be opened or read, does not fit into the memory
+/// Reads a whole file. Throws InputError if the file cannot be read, does not fit into the memory
 /// limit, or is a pointer of Git LFS.
 std::vector<std::byte> read_bytes(const std::filesystem::path& path);
 std::string read_text(const std::filesystem::path& path);
@@ -28,7 +28,7 @@ std::string read_text(const std::filesystem::path& path);
 void write_bytes(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_text(const std::filesystem::path& path, std::string_view text);
 
-/// Does the same for text that is too long to be kept in memory. The stream ignores the locale.
+/// Does the same for text that is too long to keep in memory. The stream ignores the locale.
 void write_stream(const std::filesystem::path& path,
                   const std::function<void(std::ostream&)>& write);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tells whether two paths are one file, by stat(2).
+// Tells whether two paths lead to the same file, by stat(2).
 #pragma once
 
 #include <compare>
@@ -10,8 +10,8 @@
 
 namespace mocapress {
 
-/// The file or folder behind a path, with links resolved. Paths of the same identity are one file:
-/// a link, a hard link and another spelling of a path give the same.
+/// The file or folder at the end of a path's links. Two paths with equal identities lead to the
+/// same file, for example through a link, a hard link or another spelling.
 struct FileIdentity {
   std::uint64_t device = 0;
   std::uint64_t number = 0;  // inode

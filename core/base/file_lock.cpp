@@ -26,7 +26,7 @@ std::optional<FileLock> FileLock::wait_for(const std::filesystem::path& path,
     if (!file && is_absence(errno)) return FileLock(std::move(file));
     if (!file) throw InputError(utf8(path), 0, 0, std::strerror(errno));
     if (lock(file.number()) == 0) {
-      // The last holder may have replaced the file.
+      // Otherwise the process that held the lock has replaced the file: lock the new one.
       if (is_at(file.number(), place)) return FileLock(std::move(file));
     } else if (errno == EWOULDBLOCK || errno == EINTR) {
       if (!may_wait()) return std::nullopt;

@@ -18,16 +18,16 @@ class FileLock {
   /// A function like lock_now() of open_file.h.
   using Lock = int (*)(int file);
 
-  /// Locks the file at the end of a path's links, waiting while others hold the lock. If there is
-  /// no file, there is nothing to lock. Unset: `may_wait`, asked every few milliseconds, returned
-  /// false. Throws InputError if the file is there but cannot be opened.
+  /// Locks the file at the end of a path's links; waits while others hold the lock. Without a file
+  /// at the path there is nothing to lock. Returns nothing if `may_wait`, which is asked every few
+  /// milliseconds, returned false. Throws InputError if the file is there but cannot be opened.
   static std::optional<FileLock> wait_for(const std::filesystem::path& path,
                                           const std::function<bool()>& may_wait);
   static std::optional<FileLock> wait_for(const std::filesystem::path& path,
                                           const std::function<bool()>& may_wait, Lock lock);
 
   /// Set if the file could not be locked, as on a file system without locks, so that other
-  /// processes are not kept away.
+  /// processes can change it.
   const std::optional<Warning>& warning() const { return warning_; }
 
  private:

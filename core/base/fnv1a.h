@@ -11,7 +11,7 @@
 
 namespace mocapress {
 
-/// A hash that tells changed bytes from unchanged ones, without protection against malice.
+/// A hash that tells whether bytes have changed. It does not protect against forgery.
 class Fnv1a {
  public:
   void add(std::span<const std::byte> bytes) {
@@ -24,7 +24,7 @@ class Fnv1a {
 
   std::uint64_t state() const { return state_; }
 
-  /// 16 hexadecimal digits.
+  /// The hash as 16 hexadecimal digits.
   std::string text() const {
     char digits[17];
     std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(state_));

@@ -30,7 +30,7 @@ FolderListing list_folder(const fs::path& folder) {
     FolderEntry entry{at->path()};
     std::error_code why;
     entry.is_link = at->is_symlink(why);
-    entry.kind = kind_of(at->status(why).type());  // without a call to the system, but for links
+    entry.kind = kind_of(at->status(why).type());  // calls the system for links only
     if (why) entry.problem = why.message();
     listing.entries.push_back(std::move(entry));
   }

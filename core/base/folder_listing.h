@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lists folders. GCC's std::filesystem for Windows lists another folder than the one that was asked
-// for where a path has more than 260 characters.
+// Lists folders. Use this instead of std::filesystem, which by GCC for Windows lists a different
+// folder if a path has more than 260 characters.
 #pragma once
 
 #include <filesystem>
@@ -12,15 +12,15 @@
 namespace mocapress {
 
 struct FolderEntry {
-  std::filesystem::path path;  // below the path of the folder, as it was given
+  std::filesystem::path path;  // the folder's path as it was given, and the name
   bool is_link = false;
-  PathKind kind = PathKind::Absent;  // at the end of its links
-  std::string problem;               // why nothing was found there; else empty
+  PathKind kind = PathKind::Absent;  // kind of the file at the end of a link
+  std::string problem;               // why the kind is unknown; empty: it is known
 };
 
 struct FolderListing {
   std::vector<FolderEntry> entries;  // in no order
-  std::string problem;               // why some may be missing; else empty
+  std::string problem;               // why entries may be missing; empty: none is
 };
 
 FolderListing list_folder(const std::filesystem::path& folder);

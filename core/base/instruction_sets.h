@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Compiles work on many numbers twice, with and without AVX2; the program uses the version that
-// suits the machine. Both do the same operations in the same order and without contraction: the
-// bits agree. Code to be compiled twice is one inline function of vectors of either length.
-// with_avx2() runs it with the longer ones.
+// Compiles number-crunching code twice, with and without AVX2, and runs the version that the
+// machine supports. Both versions do the same operations in the same order, without fused
+// multiply-adds, so their results are equal bit for bit. The code is one inline function, a
+// template over the vector length. with_avx2() runs it with the longer vectors.
 #pragma once
 
 #include <cstring>
@@ -28,7 +28,7 @@ using Doubles4 = double __attribute__((vector_size(32)));
 template <typename Vector, typename Number>
 inline constexpr int kLanes = static_cast<int>(sizeof(Vector) / sizeof(Number));
 
-/// A vector in memory, anywhere.
+/// Loads a vector from memory at any alignment.
 template <typename Vector, typename Number>
 MOCAPRESS_INLINE void load(const Number* from, Vector& vector) {
   std::memcpy(&vector, from, sizeof vector);
@@ -55,7 +55,8 @@ MOCAPRESS_FOR_AVX2 bool run_with_avx2(const Work& work) {
 }
 #endif
 
-/// Runs `work`, a lambda that is MOCAPRESS_INLINED, by AVX2; returns false on machines without.
+/// Runs `work`, a lambda marked MOCAPRESS_INLINED, with AVX2. Returns false on machines without
+/// AVX2.
 template <typename Work>
 bool with_avx2([[maybe_unused]] const Work& work) {
 #ifdef MOCAPRESS_WITH_AVX2

@@ -16,7 +16,7 @@ Json parse(const std::string& file, std::string_view text, const Json::parser_ca
   } catch (const Json::parse_error& error) {
     const std::string_view before = text.substr(0, error.byte == 0 ? 0 : error.byte - 1);
     const auto line = static_cast<int>(std::ranges::count(before, '\n')) + 1;
-    const std::size_t line_begin = before.rfind('\n') + 1;  // 0 when there is none
+    const std::size_t line_begin = before.rfind('\n') + 1;  // 0 if there is none
     throw InputError(file, line, static_cast<int>(before.size() - line_begin) + 1,
                      "is not JSON from here on");
   } catch (const Json::exception&) {

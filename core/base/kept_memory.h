@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// For programs only: a library does not decide how a process handles its memory.
+// For programs only: a library must not decide how a process handles its memory.
 #pragma once
 
 #ifdef __linux__
@@ -8,9 +8,9 @@
 
 namespace mocapress {
 
-/// Lets glibc keep what is freed instead of giving it back to the system. Encoding takes and frees
-/// arrays of some megabytes again and again, and to have them mapped anew each time takes about a
-/// tenth of its time.
+/// Lets glibc keep freed memory instead of giving it back to the system. Encoding allocates and
+/// frees arrays of some megabytes again and again; mapping them anew each time takes about a tenth
+/// of the encoding time.
 inline void keep_freed_memory() {
 #ifdef M_TRIM_THRESHOLD
   constexpr int kMebibyte = 1 << 20;
@@ -19,8 +19,8 @@ inline void keep_freed_memory() {
 #endif
 }
 
-/// Gives back to the system the freed memory that glibc keeps, which is often in pieces too small
-/// to be used again.
+/// Gives the freed memory that glibc keeps back to the system. It is often in pieces too small to
+/// be used again.
 inline void give_back_freed_memory() {
 #ifdef __GLIBC__
   malloc_trim(0);

@@ -7,7 +7,8 @@
 
 namespace mocapress {
 
-/// A run of a program that has locked a folder, as written in that folder for others to read.
+/// A run of a program that has locked a folder. It is written into that folder, so that others can
+/// tell who holds the lock.
 struct LockHolder {
   std::string host;
   std::string user;
@@ -17,7 +18,7 @@ struct LockHolder {
   bool operator==(const LockHolder&) const = default;
 };
 
-/// Describes this process, since now.
+/// Describes this process, with the current time as `since`.
 LockHolder this_process();
 
 /// "ana on render3, process 4711, since 2026-11-26T14:05:00Z"
@@ -25,7 +26,7 @@ std::string text(const LockHolder& holder);
 
 Json to_json(const LockHolder& holder);
 
-/// Reads what a holder wrote. Throws as the JSON library does.
+/// Reads what to_json() wrote. Throws the JSON library's exceptions.
 LockHolder lock_holder_from(const Json& json);
 
 }  // namespace mocapress

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Facts that the system tells about itself, with one body for POSIX and one for Windows.
+// Facts about the machine, the user and the process. POSIX and Windows have an implementation each.
 #pragma once
 
 #include <cstdint>
@@ -7,12 +7,12 @@
 
 namespace mocapress {
 
-/// Bytes of memory built in; 0 if the system does not tell.
+/// Bytes of built-in memory; 0 if the system does not tell.
 std::uint64_t physical_memory();
 
 std::string host_name();
 
-/// The user's name, or number if there is no name.
+/// The user's name, or the user's number if there is no name.
 std::string user_name();
 
 /// The number of this process.

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// If false, errno tells why.
+/// True if a folder is at the path. If false, errno tells why.
 bool is_folder(const fs::path& path) {
   const auto status = status_of(path);
   if (status) errno = EEXIST;

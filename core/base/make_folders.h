@@ -5,9 +5,8 @@
 
 namespace mocapress {
 
-/// Makes a folder and those above it that are missing. Each new name is on the disk when this
-/// returns, so that a power cut takes no folder away from files that are safe in it. Throws
-/// WriteError.
+/// Makes a folder and its missing parents. When this returns, each new name is on the disk, so that
+/// a power cut cannot take the folder away from files that were saved in it. Throws WriteError.
 void make_folders(const std::filesystem::path& folder);
 
 }  // namespace mocapress

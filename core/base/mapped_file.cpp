@@ -29,7 +29,7 @@ std::optional<MappedFile> MappedFile::of_descriptor(int file, bool beforehand) {
   if (size == 0) return mapped;
 #ifdef MAP_POPULATE
   const int flags = MAP_PRIVATE | (beforehand ? MAP_POPULATE : 0);
-#else  // macOS: pages come when they are touched
+#else  // macOS: pages are loaded on first access
   const int flags = MAP_PRIVATE;
   static_cast<void>(beforehand);
 #endif

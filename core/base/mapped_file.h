@@ -10,14 +10,14 @@
 
 namespace mocapress {
 
-/// A file's bytes mapped into memory and read where they are used. Replacing the file leaves these
-/// bytes as they were.
+/// A file's bytes, mapped into memory instead of copied. They stay as they are if the file is
+/// replaced.
 class MappedFile {
  public:
-  /// Throws InputError. Pages are loaded as they are touched, or all `beforehand`, which takes
-  /// longer but never waits later.
+  /// Maps the file at a path. Pages are loaded on first access, or all at once if `beforehand`:
+  /// that takes longer, but no access has to wait later. Throws InputError.
   explicit MappedFile(const std::filesystem::path& path, bool beforehand = false);
-  /// Maps the file open under this number; unset if that fails, and errno tells why.
+  /// Maps an open file, given by its descriptor. Unset if that fails; errno tells why.
   static std::optional<MappedFile> of_descriptor(int file, bool beforehand = false);
   MappedFile(MappedFile&& other) noexcept : bytes_(std::exchange(other.bytes_, {})) {}
   MappedFile& operator=(MappedFile&& other) noexcept {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A file of some kilobytes can ask for gigabytes: arrays that inflate, frames that are only
-// counted. Readers ask here before they allocate.
+// A file of a few kilobytes can ask for gigabytes: with arrays that inflate, or with a large count
+// of frames. Readers check the limit here before they allocate.
 #pragma once
 
 #include <cstdint>
@@ -13,27 +13,28 @@ namespace mocapress {
 
 inline constexpr std::uint64_t kUsualMemoryLimit = std::uint64_t{2} << 30;
 
-/// Bytes for a motion's value while it is read: as in the file, and in two clips.
+/// Bytes that a value of a motion takes while it is read: in the file's form, and in two clips.
 inline constexpr std::uint64_t kBytesOfReadValue = 4 * sizeof(double);
 
-/// The most memory that the contents of one file may take, in bytes, for the whole process. A
-/// program sets it once, before it reads anything.
+/// The most bytes of memory that the contents of one file may take. The limit is the same for the
+/// whole process; a program sets it once, before it reads anything.
 std::uint64_t memory_limit();
 void set_memory_limit(std::uint64_t bytes);
 
-/// Half of this machine's memory.
+/// Half of this machine's memory; kUsualMemoryLimit if the system does not tell its size.
 std::uint64_t half_of_the_memory();
 
-/// Why `bytes` are beyond the limit, as the end of a sentence about a file; unset if they are not.
+/// Tells that `bytes` exceed the limit, as the end of a sentence about a file. Unset if they do
+/// not.
 std::optional<std::string> beyond_memory_limit(std::uint64_t bytes);
 
 /// Throws InputError with the file's name if reading it would take more than the limit.
 void require_memory(const std::string& file, std::uint64_t bytes);
 
-/// Throws the InputError for a file that exceeded the machine's own memory.
+/// Throws InputError: reading the file took more memory than the machine has.
 [[noreturn]] void throw_out_of_memory(const std::string& file);
 
-/// Returns read(). A failed allocation in it becomes an InputError with the file's name.
+/// Returns read(). Turns a failed allocation in it into an InputError with the file's name.
 template <typename Read>
 auto naming_what_takes_memory(const std::string& file, Read&& read) {
   try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Guards tables of names against an enumerator that was added without a name.
+// Checks at compile time that a table of names was extended with its enumeration.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,8 @@
 
 namespace mocapress {
 
-/// True if the enumeration has this value: gcc and clang print any other as a cast, (Kind)7.
+/// True if the value is an enumerator. In __PRETTY_FUNCTION__, gcc and clang print any other value
+/// as a cast: (Kind)7.
 template <auto kValue>
 consteval bool is_enumerator() {
 #ifdef __GNUC__
@@ -19,7 +20,7 @@ consteval bool is_enumerator() {
 #endif
 }
 
-/// True if a table, which is indexed by the values of an enumeration, has a name for each.
+/// True if a table indexed by an enumeration has exactly one name for each of its values.
 template <typename Enumeration, typename Name, std::size_t kCount>
 consteval bool names_all(const Name (&)[kCount]) {
 #ifdef __GNUC__

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Numbers in text that a program reads. printf and streams follow the locale and may write a comma
-// for the decimal point; these do not.
+// Formats and parses numbers in text for programs, always with a decimal point. printf and streams
+// follow the locale, which may have a decimal comma.
 #pragma once
 
 #include <optional>
@@ -9,17 +9,18 @@
 
 namespace mocapress {
 
-/// Formats a value with this number of digits after the point: "2.50".
+/// Formats a value with `decimals` digits after the point: "2.50".
 std::string fixed_text(double value, int decimals);
 
-/// Formats a value with at most this number of significant digits, without trailing zeros: "2.5",
+/// Formats a value with at most `digits` significant digits, without trailing zeros: "2.5",
 /// "1e+06".
 std::string significant_text(double value, int digits);
 
-/// The shortest text that tells the value from every other double: "0.1".
+/// Formats a value with the fewest digits that distinguish it from every other double: "0.1".
 std::string shortest_text(double value);
 
-/// The number that makes up the whole text; unset if it is none or not finite.
+/// Parses a text that is a number from beginning to end. Unset for any other text, and for infinity
+/// and NaN.
 std::optional<double> number_in(std::string_view text);
 
 }  // namespace mocapress

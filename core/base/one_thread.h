@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Apart from parallel.h, since TBB's headers conflict with those of Qt.
+// Not part of parallel.h, since TBB's headers conflict with those of Qt.
 #pragma once
 
 #include <functional>
 
 namespace mocapress {
 
-/// Runs `work` with the parallel loops in it on this thread alone, for work that must not take the
-/// other cores from what someone waits for.
+/// Runs `work`, including its parallel loops, on this thread alone. The other cores stay free for
+/// work that somebody waits for.
 void on_one_thread(const std::function<void()>& work);
 
 }  // namespace mocapress

@@ -19,7 +19,7 @@ PathKind kind_of(mode_t mode) {
 }
 
 FileStatus status_from(const struct stat& found) {
-#ifdef __APPLE__  // not tried
+#ifdef __APPLE__  // not tested
   const timespec& written = found.st_mtimespec;
 #else
   const timespec& written = found.st_mtim;
@@ -49,7 +49,7 @@ bool is_absence(int error) {
 }
 
 FileDescriptor open_existing(const std::filesystem::path& path) {
-  // Without O_NONBLOCK a pipe would keep us waiting for its writer.
+  // Without O_NONBLOCK, opening a pipe would wait for its writer.
   return FileDescriptor(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files as the system has them, with one body for POSIX and one for Windows: the only places,
-// beside staged_file.cpp and mapped_file.cpp, that call the system. Failures are errno values.
+// Calls of the operating system for files, with one implementation for POSIX and one for Windows.
+// Failures are errno values.
 #pragma once
 
 #include <cstddef>
@@ -21,30 +21,33 @@ struct FileStatus {
   std::int64_t written_ns = 0;  // last change of the contents, since 1970
 };
 
-/// The file at the end of a path's links, or open under a number. Unset: errno tells why.
+/// Describes a file: the one at the end of a path's links, or an open one. Unset on failure; errno
+/// tells why.
 std::optional<FileStatus> status_of(const std::filesystem::path& path);
 std::optional<FileStatus> status_of(int file);
 
-/// Returns whether an error means that nothing is at a path. After any other error this is unknown.
+/// True if an errno value means that nothing is at a path. After any other error that is unknown.
 bool is_absence(int error);
 
-/// Opens what is there for reading, and waits for nothing if that is a pipe. Nothing opened: errno.
+/// Opens whatever is at a path for reading. Does not wait if that is a pipe. The result is empty on
+/// failure; errno tells why.
 FileDescriptor open_existing(const std::filesystem::path& path);
 
 enum class Appending { ToExisting, ToNew };
 
-/// Opens a file for reading and appending. ToNew fails with EEXIST if something is there.
+/// Opens a file for reading and appending. ToNew creates the file, and fails with EEXIST if
+/// anything is at the path.
 FileDescriptor open_appended(const std::filesystem::path& path, Appending to);
 
-/// Locks an open file against everyone else, as flock(2) with LOCK_EX and LOCK_NB does: 0, or -1
-/// and EWOULDBLOCK while another holds the lock. Others can still read the file.
+/// Locks an open file against everyone else, as flock(2) with LOCK_EX and LOCK_NB does. Returns 0,
+/// or -1 with errno EWOULDBLOCK while another holds the lock. Others can still read the file.
 int lock_now(int file);
 
 /// Reads from `offset` until `count` bytes or the end of the file, and returns the number of bytes
-/// read. Unset: errno.
+/// read. Unset on failure; errno tells why.
 std::optional<std::size_t> read_all(int file, std::uint64_t offset, char* bytes, std::size_t count);
 
-// These return whether they succeeded; errno tells why not.
+// The following functions return whether they succeeded; errno tells why not.
 
 bool cut_to(int file, std::uint64_t size);
 bool remove_file(const std::filesystem::path& path);

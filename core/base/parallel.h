@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Parallel loops by oneTBB. The thread sanitizer does not see into Debian's build of that library
-// and would report every loop as a race, so under it two plain threads do the work.
+// Parallel loops by oneTBB. Debian's build of oneTBB is opaque to the thread sanitizer, which would
+// report every loop as a race; under the sanitizer, two plain threads do the work instead.
 #pragma once
 
 #ifdef __SANITIZE_THREAD__
@@ -13,8 +13,8 @@
 
 namespace mocapress {
 
-/// Calls body(first_of_range, end_of_range) for ranges that make up [first, end), of about `grain`
-/// or more, on all cores and in any order.
+/// Splits [first, end) into ranges of about `grain` elements or more and calls body(first_of_range,
+/// end_of_range) for each, on all cores and in any order.
 template <typename Index, typename Body>
 void parallel_ranges(Index first, Index end, Index grain, const Body& body) {
 #ifdef __SANITIZE_THREAD__

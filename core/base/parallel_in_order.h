@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A parallel loop whose results are taken one after the other, by oneTBB's pipeline. Under the
-// thread sanitizer it uses two plain threads, as parallel.h does.
+// A parallel loop that passes on its results one by one and in order, by oneTBB's pipeline. Under
+// the thread sanitizer it uses two plain threads, as parallel.h does.
 #pragma once
 
 #include <algorithm>
@@ -21,10 +21,10 @@
 
 namespace mocapress {
 
-/// Calls make(index) for each of [0, count) on all cores, and take(index, made) in the order of the
-/// indices, one at a time but not always on the same thread. Only a few results wait at a time. An
-/// exception of make() is thrown when its turn comes. After take() returns false it is not called
-/// again.
+/// Calls make(index) for each index in [0, count) on all cores, and take(index, made) for its
+/// results in the order of the indices, one at a time but not always on the same thread. Only a few
+/// results wait at a time. An exception of make(index) is thrown when that index is due in take().
+/// After take() returns false, it is not called again.
 template <typename Make, typename Take>
 void parallel_in_order(std::size_t count, const Make& make, const Take& take) {
   using Made = std::invoke_result_t<const Make&, std::size_t>;
@@ -38,7 +38,7 @@ void parallel_in_order(std::size_t count, const Make& make, const Take& take) {
     std::optional<Made> made;
     std::exception_ptr failure;
   };
-  std::vector<Result> waiting(most_waiting);  // by index, again and again
+  std::vector<Result> waiting(most_waiting);  // a ring: index modulo its size
   std::atomic<bool> goes_on{true};
   const auto make_one = [&](std::size_t index) {
     Result& result = waiting[index % most_waiting];

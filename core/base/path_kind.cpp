@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Unset if nothing is at the path.
+/// The status of what is at a path; unset if nothing is there.
 std::optional<FileStatus> found_at(const fs::path& path) {
   if (const auto status = status_of(path)) return status;
   if (is_absence(errno)) return std::nullopt;

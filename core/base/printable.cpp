@@ -6,7 +6,8 @@
 namespace mocapress {
 namespace {
 
-/// U+200E, U+200F, U+202A to U+202E, U+2066 to U+2069.
+/// True for Unicode's marks that change the direction of text: U+200E, U+200F, U+202A to U+202E,
+/// U+2066 to U+2069.
 bool turns_direction(unsigned code) {
   return code == 0x200e || code == 0x200f || (code >= 0x202a && code <= 0x202e) ||
          (code >= 0x2066 && code <= 0x2069);
@@ -33,7 +34,7 @@ std::string printable(std::string_view text) {
       put("\\x%02x", byte(++i));
       continue;
     }
-    // Three bytes in UTF-8, of which the first has the code's upper four bits.
+    // The code point, if these are three bytes of UTF-8: the first byte holds its upper four bits.
     const unsigned code =
         (byte(i) & 0xfU) << 12 | (byte(i + 1) & 0x3fU) << 6 | (byte(i + 2) & 0x3fU);
     if (byte(i) == 0xe2 && turns_direction(code)) {

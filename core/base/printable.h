@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Makes names from files safe to print, since terminals obey escape sequences that set their title
-// or colours, and marks that turn the direction of text.
+// Makes names from files safe to print. Terminals obey escape sequences, which can set the title or
+// colours, and marks that change the direction of text.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace mocapress {
 
-/// One printable line from the contents of a file: control characters become "\x1b" and the like,
-/// and Unicode's that change the direction of text "\u202e".
+/// Returns a text from a file as one printable line. Control characters become "\x1b" and the like;
+/// Unicode's marks that change the direction of text become "\u202e" and the like.
 std::string printable(std::string_view text);
 
-/// Shortens a name for a message, so that the end of the message stays visible: at most 40 bytes,
-/// of which the last three are "..." if the name is longer.
+/// Shortens a name to at most 40 bytes, so that the end of a message with it stays visible. A name
+/// that was cut ends with "...".
 std::string shortened(const std::string& name);
 
 }  // namespace mocapress

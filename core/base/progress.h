@@ -5,9 +5,10 @@
 
 namespace mocapress {
 
-/// Receives a report from long work and returns whether to go on. After false the work ends soon
-/// and returns the best it has, marked incomplete; the caller decides whether to keep it. Called on
-/// the thread that does the work. An empty function goes on.
+/// A function that receives progress reports of long work and returns whether to continue. After
+/// false the work ends soon and returns its best result so far, marked incomplete; the caller
+/// decides whether to keep that. Called on the thread that does the work. Without a function the
+/// work continues.
 template <typename State>
 using Observer = std::function<bool(const State&)>;
 

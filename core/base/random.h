@@ -7,8 +7,8 @@
 
 namespace mocapress {
 
-/// A seeded generator with the same draws on every platform, which the standard library's
-/// distributions do not promise. Passed by reference, never global.
+/// A seeded generator that draws the same numbers on every platform; the standard library's
+/// distributions do not promise that. Passed by reference, never global.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -16,7 +16,7 @@ class Random {
   /// Uniform in [0, bound). Requires bound > 0.
   std::uint64_t below(std::uint64_t bound) {
     assert(bound > 0);
-    // Draws below 2^64 mod bound would favour small values: reject them.
+    // The first 2^64 mod bound numbers would make some results more likely: draw again.
     const std::uint64_t unfair = (0 - bound) % bound;
     std::uint64_t draw = engine_();
     while (draw < unfair) draw = engine_();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Functions of staged_file.h that are the same on every system.
+// Functions of staged_file.h that are the same on POSIX and Windows.
 #include <cerrno>
 #include <cstring>
 #include <optional>

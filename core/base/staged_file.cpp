@@ -21,8 +21,8 @@
 namespace mocapress {
 namespace {
 
-// macOS by its documentation, not tried: it has no unnamed files, and no call for a whole file
-// system.
+// macOS has no unnamed files, and no call that synchronises a whole file system. This part follows
+// Apple's documentation and is not tested.
 #ifdef __APPLE__
 constexpr int kOpenFolder = O_RDONLY | O_DIRECTORY | O_CLOEXEC;
 
@@ -34,7 +34,8 @@ int synchronise_file_system(int) {
   return -1;
 }
 
-/// Writes to the disk itself; on macOS fsync(2) leaves the contents in the disk's own memory.
+/// Waits until the contents are on the disk. On macOS fsync(2) may leave them in the disk's own
+/// cache.
 int synchronise_disk(int file) {
   return ::fcntl(file, F_FULLFSYNC) == 0 ? 0 : ::fsync(file);
 }
@@ -125,7 +126,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostLinks = 40;  // as Linux follows
+constexpr int kMostLinks = 40;  // as in Linux
 constexpr mode_t kNewFile = 0666;
 constexpr mode_t kPrivate = 0600;
 constexpr mode_t kPermissions = 0777;
@@ -147,13 +148,13 @@ std::string random_name() {
   return name;
 }
 
-/// The path through which an open file can be given a name.
+/// A path to an open file without a name, through which linkat() can give it one.
 std::string link_to(int file) {
   return "/proc/self/fd/" + std::to_string(file);
 }
 
-/// Applies Linux's rule of protected_symlinks, so that a link planted in a shared folder does not
-/// decide what others overwrite.
+/// True for a link that somebody else put into a folder shared by all, by Linux's rule of
+/// protected_symlinks. Such a link must not decide which file is overwritten.
 bool may_be_planted(const fs::path& path, const struct stat& link) {
   struct stat folder;
   const fs::path parent = path.has_parent_path() ? path.parent_path() : ".";
@@ -163,7 +164,7 @@ bool may_be_planted(const fs::path& path, const struct stat& link) {
          link.st_uid != folder.st_uid;
 }
 
-/// Throws for a place that must not be replaced. True: a file is there.
+/// Returns whether a file is at the place. Throws if the place must not be replaced.
 bool is_replaced(const fs::path& path, const fs::path& target, struct stat& there) {
   if (::stat(target.c_str(), &there) != 0) {
     if (is_absence(errno)) return false;
@@ -176,16 +177,18 @@ bool is_replaced(const fs::path& path, const fs::path& target, struct stat& ther
   return true;
 }
 
-/// If the group cannot be kept, its permissions are not given to another group.
+/// Gives the new file the permissions of the old one, and its owner and group if possible. If the
+/// group cannot be kept, group permissions are dropped, so that no other group gets them.
 void keep_permissions(int file, const struct stat& old) {
   constexpr auto kSameOwner = static_cast<uid_t>(-1);
   mode_t mode = old.st_mode & kPermissions;
   if (::fchown(file, old.st_uid, old.st_gid) != 0 && ::fchown(file, kSameOwner, old.st_gid) != 0)
     mode &= ~static_cast<mode_t>(S_IRWXG);
-  ::fchmod(file, mode);  // a file system without permissions has none to keep
+  ::fchmod(file, mode);  // may fail, on a file system without permissions
 }
 
-/// Renames without replacing; if the file system cannot do that, looks first.
+/// Renames without replacing. If the file system cannot do that, checks for a file first and then
+/// renames.
 int rename_to_free_place(int folder, const char* from, const char* to) {
   if (rename_if_free(folder, from, to) == 0) return 0;
   if (errno != EINVAL && errno != ENOSYS && errno != ENOTSUP) return -1;
@@ -233,8 +236,8 @@ StagedFile::~StagedFile() {
   if (!name_.empty()) ::unlinkat(folder_.number(), name_.c_str(), 0);
 }
 
-/// Opens a file without a name: if the process is killed, nothing of it is left. May leave it to
-/// open_named() to report an error.
+/// Opens a file without a name, so that nothing is left if the process is killed. Does nothing if
+/// that fails: open_named() follows, and reports errors.
 void StagedFile::open_unnamed(std::uint32_t mode) {
   FileDescriptor file(open_nameless(folder_.number(), mode));
   if (file && ::access(link_to(file.number()).c_str(), F_OK) == 0) file_ = std::move(file);
@@ -282,8 +285,8 @@ void StagedFile::commit_all(std::span<StagedFile> files, Existing existing) {
   synchronise_all(files, true);
 }
 
-/// Synchronises contents or names: the whole file system of the first file, and files on others one
-/// by one.
+/// Synchronises contents, or names if `names`: the whole file system of the first file at once, and
+/// files on other file systems one by one.
 void StagedFile::synchronise_all(std::span<StagedFile> files, bool names) {
   if (files.empty()) return;
   struct stat first;
@@ -315,7 +318,8 @@ void StagedFile::take_place(Existing existing) {
   name_.clear();
 }
 
-/// Removes the file from its place, if it replaced none there and the place holds it still.
+/// Removes the file that take_place() put in place, unless it replaced a file or was itself
+/// replaced.
 void StagedFile::leave_place(Existing existing) const {
   struct stat own;
   struct stat there;

@@ -15,7 +15,7 @@ std::string utc_text(std::time_t time) {
 #else
   const bool is_known = ::gmtime_r(&time, &parts) != nullptr;
 #endif
-  if (!is_known) return text;  // a year that an int cannot count
+  if (!is_known) return text;  // the year does not fit into an int
   std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
   return text;
 }

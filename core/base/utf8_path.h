@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Names of files are kept as UTF-8 in texts, journals and messages. Windows has wide characters and
-// takes narrow ones for those of a code page, so texts become paths, and paths texts, here alone.
+// Converts file names between paths and UTF-8, which is their form in texts, journals and messages.
+// Windows has wide characters, and takes narrow characters for those of a code page, so all
+// conversions go through these functions.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +15,8 @@
 
 namespace mocapress {
 
-/// The path with a name in UTF-8. POSIX takes any bytes; Windows throws InputError for others.
+/// The path with a name in UTF-8. POSIX takes any bytes; Windows throws InputError for bytes that
+/// are not UTF-8.
 inline std::filesystem::path utf8_path(std::string_view name) {
   try {
     return std::u8string_view(reinterpret_cast<const char8_t*>(name.data()), name.size());
@@ -33,7 +35,8 @@ inline std::vector<std::filesystem::path> utf8_paths(const std::vector<std::stri
   return paths;
 }
 
-/// A path as text in UTF-8. Throws InputError for names that Windows allows and UTF-8 cannot hold.
+/// The path as text in UTF-8. Throws InputError for a name that Windows allows but UTF-8 cannot
+/// express.
 inline std::string utf8(const std::filesystem::path& path) {
   try {
     const std::u8string text = path.u8string();
@@ -43,7 +46,7 @@ inline std::string utf8(const std::filesystem::path& path) {
   }
 }
 
-/// The same with slashes between folders on every system.
+/// Like utf8(), with slashes between folders on every system.
 inline std::string generic_utf8(const std::filesystem::path& path) {
   std::string text = utf8(path);
   if constexpr (std::filesystem::path::preferred_separator != '/')

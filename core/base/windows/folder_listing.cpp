@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 FolderEntry entry_of(const fs::path& folder, const WIN32_FIND_DATAW& found) {
   FolderEntry entry{folder / found.cFileName};
   const DWORD attributes = found.dwFileAttributes;
-  // Other kinds of reparse points are files as any, such as those that a cloud drive has not
-  // fetched.
+  // Reparse points of other kinds are ordinary files, such as files of a cloud drive that are not
+  // fetched yet.
   entry.is_link = (attributes & FILE_ATTRIBUTE_REPARSE_POINT) != 0 &&
                   (found.dwReserved0 == IO_REPARSE_TAG_SYMLINK ||
                    found.dwReserved0 == IO_REPARSE_TAG_MOUNT_POINT);
@@ -45,7 +45,7 @@ FolderListing list_folder(const fs::path& folder) {
   WIN32_FIND_DATAW found;
   const HANDLE search = ::FindFirstFileW(windows::system_path(folder / L"*").c_str(), &found);
   if (search == INVALID_HANDLE_VALUE) {
-    // The root of a drive has no entries "." and "..": nothing may be in it.
+    // An empty root of a drive finds nothing, since it has no entries "." and "..".
     if (::GetLastError() != ERROR_FILE_NOT_FOUND) listing.problem = last_problem();
     return listing;
   }

@@ -28,7 +28,7 @@ std::optional<MappedFile> MappedFile::of_descriptor(int file, bool beforehand) {
       ::CreateFileMappingW(windows::handle_of(file), nullptr, PAGE_READONLY, 0, 0, nullptr);
   const void* const memory = mapping ? ::MapViewOfFile(mapping, FILE_MAP_READ, 0, 0, 0) : nullptr;
   if (!memory) windows::failed();
-  if (mapping) ::CloseHandle(mapping);  // the view stays
+  if (mapping) ::CloseHandle(mapping);  // the view stays valid
   if (!memory) return std::nullopt;
   mapped.bytes_ = {static_cast<const std::byte*>(memory), status->size};
   constexpr std::size_t kPage = 4096;

@@ -25,7 +25,7 @@ bool failed() {
     case ERROR_FILE_NOT_FOUND:
     case ERROR_PATH_NOT_FOUND:
     case ERROR_INVALID_DRIVE:
-    case ERROR_INVALID_NAME:  // there is no file of a name with, say, a question mark
+    case ERROR_INVALID_NAME:  // a name that no file can have, such as one with a question mark
     case ERROR_BAD_PATHNAME:
       errno = ENOENT;
       break;
@@ -76,7 +76,7 @@ HANDLE handle_of(int file) {
 }
 
 std::wstring system_path(const fs::path& path) {
-  constexpr std::size_t kLongest = 240;  // a folder leaves room for the names in it
+  constexpr std::size_t kLongest = 240;  // leaves room for names below a folder
   const DWORD size = ::GetFullPathNameW(path.c_str(), 0, nullptr, nullptr);
   std::wstring full(size, L'\0');
   full.resize(::GetFullPathNameW(path.c_str(), size, full.data(), nullptr));
@@ -128,7 +128,7 @@ std::optional<FileStatus> status_of(int file) {
     return std::nullopt;
   }
   const auto both = [](DWORD high, DWORD low) { return std::uint64_t{high} << 32 | low; };
-  // Counts tenths of a microsecond since 1601.
+  // Tenths of a microsecond since 1601.
   const auto written = static_cast<std::int64_t>(
       both(found.ftLastWriteTime.dwHighDateTime, found.ftLastWriteTime.dwLowDateTime));
   constexpr std::int64_t kBegin1970 = 116'444'736'000'000'000;
@@ -144,7 +144,7 @@ bool is_absence(int error) {
 }
 
 FileDescriptor open_existing(const fs::path& path) {
-  // With "backup semantics" folders can be opened too, and are told from files then.
+  // "Backup semantics" lets folders be opened too; the caller distinguishes them from files.
   return opened(path, GENERIC_READ, OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS);
 }
 
@@ -154,7 +154,7 @@ FileDescriptor open_appended(const fs::path& path, Appending to) {
 }
 
 int lock_now(int file) {
-  // Locks a byte that no file has, since nobody else can read a locked byte.
+  // Locks a byte beyond the end of any file, since others cannot read a locked byte.
   OVERLAPPED place{};
   place.OffsetHigh = 0x40000000;
   constexpr DWORD kHow = LOCKFILE_EXCLUSIVE_LOCK | LOCKFILE_FAIL_IMMEDIATELY;
@@ -185,7 +185,7 @@ bool make_folder(const fs::path& folder) {
   return false;
 }
 
-/// Wine 8 fails beyond 260 characters, Windows does not by its documentation.
+/// By its documentation Windows has no limit of 260 characters here; Wine 8 has one.
 std::optional<fs::path> real_path(const fs::path& path) {
   const FileDescriptor end = opened(path, 0, OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS);
   if (!end) return std::nullopt;
@@ -194,7 +194,7 @@ std::optional<fs::path> real_path(const fs::path& path) {
                                                  static_cast<DWORD>(found.size()), 0);
   if (size == 0 || size >= found.size()) return std::nullopt;
   found.resize(size);
-  // Without the prefix, in which fs::path finds no root. system_path() gives it back.
+  // Drops the prefix, since fs::path finds no root in it. system_path() adds it again.
   constexpr std::wstring_view kLong = L"\\\\?\\";
   constexpr std::wstring_view kShare = L"\\\\?\\UNC\\";
   if (found.starts_with(kShare)) return found.replace(0, kShare.size(), L"\\\\");
@@ -203,7 +203,7 @@ std::optional<fs::path> real_path(const fs::path& path) {
 
 std::string name_key(std::string_view name) {
   std::wstring letters = utf8_path(name).native();
-  // Upper case by the rules of file systems, which is the default of this call.
+  // Without further flags, this call uses the file system's rules for upper case.
   ::LCMapStringEx(LOCALE_NAME_INVARIANT, LCMAP_UPPERCASE, letters.data(),
                   static_cast<int>(letters.size()), letters.data(),
                   static_cast<int>(letters.size()), nullptr, nullptr, 0);
@@ -211,13 +211,13 @@ std::string name_key(std::string_view name) {
 }
 
 bool synchronise_folder_of(const fs::path&) {
-  return true;  // Windows has no such call; names are in the file system's log
+  return true;  // Windows has no call for this; names are in the file system's journal
 }
 
 bool write_all(int file, std::string_view bytes) {
   constexpr std::size_t kMost = std::size_t{1} << 30;
   while (!bytes.empty()) {
-    // Appends at the end, wherever the last read has moved the position.
+    // This offset means the end of the file, wherever the last read has moved the position.
     OVERLAPPED end{};
     end.Offset = end.OffsetHigh = 0xffffffff;
     DWORD written = 0;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A staged file is marked to vanish when it is closed, by us or by the end of the process, until it
-// takes its place. After SetFileInformationByHandle in Microsoft's documentation.
+// Until a staged file takes its place, it is marked for deletion on close, whether this process
+// closes it or ends. Follows Microsoft's documentation of SetFileInformationByHandle.
 #include "core/base/staged_file.h"
 
 #include "core/base/utf8_path.h"
 #include "core/base/windows/system.h"
-// After windows.h, which it needs.
+// Included after windows.h, which it needs.
 #include <aclapi.h>
 
 #include <algorithm>
@@ -44,7 +44,7 @@ std::string random_name() {
   return name;
 }
 
-/// Throws for a place that must not be replaced. True: a file is there.
+/// Returns whether a file is at the place. Throws if the place must not be replaced.
 bool is_replaced(const fs::path& path, const fs::path& target) {
   const auto there = status_of(target);
   if (!there && is_absence(errno)) return false;
@@ -56,8 +56,8 @@ bool is_replaced(const fs::path& path, const fs::path& target) {
   return true;
 }
 
-/// Gives the new file the access rights of the file at `old`. If they cannot be set, it has those
-/// that its folder passes on.
+/// Gives the new file the access rights of the file at `old`. If that fails, it keeps those
+/// inherited from its folder.
 void keep_permissions(int file, const fs::path& old) {
   PACL allowed = nullptr;
   PSECURITY_DESCRIPTOR all = nullptr;
@@ -69,7 +69,7 @@ void keep_permissions(int file, const fs::path& old) {
   ::LocalFree(all);
 }
 
-/// Whether a file is removed when it is closed.
+/// Sets whether a file is removed when it is closed.
 bool set_vanishing(int file, bool vanishing) {
   FILE_DISPOSITION_INFO wanted{};
   wanted.DeleteFile = vanishing;
@@ -78,12 +78,12 @@ bool set_vanishing(int file, bool vanishing) {
          failed();
 }
 
-/// FileRenameInfoEx and its flags, which only newer headers name.
+/// Values of FileRenameInfo, FileRenameInfoEx and its flags, since older headers lack the latter.
 constexpr auto kRename = static_cast<FILE_INFO_BY_HANDLE_CLASS>(3);
 constexpr auto kRenameWithFlags = static_cast<FILE_INFO_BY_HANDLE_CLASS>(22);
 constexpr DWORD kNoFlags = 0;
 constexpr DWORD kReplace = 1;
-constexpr DWORD kReplaceOpenFile = 3;  // as on POSIX: who has the old file open keeps it
+constexpr DWORD kReplaceOpenFile = 3;  // as on POSIX, programs that have the old file open keep it
 
 bool rename_open(int file, const std::wstring& place, FILE_INFO_BY_HANDLE_CLASS how, DWORD flags) {
   const std::size_t bytes = place.size() * sizeof(wchar_t);
@@ -97,8 +97,9 @@ bool rename_open(int file, const std::wstring& place, FILE_INFO_BY_HANDLE_CLASS 
          failed();
 }
 
-/// For file systems that replace no open file, such as FAT: the old one is renamed and vanishes
-/// when its last user closes it. A kill between two renamings leaves its random name.
+/// For file systems that cannot replace an open file, such as FAT: renames the old file, which is
+/// removed when its last user closes it. If the process is killed between the two renamings, the
+/// old file stays under its random name.
 bool push_aside(int file, const fs::path& place) {
   const FileDescriptor old = opened(place, DELETE, OPEN_EXISTING);
   const fs::path aside = place.parent_path() / utf8_path(random_name());
@@ -124,7 +125,8 @@ fs::path end_of_links(const fs::path& path) {
   return *end;
 }
 
-/// `place_` is the whole path here. `name_` is only looked at for whether the file has a place yet.
+/// On Windows `place_` is the whole path, and `name_` only tells whether the file has yet to take
+/// its place.
 StagedFile::StagedFile(fs::path path, Temporary temporary) : path_(std::move(path)) {
   const fs::path target = end_of_links(path_);
   if (!target.has_filename()) fail(path_.empty() ? ENOENT : EISDIR);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The Windows calls behind the functions of open_file.h. File numbers are those of the C library,
-// errors its errno values.
+// The Windows calls behind the functions of open_file.h. Files are given by the C library's file
+// descriptors, and errors are its errno values.
 #pragma once
 
-#ifndef NOMINMAX  // libstdc++ has it
+#ifndef NOMINMAX  // libstdc++ may define it
 #define NOMINMAX
 #endif
 #define WIN32_LEAN_AND_MEAN
@@ -16,18 +16,18 @@
 
 namespace mocapress::windows {
 
-/// Sets errno by what GetLastError() tells, and returns false.
+/// Sets errno according to GetLastError(), and returns false.
 bool failed();
 
-/// The handle behind a file number.
+/// The Windows handle of a file descriptor.
 HANDLE handle_of(int file);
 
-/// A path as the system's functions take it, absolute, and with the prefix that lifts their limit
-/// of 260 characters if it is that long.
+/// An absolute path in the form that the system's functions take. Long paths get the prefix that
+/// lifts the limit of 260 characters.
 std::wstring system_path(const std::filesystem::path& path);
 
-/// Opens or creates a file that others may read, write, rename and remove meanwhile, as on POSIX.
-/// Nothing opened: errno.
+/// Opens or creates a file that others may still read, write, rename and remove, as on POSIX. The
+/// result is empty on failure; errno tells why.
 FileDescriptor opened(const std::filesystem::path& path, DWORD access, DWORD creation,
                       DWORD flags = FILE_ATTRIBUTE_NORMAL);
 
