@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Based on: O. Arikan, "Compression of Motion Capture Databases", 2006. Our reading:
-// - curves of one segment begin where those before ended, so that nothing has to be smoothed;
-// - k-means, not spectral clustering, and a length of segment and a number of clusters chosen for
-//   the tolerance;
-// - roots and translations are curves of their own, and feet have no signals of their own;
+// Based on: O. Arikan, "Compression of Motion Capture Databases", 2006. What we do differently, or
+// the paper leaves open:
+// - each curve begins where the one before ends, so that nothing has to be smoothed;
+// - k-means, not spectral clustering; segment length and number of clusters are chosen for the
+//   tolerance;
+// - roots and translations have curves of their own, and feet get no extra signals;
 // - 16-bit steps and DEFLATE in place of Huffman codes.
-// The bytes: METHODS.md.
+// METHODS.md defines the bytes.
 #include "core/baselines/rivals.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ namespace mocapress {
 
 namespace {
 
-/// Segments of at most this many frames are exact, since a curve has as many control points.
+/// Curves fit segments of up to this many frames exactly: a curve has three free control points.
 inline constexpr int kShortestCurve = 3;
 
 /// The number of segments of `length` frames after the first frame; the last may be shorter.
@@ -34,7 +35,7 @@ constexpr int curve_count(int frames, int length) {
   return frames > 1 ? (frames - 2) / length + 1 : 0;
 }
 
-/// A motion, cut into curves and clustered in several ways.
+/// A motion cut into curves of several lengths, each clustered in several ways.
 class SegmentDatabase {
  public:
   SegmentDatabase(const Motion& motion, Weighting weighting);
@@ -51,7 +52,7 @@ class SegmentDatabase {
     std::size_t cutting;
     std::size_t clustering;
     double tolerance;             // cm
-    std::vector<int> components;  // number for each cluster
+    std::vector<int> components;  // number of components kept for each cluster
     float loading_step;           // cm
     float coefficient_step;       // cm
   };
@@ -65,10 +66,10 @@ class SegmentDatabase {
   };
   /// The motion as curves of one length.
   struct Cutting {
-    int length;               // frames
+    int length;               // frames of a segment
     double error;             // cm: root-mean-square distance of the curves from the motion
-    Eigen::MatrixXd markers;  // segments x control points 1, 2, 3 of all markers
-    Eigen::MatrixXd others;   // 3 segments x other channels
+    Eigen::MatrixXd markers;  // rows: segments; columns: control points 1, 2, 3 of all markers
+    Eigen::MatrixXd others;   // rows: 3 control points of each segment; columns: other channels
     std::vector<Clustering> clusterings;
   };
 
@@ -78,12 +79,12 @@ class SegmentDatabase {
   Eigen::RowVectorXd first_frame_;
   std::vector<int> other_channels_;
   std::vector<int> angles_;
-  Eigen::VectorXd other_scales_;   // cm for a unit of each other channel
-  Eigen::Index coordinates_;       // coordinates of a frame's markers
+  Eigen::VectorXd other_scales_;   // cm of movement for a unit of each other channel
+  Eigen::Index coordinates_;       // number of coordinates of a frame's markers
   std::vector<Cutting> cuttings_;  // the longest first
 };
 
-constexpr double kMostSteps = 32000;  // well within 16 bits
+constexpr double kMostSteps = 32000;  // below the largest 16-bit value
 
 std::int16_t steps(double value, double step) {
   return static_cast<std::int16_t>(std::clamp(std::round(value / step), -32767.0, 32767.0));
@@ -141,7 +142,7 @@ SegmentDatabase::Cutting SegmentDatabase::cut(const Eigen::MatrixXd& markers, co
                            .squaredNorm();
       return controls;
     };
-    // Averaged over the markers.
+    // The markers' errors count as an average over the markers.
     const double share =
         std::sqrt(3.0 / static_cast<double>(std::max<Eigen::Index>(coordinates_, 1)));
     cutting.markers.row(s) = fit(markers, Eigen::RowVectorXd::Constant(coordinates_, share))
@@ -152,7 +153,7 @@ SegmentDatabase::Cutting SegmentDatabase::cut(const Eigen::MatrixXd& markers, co
   cutting.error = std::sqrt(squared_error / std::max(frames_ - 1, 1));
 
   constexpr int kMostClusters = 64;
-  constexpr int kLargestCluster = 400;  // segments: larger clusters take long to analyse
+  constexpr int kLargestCluster = 400;  // segments; analysing larger clusters takes long
   constexpr int kSmallestCluster = 6;
   for (int count = 1; count <= kMostClusters && segments > 0; count *= 4) {
     if (count > 1 && segments < count * kSmallestCluster) break;
@@ -173,8 +174,8 @@ SegmentDatabase::Cutting SegmentDatabase::cut(const Eigen::MatrixXd& markers, co
 }
 
 SegmentDatabase::Encoding SegmentDatabase::encode(double tolerance_cm) const {
-  // The steps get a fifth of the squared error, the components get what the curves leave of the
-  // rest. An error of a control point shows over about half a segment.
+  // Rounding to steps may take a fifth of the squared error, and components what the curves leave
+  // of the rest. An error of a control point spreads over about half a segment.
   const double markers = static_cast<double>(coordinates_) / 3;
   const double may_miss = 0.8 * tolerance_cm * tolerance_cm;
   Encoding best;
@@ -185,7 +186,7 @@ SegmentDatabase::Encoding SegmentDatabase::encode(double tolerance_cm) const {
     if (left < 0 && cut.length > kShortestCurve) continue;
     for (std::size_t way = 0; way < cut.clusterings.size(); ++way) {
       const Clustering& clustering = cut.clusterings[way];
-      constexpr double kBytes = 1.3;  // bytes for a deflated number
+      constexpr double kBytes = 1.3;  // average bytes for a number after DEFLATE
       double bytes = 0;
       std::vector<int> components;
       for (const PrincipalComponents& parts : clustering.parts) {
@@ -245,7 +246,7 @@ void SegmentDatabase::Encoding::write_clip(ByteWriter& writer) const {
         steps(std::remainder(first_frame(c), 2 * std::numbers::pi), std::numbers::pi / 32767));
   writer.write(coefficient_step);
 
-  // Each curve starts at the end of the decoder's last one.
+  // Each curve starts where the decoder's previous curve ends.
   const Eigen::MatrixXd& others = cut.others;
   for (Eigen::Index c = 0; c < others.cols(); ++c) {
     const double at_first = static_cast<float>(first_frame(database->other_channels_[c]));
@@ -280,11 +281,11 @@ Eigen::VectorXd read_steps(ByteReader& reader, Eigen::Index count, double step) 
   return values;
 }
 
-/// Clusters of curves, as decoded.
+/// The clusters of curves, as the decoder reads them.
 struct Codebook {
   struct Cluster {
     Eigen::VectorXd mean;
-    Eigen::MatrixXd basis;  // coordinates of control points x components
+    Eigen::MatrixXd basis;  // rows: coordinates of the control points; columns: components
   };
   int length;  // frames of a segment
   std::vector<Cluster> clusters;
@@ -355,7 +356,7 @@ class ClipDecoder {
     return frame;
   }
 
-  /// Control points 1, 2, 3 of each segment, for channels that markers do not determine.
+  /// Reads control points 1, 2, 3 of each segment for the channels that markers do not determine.
   Eigen::MatrixXd read_others(ByteReader& reader, const Eigen::RowVectorXd& first) const {
     const std::vector<int>& channels = markers_.other_channels();
     Eigen::MatrixXd controls(3 * segments_, std::ssize(channels));
@@ -387,12 +388,12 @@ class ClipDecoder {
   int segments_;
 };
 
-/// The largest number of segments in a clip.
+/// The largest number of segments that a clip can have.
 std::size_t segments_of(int frames) {
   return static_cast<std::size_t>(curve_count(frames, kShortestCurve));
 }
 
-/// The most that a clip's part can inflate to, whatever its contents.
+/// The most bytes that a clip's part can inflate to, whatever its contents.
 std::size_t most_clip_bytes(const VirtualMarkers& markers, int frames) {
   const std::size_t segments = segments_of(frames);
   const auto coordinates = static_cast<std::size_t>(markers.coordinates());
@@ -401,8 +402,8 @@ std::size_t most_clip_bytes(const VirtualMarkers& markers, int frames) {
          segments * (1 + 6 * coordinates);
 }
 
-/// The same for a codebook: it has at most as many clusters as segments, and at most as many
-/// components in all.
+/// The most bytes that a codebook can inflate to. It has at most as many clusters as there are
+/// segments, and at most as many components in total.
 std::size_t most_codebook_bytes(const VirtualMarkers& markers, int frames) {
   const std::size_t segments = segments_of(frames);
   const std::size_t of_vector = 6 * static_cast<std::size_t>(markers.coordinates());

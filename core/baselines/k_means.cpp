@@ -5,7 +5,7 @@ namespace mocapress {
 namespace {
 
 std::vector<int> nearest(const Eigen::MatrixXd& rows, const Eigen::MatrixXd& centres) {
-  // row - centre|^2, without the term that is the same for all centres.
+  // The squared distance |row - centre|^2, without |row|^2, which is the same for all centres.
   const Eigen::MatrixXd distances =
       (-2 * rows * centres.transpose()).rowwise() + centres.rowwise().squaredNorm().transpose();
   std::vector<int> clusters;

@@ -6,8 +6,8 @@
 
 namespace mocapress {
 
-/// Lloyd's algorithm, starting from rows at even distances: each row's cluster, in [0, clusters).
-/// Equal rows give equal clusters.
+/// Lloyd's algorithm for k-means. Starts with rows at even distances as centres. Returns each row's
+/// cluster, in [0, clusters). Equal rows give equal clusters.
 std::vector<int> k_means(const Eigen::MatrixXd& rows, int clusters);
 
 }  // namespace mocapress

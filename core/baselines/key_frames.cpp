@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Compresses a clip as engines do: each track by itself, without those that stand still, with key
-// frames left out where a line comes near enough, and no more steps than the track needs, as the
-// bit rates of N. Frechette's Animation Compression Library (ACL). Our own, on channels. The bytes:
-// METHODS.md.
+// Compresses a clip as engines do, each channel by itself: leaves out channels that stand still,
+// leaves out key frames where straight lines come near enough, and quantises a channel only as
+// finely as it needs, like the bit rates of N. Frechette's Animation Compression Library (ACL).
+// This is our own method, on channels. METHODS.md defines the bytes.
 #include "core/baselines/rivals.h"
 
 #include <algorithm>
@@ -16,11 +16,11 @@
 namespace mocapress {
 namespace {
 
-constexpr int kMostGap = 255;           // frames between keys, in a byte
-constexpr double kSteps16 = 65535;      // between the least and the greatest value
-constexpr std::size_t kHeadBytes = 12;  // for each channel
+constexpr int kMostGap = 255;           // frames between keys: fits into a byte
+constexpr double kSteps16 = 65535;      // 16-bit steps from a channel's least to its greatest value
+constexpr std::size_t kHeadBytes = 12;  // of each channel
 
-/// The distance in cm by which a radian (or a cm) of each channel moves the body on average.
+/// The body's average movement, in cm, for a change of each channel by a radian (or a cm).
 Eigen::VectorXd moved_by_channels(const Motion& motion, Weighting weighting) {
   constexpr double kLeast = 1;  // so that no channel is lost altogether
   const ErrorModel model(motion.skeleton, motion.clip, weighting);
@@ -33,8 +33,9 @@ Eigen::VectorXd moved_by_channels(const Motion& motion, Weighting weighting) {
   return moved;
 }
 
-/// Frames between which lines keep within `tolerance` of the curve. Each key is as far from the one
-/// before as it can be: the slopes that pass all frames between are a cone that narrows.
+/// Returns key frames between which straight lines stay within `tolerance` of the curve. Each key
+/// is as far from the last one as possible: the slopes that pass all frames between them form a
+/// cone, which narrows until it is empty.
 std::vector<int> line_keys(const Eigen::Ref<const Eigen::VectorXd>& curve, double tolerance) {
   std::vector<int> keys{0};
   const auto last = static_cast<int>(curve.size()) - 1;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Based on: G. Liu and L. McMillan, "Segment-Based Human Motion Compression", 2006. Our reading:
-// - the signals are the channels, made comparable by what they move on average, not markers;
-// - segments are halves of halves, as long as that saves bytes, not grown frame by frame;
-// - feet are not coded apart.
-// The bytes: METHODS.md.
+// Based on: G. Liu and L. McMillan, "Segment-Based Human Motion Compression", 2006. What we do
+// differently:
+// - the signals are channels, scaled by how far they move the body on average, not markers;
+// - segments are halved for as long as that saves bytes, not grown frame by frame;
+// - feet are not coded separately.
+// METHODS.md defines the bytes.
 #include "core/baselines/rivals.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ namespace mocapress {
 namespace {
 
 constexpr int kShortestSegment = 16;   // frames
-constexpr double kStepsPerOctave = 8;  // steps for an octave of scales
+constexpr double kStepsPerOctave = 8;  // scales differ by factors of 2^(1/8)
 
 enum Node : std::uint8_t { kLeaf = 0, kHalves = 1 };
 
@@ -28,10 +29,10 @@ double scale_of(std::int8_t exponent) {
   return std::exp2(exponent / kStepsPerOctave);
 }
 
-/// For each channel, the mean movement of the body in cm for a radian (or a cm) of the channel, as
-/// the exponent that scale_of() takes.
+/// For each channel, the body's average movement, in cm, for a change by a radian (or a cm), as the
+/// exponent that scale_of() takes.
 std::vector<std::int8_t> scale_exponents(const Motion& motion, Weighting weighting) {
-  constexpr double kLeast = 1;  // cm: so that no channel is lost altogether
+  constexpr double kLeast = 1;  // cm: lower bound, so that no channel is lost altogether
   const ErrorModel model(motion.skeleton, motion.clip, weighting);
   std::vector<std::int8_t> exponents;
   for (const auto& curvature : model.curvature().colwise()) {
@@ -50,7 +51,7 @@ Eigen::RowVectorXd scales_of(const std::vector<std::int8_t>& exponents) {
   return scales;
 }
 
-/// The principal components of a segment, and its halves if it has any.
+/// The principal components of a segment, and the same for its halves if it is long enough.
 struct Segment {
   PrincipalComponents poses;
   std::unique_ptr<Segment> first;
@@ -65,7 +66,7 @@ struct Segment {
   }
 };
 
-/// Writes segments so that poses keep within a tolerance (cm).
+/// Writes segments so that the root-mean-square error of poses stays within a tolerance (cm).
 class SegmentWriter {
  public:
   SegmentWriter(double tolerance, double step) : tolerance_(tolerance), step_(step) {}
@@ -81,8 +82,8 @@ class SegmentWriter {
   }
 
  private:
-  // Components and key frames get half of the squared error each. A spline's largest error is some
-  // 2.5 times its root mean square.
+  // Components and key frames may take half of the squared error each. A spline's largest error is
+  // about 2.5 times its root-mean-square error.
   std::vector<std::byte> write_leaf(const PrincipalComponents& poses) const {
     const int components = poses.enough_for(tolerance_ * tolerance_ / 2);
     ByteWriter writer;
@@ -103,7 +104,7 @@ class SegmentWriter {
     std::int16_t previous = 0;
     for (const int key : keys) {
       const auto value = static_cast<std::int16_t>(std::lround(curve(key) / step_));
-      writer.write(static_cast<std::uint16_t>(value - previous));  // modulo 2^16
+      writer.write(static_cast<std::uint16_t>(value - previous));  // difference modulo 2^16
       previous = value;
     }
   }
@@ -138,7 +139,7 @@ class LiuMcMillanCoder : public DetailCoder {
   std::vector<std::int8_t> exponents_;
   Eigen::MatrixXd scaled_;  // frames x channels, roughly in cm
   Segment whole_;
-  double reach_ = 0;  // largest projection
+  double reach_ = 0;  // no projection is larger
 };
 
 /// Reads segments written by SegmentWriter.
@@ -191,8 +192,8 @@ class SegmentReader {
   double step_;
 };
 
-/// The most that a clip can inflate to. A component takes 2 bytes for each channel and 3 for each
-/// frame, and there are at most as many as frames.
+/// The most bytes that a clip can inflate to. A component takes 2 bytes for each channel and 3 for
+/// each frame, and there are no more components than frames or channels.
 std::size_t most_segment_bytes(int frames, int channels) {
   const auto n = static_cast<std::size_t>(frames);
   const auto k = static_cast<std::size_t>(channels);

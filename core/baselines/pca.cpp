@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Based on: "Adapting Wavelet Compression to Human Motion Capture Clips", section 3.2. The bytes:
-// METHODS.md.
+// Based on: "Adapting Wavelet Compression to Human Motion Capture Clips", section 3.2. METHODS.md
+// defines the bytes.
 #include "core/baselines/rivals.h"
 
 #include <algorithm>
@@ -13,7 +13,8 @@
 namespace mocapress {
 namespace {
 
-/// The channels of a skeleton in two parts: the pose (angles), and translations stored beside it.
+/// The channels of a skeleton in two parts: the pose (angles), which is analysed, and the
+/// translations, which are stored as they are.
 struct Split {
   std::vector<int> angles;
   std::vector<int> translations;

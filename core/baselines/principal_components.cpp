@@ -16,14 +16,14 @@ int PrincipalComponents::enough_for(double squared_error) const {
 }
 
 PrincipalComponents principal_components(Eigen::MatrixXd rows) {
-  constexpr double kNothing = 1e-14;  // share of the largest variance
+  constexpr double kNothing = 1e-14;  // smaller shares of the largest variance count as 0
   PrincipalComponents result;
   result.mean = Eigen::VectorXd::Zero(rows.cols());
   if (rows.size() > 0) {
     result.mean = rows.colwise().mean();
     rows.rowwise() -= result.mean.transpose();
   }
-  // Takes the smaller of the two products, which have the same eigenvalues.
+  // rows * rows^T and rows^T * rows have the same eigenvalues: takes the smaller one.
   const bool few_rows = rows.rows() < rows.cols();
   const Eigen::MatrixXd tall = few_rows ? Eigen::MatrixXd(rows.transpose()) : rows;
   const Eigen::Index size = tall.cols();

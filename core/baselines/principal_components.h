@@ -5,7 +5,7 @@
 
 namespace mocapress {
 
-/// A decomposition of rows: row = mean + projections.row * basis^T.
+/// Principal components of rows: row = mean + (its row of projections) * basis^T.
 struct PrincipalComponents {
   Eigen::VectorXd mean;
   Eigen::MatrixXd basis;        // orthonormal, a column for each component, largest variance first
@@ -14,12 +14,12 @@ struct PrincipalComponents {
 
   int count() const { return static_cast<int>(basis.cols()); }
 
-  /// The fewest components that leave a mean squared error of at most `squared_error`.
+  /// The least number of components that leaves a mean squared error of at most `squared_error`.
   int enough_for(double squared_error) const;
 };
 
-/// Decomposes rows. Components without variance are left out: there are at most rows - 1, and at
-/// most as many as columns.
+/// Decomposes rows into principal components. Leaves out components without variance: there are at
+/// most rows - 1, and at most as many as columns.
 PrincipalComponents principal_components(Eigen::MatrixXd rows);
 
 }  // namespace mocapress

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Based on: "Adapting Wavelet Compression to Human Motion Capture Clips", section 6.3. The bytes:
-// METHODS.md.
+// Based on: "Adapting Wavelet Compression to Human Motion Capture Clips", section 6.3. METHODS.md
+// defines the bytes.
 
 #include "core/baselines/quaternion.h"
 
@@ -19,15 +19,16 @@ namespace mocapress {
 
 namespace {
 
-/// The rotation of a quaternion of any length; zero stands for no turn.
+/// The rotation of a quaternion of any length. A quaternion of length 0 gives the identity.
 Eigen::Matrix3d rotation_of(const Eigen::RowVector4d& wxyz) {
   constexpr double kLeast = 1e-12;
   const Eigen::Quaterniond q(wxyz(0), wxyz(1), wxyz(2), wxyz(3));
   return q.norm() > kLeast ? q.normalized().toRotationMatrix() : Eigen::Matrix3d::Identity();
 }
 
-/// Small turns by the components of the unit quaternion `wxyz`, a row each: one unit of a component
-/// turns by 2 vec(e q*). Changes of length are ignored, since the decoder corrects them.
+/// The rotation vectors of small changes to the unit quaternion `wxyz`, one row for each of its
+/// components e: a unit of e turns by 2 vec(e q*). Changes of length are ignored, since the decoder
+/// corrects them.
 Eigen::Matrix<double, 4, 3> turns_of_components(const Eigen::RowVector4d& wxyz) {
   const Eigen::Quaterniond conjugate(wxyz(0), -wxyz(1), -wxyz(2), -wxyz(3));
   Eigen::Matrix<double, 4, 3> turns;
@@ -117,7 +118,7 @@ SignalMoves QuaternionSignals::moves(const Clip& clip, const Eigen::MatrixXd& si
 }
 
 std::vector<double> QuaternionSignals::scales() const {
-  constexpr double kTurnOfComponent = 2;  // radians for a unit, at most
+  constexpr double kTurnOfComponent = 2;  // radians for a unit of a component, at most
   const std::vector<double> of_channels = channel_scales(skeleton_);
   std::vector<double> scales;
   for (const JointSignals& of : joints_) {

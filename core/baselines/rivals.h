@@ -1,41 +1,43 @@
 // SPDX-License-Identifier: MIT
-// The methods that the wavelets are measured against. Their bytes: METHODS.md.
+// The methods that the wavelets are compared with. METHODS.md defines their bytes. Each method has
+// a "detail", an integer that sets how closely it follows the motion.
 #pragma once
 
 #include "core/codec/methods/comparison_method.h"
 
 namespace mocapress {
 
-/// Principal component analysis of poses without the root's position. A detail is the number of
+/// Principal component analysis of poses without the root's position. The detail is the number of
 /// components.
 extern const ComparisonMethod kPca;
 
-/// Every s-th frame and the last, with natural cubic splines between. A detail is a stride s.
+/// Keeps every s-th frame and the last, with natural cubic splines between. The detail counts
+/// strides s, from the longest to 1.
 extern const ComparisonMethod kSubsample;
 
-/// Adaptive wavelets on quaternions in place of angles. A detail is a number of coefficients.
+/// Adaptive wavelets on quaternions in place of angles. The detail is the number of coefficients.
 extern const ComparisonMethod kQuaternion;
 
-/// PCA of segments, with key frames for each component. A detail is a tolerance.
+/// PCA of segments, with key frames for each component. The detail stands for a tolerance.
 extern const ComparisonMethod kLiuMcMillan;
 
-/// Clustered PCA of short Bezier curves of virtual markers, with the clip alone as database. A
-/// detail is a tolerance.
+/// Clustered PCA of short Bezier curves of virtual markers; the database is the clip alone. The
+/// detail stands for a tolerance.
 extern const ComparisonMethod kArikan;
 
-/// Each channel by itself, with key frames and steps as fine as it needs: what engines do. A detail
-/// is a tolerance.
+/// What engines do: each channel by itself, with key frames, and quantised only as finely as it
+/// needs. The detail stands for a tolerance.
 extern const ComparisonMethod kKeyFrames;
 
-/// The largest detail of methods that split until a curve fits, and the tolerance (cm) of a detail:
-/// 40 at detail 0.
+/// The largest detail of methods whose detail stands for a tolerance. The tolerance is 40 cm at
+/// detail 0.
 inline constexpr int kMostDetail = 8000;
 constexpr double tolerance_of_detail(int detail) {
   return 40.0 / (1 + detail);
 }
 
-/// Registers all rivals by name, in the order of the paper. A program that compares methods calls
-/// it once at its start.
+/// Registers all methods of this file by name, in the order of the paper. Programs that compare
+/// methods call it once when they start.
 void add_rivals();
 
 }  // namespace mocapress

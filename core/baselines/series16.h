@@ -7,14 +7,15 @@
 
 namespace mocapress {
 
-/// Appends numbers as 16-bit steps between their least and greatest: f32 least, f32 step, u16 each.
+/// Appends numbers, quantised in 16 bits between the least and the greatest of them: f32 least, f32
+/// step, u16 each.
 void write_series16(ByteWriter& writer, const Eigen::Ref<const Eigen::VectorXd>& values);
 
-/// Reads such a series, up to quantisation. Throws FormatError before allocating for bytes that are
-/// not there.
+/// Reads what write_series16() wrote. Throws FormatError if bytes are missing, before it allocates
+/// memory.
 Eigen::VectorXd read_series16(ByteReader& reader, Eigen::Index count);
 
-/// The size of such a series in bytes.
+/// The size in bytes of what write_series16() writes.
 constexpr std::size_t series16_bytes(std::size_t count) {
   return 2 * sizeof(float) + count * sizeof(std::uint16_t);
 }

@@ -11,8 +11,8 @@ namespace mocapress {
 
 namespace {
 
-/// The second derivative at each key, zero at both ends: a tridiagonal system, solved by
-/// elimination from left to right.
+/// Returns the spline's second derivative at each key, which is zero at both ends. Solves a
+/// tridiagonal system by elimination from left to right.
 Eigen::VectorXd second_derivatives(std::span<const int> frames, const Eigen::VectorXd& values) {
   const auto gap = [&](Eigen::Index i) { return static_cast<double>(frames[i + 1] - frames[i]); };
   const Eigen::Index keys = values.size();
@@ -85,7 +85,7 @@ std::vector<int> choose_key_frames(const Eigen::Ref<const Eigen::VectorXd>& curv
 
 namespace {
 
-/// Bernstein polynomials at even steps after 0: steps x 4.
+/// The cubic Bernstein polynomials at i / steps for i = 1 to `steps`: steps x 4.
 Eigen::MatrixX4d bernstein(Eigen::Index steps) {
   Eigen::MatrixX4d weights(steps, 4);
   for (Eigen::Index i = 0; i < steps; ++i) {
@@ -99,7 +99,7 @@ Eigen::MatrixX4d bernstein(Eigen::Index steps) {
 }  // namespace
 
 Eigen::MatrixXd fit_bezier(const Eigen::Ref<const Eigen::MatrixXd>& rows) {
-  // If the frames between leave them undetermined, the control points lie on a straight line.
+  // Regularises the fit: control points that the frames do not determine lie on a straight line.
   constexpr double kStraight = 1e-9;
   const Eigen::Index steps = rows.rows() - 1;
   const Eigen::RowVectorXd start = rows.row(0);

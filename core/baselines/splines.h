@@ -7,24 +7,26 @@
 
 namespace mocapress {
 
-/// The natural cubic spline through `values` at ascending `frames`, at every frame from the first
-/// to the last.
+/// Returns the natural cubic spline through `values` at ascending `frames`, at every frame from the
+/// first to the last.
 Eigen::VectorXd natural_spline(std::span<const int> frames,
                                const Eigen::Ref<const Eigen::VectorXd>& values);
 
-/// The largest distance between two key frames.
+/// The most frames from one key frame to the next.
 inline constexpr int kMostKeyGap = 255;
 
-/// Frames, the first and last among them, through which a natural cubic spline keeps within
-/// `tolerance` of the curve. They are added one by one at the largest error.
+/// Chooses key frames, among them the first and last, so that a natural cubic spline through them
+/// stays within `tolerance` of the curve. Adds key frames where the error is largest.
 std::vector<int> choose_key_frames(const Eigen::Ref<const Eigen::VectorXd>& curve,
                                    double tolerance);
 
-/// Control points 1, 2 and 3 of cubic Bezier curves, one for each column, that start at the first
-/// row (control point 0), end at the last and come nearest to those between.
+/// Fits a cubic Bezier curve to each column. Its control point 0 is the first row and its control
+/// point 3 the last row; points 1 and 2 are those that come nearest to the rows between (least
+/// squares). Returns points 1, 2 and 3.
 Eigen::MatrixXd fit_bezier(const Eigen::Ref<const Eigen::MatrixXd>& rows);
 
-/// Points of the curves at `steps` even steps after their start; the last row is control point 3.
+/// Returns points of the curves at `steps` even steps after the start. The last row is control
+/// point 3.
 Eigen::MatrixXd bezier_curve(const Eigen::RowVectorXd& start, const Eigen::MatrixXd& controls,
                              Eigen::Index steps);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Based on: O. Arikan, "Compression of Motion Capture Databases", 2006, which quotes subsampling
-// for comparison. The bytes: METHODS.md.
+// Based on: O. Arikan, "Compression of Motion Capture Databases", 2006, which compares with
+// subsampling. METHODS.md defines the bytes.
 #include "core/baselines/rivals.h"
 
 #include <algorithm>
@@ -24,7 +24,8 @@ class SubsampleCoder : public DetailCoder {
  public:
   SubsampleCoder(const Motion& motion, Weighting) : channels_(motion.clip.channels) {
     const int gaps = static_cast<int>(channels_.rows()) - 1;
-    // Among strides that keep the same number of frames, the smallest has the most even gaps.
+    // Of all strides that keep the same number of frames, takes the smallest, which has the most
+    // even gaps.
     for (int stride = gaps; stride > 1; --stride)
       if (kept(gaps, stride) != kept(gaps, stride - 1)) strides_.push_back(stride);
     strides_.push_back(1);
@@ -45,7 +46,7 @@ class SubsampleCoder : public DetailCoder {
   static int kept(int gaps, int stride) { return (gaps + stride - 1) / stride; }
 
   Eigen::MatrixXd channels_;
-  std::vector<int> strides_;  // descending
+  std::vector<int> strides_;  // in descending order
 };
 
 Clip decode_subsample(const Skeleton& skeleton, double sample_rate_hz, int frames,

@@ -9,9 +9,9 @@
 namespace mocapress {
 namespace {
 
-using Markers = Eigen::Map<const Eigen::Matrix3d>;  // one column for each
+using Markers = Eigen::Map<const Eigen::Matrix3d>;  // columns: the three markers of a joint
 
-/// The rotation whose columns come nearest to the markers' offsets from their centre.
+/// The rotation whose columns come nearest to the markers' offsets from their mean (least squares).
 Eigen::Matrix3d orientation(const Eigen::Matrix3d& markers) {
   const Eigen::Matrix3d arms = markers.colwise() - markers.rowwise().mean();
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(arms, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -63,8 +63,8 @@ void VirtualMarkers::turn(const Eigen::RowVectorXd& markers, Eigen::RowVectorXd&
     Eigen::Matrix3d& result = root_from_joint[j];
     result = root_from_joint[joint.parent];
     if (!turns(joint)) continue;
-    // Starts from the parent's decoded place, so that a joint corrects what its parent could not
-    // reach.
+    // Starts from the decoded rotation of the parent, so that a joint corrects what its parent
+    // could not reach.
     const Eigen::Matrix3d axes = joint.joint_from_axes;
     const Eigen::Matrix3d wanted =
         axes.transpose() * result.transpose() * orientation(Markers(next)) * axes;

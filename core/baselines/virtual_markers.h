@@ -9,35 +9,36 @@
 
 namespace mocapress {
 
-/// Poses as points: three markers for each joint that turns and is no root, a bone's length along
-/// its axes, relative to the root. They describe a pose without the hierarchy of its angles.
+/// Poses as points that do not depend on a hierarchy of angles. Each joint that turns, except
+/// roots, has three markers: one along each of its axes, at a bone's length from its origin. Their
+/// coordinates are relative to the root.
 class VirtualMarkers {
  public:
   explicit VirtualMarkers(const Skeleton& skeleton);
 
-  /// Number of coordinates of a frame's markers.
+  /// The number of coordinates of a frame's markers.
   Eigen::Index coordinates() const { return 9 * std::ssize(places_); }
 
-  /// The channels that markers do not determine: all of the roots' and all translations.
+  /// The channels that markers do not determine: all channels of roots, and all translations.
   const std::vector<int>& other_channels() const { return other_channels_; }
   /// The angles that markers determine.
   const std::vector<int>& angles() const { return angles_; }
 
-  /// Places of the markers (cm), in the root's frame.
+  /// The places of the markers, in cm and in the root's frame.
   Eigen::RowVectorXd of(const FrameRow& frame) const;
 
-  /// Sets the angles of `frame`, which holds those of the frame before, so that the joints turn to
-  /// the markers.
+  /// Turns the joints of `frame` to the markers. On entry, the angles of `frame` are those of the
+  /// previous frame.
   void turn(const Eigen::RowVectorXd& markers, Eigen::RowVectorXd& frame) const;
 
  private:
   struct Place {
     int joint;
-    double arm;  // cm
+    double arm;  // distance of the markers from the joint, cm
   };
 
   const Skeleton& skeleton_;
-  std::vector<int> roots_;  // each joint's root
+  std::vector<int> roots_;  // the root above each joint
   std::vector<Place> places_;
   std::vector<int> other_channels_;
   std::vector<int> angles_;
