@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 7> kFormatNames = {"mcpr", "bvh", "amc",      "csv",
                                                           "glb",  "fbx", "review.js"};
 
-/// The folder's own name: "walks" for "../walks", "walks/", and "." in walks.
+/// The last part of the folder's real path: "walks" for "../walks", for "walks/", and for "." in
+/// walks.
 std::string name_of_folder(const fs::path& folder) {
   std::error_code error;
   const fs::path canonical = fs::canonical(folder, error);
@@ -30,7 +31,8 @@ std::string name_of_folder(const fs::path& folder) {
   return utf8((canonical.has_filename() ? canonical : canonical.parent_path()).filename());
 }
 
-/// The clips below a folder in the order of their names, with those that cannot be read.
+/// Finds the clips below a folder, in the order of their names. Clips that cannot be read are
+/// included, with the problem.
 std::vector<SourceClip> sources_below(const fs::path& folder,
                                       const std::optional<FileIdentity>& left_out) {
   const std::string found_by = name_of_folder(folder);
@@ -154,7 +156,7 @@ void check(const Batch& batch) {
 }
 
 void mark_collisions(Batch& batch) {
-  // Index of the first item with this output, by the output's hash.
+  // Index of the first item with an output, by the hash of that output.
   std::unordered_map<std::uint64_t, std::size_t> first;
   const auto place = [&](const std::string& output, std::size_t index) {
     Fnv1a hash;
@@ -177,7 +179,7 @@ void mark_collisions(Batch& batch) {
     while (!place(item.output, i).second);
     batch.items.replace(i, item);
   };
-  // Clips with a problem come last, so that they take no name from others.
+  // Clips with a problem come last, so that they take no name from other clips.
   std::vector<std::size_t> problems;
   for (std::size_t i = 0; i < batch.items.size(); ++i)
     if (const BatchItem item = batch.items[i]; item.problem.empty())

@@ -12,13 +12,13 @@
 namespace mocapress {
 namespace {
 
-/// -1, 0 or 1: less, about the same, more.
+/// Compares two values: -1 if the value fell, 1 if it rose, 0 if it changed by less than `share`.
 int compared(double before, double after, double share) {
   if (after > before * (1 + share)) return 1;
   return after < before * (1 - share) ? -1 : 0;
 }
 
-/// The same for errors in centimetres.
+/// Compares two errors in centimetres likewise.
 int compared_cm(double before, double after, double share) {
   constexpr double kSameCm = 0.001;
   return std::abs(after - before) < kSameCm ? 0 : compared(before, after, share);

@@ -13,17 +13,17 @@
 
 namespace mocapress {
 
-/// A change of a clip from one batch to a later one, the gravest first.
+/// Changes of a clip from an earlier batch to a later one, the gravest first.
 enum class ClipChange {
-  Failed,        // it was done, and failed in the later batch
+  Failed,        // done in the earlier batch, failed in the later one
   NewlyVisible,  // visibility rose to borderline or visible
-  Worse,         // mean or largest error
-  Larger,        // bytes of motion
-  Gone,          // the later batch does not have it
-  Added,         // the earlier batch did not have it
-  Done,          // it had failed
+  Worse,         // mean or largest error grew
+  Larger,        // the motion takes more bytes
+  Gone,          // missing in the later batch
+  Added,         // missing in the earlier batch
+  Done,          // failed in the earlier batch, done in the later one
   NoLongerSeen,  // visibility fell
-  Better,        // mean or largest error, and neither is worse
+  Better,        // mean or largest error fell, and neither grew
   Smaller,
 };
 
@@ -40,8 +40,8 @@ std::optional<ClipChange> clip_change_named(std::string_view word);
 /// Measurements of a clip in a batch.
 struct ClipFigures {
   bool done = false;
-  std::size_t bytes = 0;  // the motion's
-  double eps_cm = 0;      // in the weighting it was compressed by
+  std::size_t bytes = 0;  // of the motion
+  double eps_cm = 0;      // mean error in the weighting of its compression
   Weighting weighting = {};
   double max_cm = 0;
   std::optional<Sight> sight;
@@ -49,13 +49,12 @@ struct ClipFigures {
   std::string reason;  // the worst visible error, or why the clip failed
 };
 
-/// The figures in a row.
+/// Takes a clip's measurements from its row of the batch.
 ClipFigures figures_of(const BatchRow& row);
 
-/// The changes of a clip, the gravest first. Bytes and errors that differ by less than `share` are
-/// the same, and so are errors that differ by less than a hundredth of a millimetre. Mean errors in
-/// different weightings are not compared, nor is visibility by different limits or from different
-/// distances.
+/// Returns a clip's changes, the gravest first. Values that differ by less than `share` count as
+/// equal, and so do errors that differ by less than a hundredth of a millimetre. Mean errors are
+/// not compared if their weightings differ, nor is visibility if its limits or distances differ.
 std::vector<ClipChange> changes_of(const std::optional<ClipFigures>& before,
                                    const std::optional<ClipFigures>& after, double share);
 
@@ -68,16 +67,16 @@ struct ClipDifference {
 };
 
 struct BatchDifference {
-  std::size_t clips = 0;         // done in both
+  std::size_t clips = 0;         // done in both batches
   std::size_t bytes_before = 0;  // bytes of motion of these clips
   std::size_t bytes_after = 0;
-  std::size_t judged_otherwise = 0;     // by other limits: their visibility is not compared
-  std::vector<ClipDifference> changed;  // the gravest change first, then by output
+  std::size_t judged_otherwise = 0;     // not compared in visibility, since limits differ
+  std::vector<ClipDifference> changed;  // gravest change first, then in the order of outputs
 
   std::size_t count(ClipChange change) const;
 };
 
-/// Compares two batches, clip by clip of the same output, as changes_of() does.
+/// Compares the clips of two batches that have the same output, as changes_of() does.
 BatchDifference difference_of(const BatchRows& before, const BatchRows& after, double share);
 
 Json to_json(const BatchDifference& difference);

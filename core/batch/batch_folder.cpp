@@ -33,7 +33,7 @@ Journal::Start start_of(const BatchRunOptions& options) {
   return options.overwrite ? Journal::Start::Anew : Journal::Start::New;
 }
 
-/// Checks, before any work, that a bank can be made.
+/// Throws, before any work, if the bank cannot be made.
 void check_bank(const fs::path& folder, const Batch& batch, const BatchRunOptions& options) {
   if (!batch.bank) return;
   if (options.shard.count > 1)
@@ -45,7 +45,7 @@ void check_bank(const fs::path& folder, const Batch& batch, const BatchRunOption
     throw WriteError(utf8(bank) + " exists: not overwritten");
 }
 
-/// Makes the bank. False: it would have no clip, or the observer stopped it.
+/// Makes the bank. Returns false if it would have no clip, or if the observer stopped it.
 bool make_bank_of(const fs::path& folder, const BankOptions& options, const JournalReader& reader,
                   BatchControl& control, BatchProgress progress, Warnings& warnings,
                   const Observer<BatchProgress>& observer) {
@@ -122,7 +122,7 @@ std::vector<fs::path> journals_in(const fs::path& folder) {
 }
 
 /// Visits the rows of several journals in the order of the batch. Each journal has its rows in that
-/// order, and no row is in two of them.
+/// order, and no two journals share a row.
 void visit_in_order(const Journals& journals, const std::function<void(const BatchRow&)>& visit) {
   std::map<std::size_t, std::pair<JournalReader*, std::size_t>> places;  // by index of the clip
   for (const auto& journal : journals)
@@ -131,7 +131,8 @@ void visit_in_order(const Journals& journals, const std::function<void(const Bat
   for (const auto& [index, place] : places) visit(place.first->row_at(place.second));
 }
 
-/// Throws InputError if there is no journal or they belong to different batches.
+/// Opens the journals in some folders. Throws InputError if there is none, or if they belong to
+/// different batches.
 Journals open_journals(const std::vector<fs::path>& folders) {
   Journals journals;
   for (const fs::path& one : folders)

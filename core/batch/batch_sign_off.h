@@ -8,8 +8,8 @@
 
 namespace mocapress {
 
-/// The sign-off of a batch: each clip with its figures, and with the verdict and notes that it
-/// brought from a project. Paths that are relative count from the current folder.
+/// Makes the sign-off of a batch: each clip with its measurements, and with the verdict and notes
+/// that came with it from a project. Relative paths count from the current folder.
 SignOff sign_off_of(const BatchRows& rows, const std::string& title);
 
 }  // namespace mocapress

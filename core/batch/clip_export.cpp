@@ -54,8 +54,8 @@ std::string hash_of_bytes(const Bytes& bytes) {
   return hash.text();
 }
 
-/// Progress of the search for a target, whose end is not known: each pass counts as a fifth of the
-/// rest.
+/// Estimates the progress of a clip. It is not known how long the search for a target takes: each
+/// pass counts as a fifth of the rest.
 double encoding_fraction(const EncodeProgress& progress) {
   double within = 0;
   if (progress.first_step > 1)
@@ -65,15 +65,15 @@ double encoding_fraction(const EncodeProgress& progress) {
   return 0.1 + 0.75 * (1 - std::pow(0.8, progress.pass + within));
 }
 
-/// Names of an output's files in a format; an .amc comes with its .asf.
+/// The names of an output's files in a format. An .amc has an .asf, too.
 std::vector<std::string> file_names(const std::string& output, OutputFormat format) {
   std::vector<std::string> names = {output + '.' + std::string(name(format))};
   if (format == OutputFormat::Amc) names.insert(names.begin(), output + ".asf");
   return names;
 }
 
-/// Throws Error unless a motion file reads back as it was meant, within the precision of its
-/// decimals.
+/// Throws Error if a motion file, when read back, differs from the written motion by more than the
+/// precision of its decimals.
 void compare(const Motion& meant, const Motion& found, const std::vector<std::string>& names,
              const std::string& file) {
   constexpr double kMost = 0.02;  // cm
@@ -107,7 +107,7 @@ class Export {
         observer_(observer),
         row_(failed_row(batch, index, "")) {}
 
-  /// The row of an earlier export, judged by other limits of visibility.
+  /// Returns an earlier export's row with visibility judged by the limits of the batch.
   BatchRow judged_again(const BatchRow& earlier) {
     const LoadedClip clip(read());
     const Bytes bytes = read_bytes(folder_ / utf8_path(item_.output + ".mcpr"));
@@ -147,7 +147,8 @@ class Export {
     if (!should_continue(observer_, ClipProgress{stage, fraction})) throw Stopped{};
   }
 
-  /// Checks, before any work, for files that must not be replaced, and for the clip's own source.
+  /// Throws, before any work, if a file is in place that must not be replaced, or that a clip of
+  /// the batch is read from.
   void look_at_places() const {
     for (const OutputFormat format : batch_.formats)
       for (const std::string& name : file_names(item_.output, format)) {
@@ -195,7 +196,7 @@ class Export {
     made.file =
         with_tracks(with_source(made.file, clip.source()), clip.tracks(), preset_.track_error);
     report(ClipProgress::Stage::Verifying, 0.85);
-    // The .mcpr is measured even if it is not among the outputs.
+    // The .mcpr is measured even if it is not among the formats.
     StagedFile mcpr = staged(item_.output + ".mcpr", made.file);
     verify(clip, mcpr.read_back(), options.contacts.value_or(clip.contacts()), made);
     std::vector<StagedFile> files;
@@ -225,7 +226,7 @@ class Export {
 
   EncodeSettings options_for(const Motion& motion) const {
     EncodeSettings options = encode_settings(preset_, motion.skeleton);
-    options.figures_only = true;  // no measurement here: the written file is measured
+    options.figures_only = true;  // the written file is measured instead
     for (const ContactSpan& span : options.contacts.value_or(std::vector<ContactSpan>()))
       if (span.last_frame >= motion.clip.frames())
         throw Error("the preset has a contact up to frame " + frame_text(span.last_frame) +
@@ -233,8 +234,8 @@ class Export {
     return options;
   }
 
-  /// Measures the file as read back from the disk, and keeps the decoded motion if a format needs
-  /// it.
+  /// Measures the file as it was read back from the disk. Keeps the decoded motion if a format
+  /// needs it.
   void verify(const LoadedClip& clip, const Bytes& bytes, const std::vector<ContactSpan>& contacts,
               Encoding& made) {
     const bool asks_for_motion = std::ranges::any_of(
@@ -321,7 +322,7 @@ class Export {
     }
   }
 
-  /// Writes a file beside its place, making its folders.
+  /// Writes a file that commit() will put in place. Makes its folders.
   StagedFile staged(const std::string& name, const Bytes& bytes) const {
     const fs::path path = folder_ / utf8_path(name);
     make_folders(path.parent_path());
@@ -330,7 +331,7 @@ class Export {
     return file;
   }
 
-  /// Writes a file, reads it back and compares; the result is ready to be put in place.
+  /// Writes a file, reads it back and compares the bytes. It is put in place later.
   void stage_file(const char* extension, const Bytes& bytes, std::vector<StagedFile>& files) {
     const std::string name = item_.output + extension;
     files.push_back(staged(name, bytes));
@@ -403,7 +404,7 @@ std::set<FileIdentity> source_files(const Batch& batch) {
       for (const fs::path& file :
            files_of_motion(utf8_path(item.input), skeleton, batch.reading_of(item)))
         add(file);
-    } catch (const InputError&) {  // reported in the clip's row later
+    } catch (const InputError&) {  // becomes the clip's error in its row later
     }
   }
   return found;
@@ -431,7 +432,7 @@ std::optional<BatchRow> judged_again(const BatchRow& row, const Batch& batch, st
   try {
     return Export(batch, index, folder, {}, characters, {}).judged_again(row);
   } catch (const std::exception&) {
-    return std::nullopt;  // the export says why
+    return std::nullopt;  // the clip is exported again, and its row tells what failed
   }
 }
 

@@ -10,10 +10,10 @@
 
 namespace mocapress {
 
-/// Puts the options that are set into an object, under keys that begin with `prefix`.
+/// Adds the options that are set to an object, under keys that start with `prefix`.
 void put(Json& json, const ReadOptions& options, const std::string& prefix = {});
 
-/// Reads what put() wrote. Throws Error for an unknown word, and as the JSON library does.
+/// Reads what put() wrote. Throws Error for an unknown word, and the JSON library's exceptions.
 ReadOptions format_options(const Json& json, const std::string& prefix = {});
 
 }  // namespace mocapress

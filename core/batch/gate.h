@@ -10,22 +10,23 @@
 
 namespace mocapress {
 
-/// Reasons to refuse a clip although it is done.
+/// Reasons to refuse a clip that was compressed without failure.
 enum class Gate {
   Visible,     // an attentive viewer sees its error
   Borderline,  // an attentive viewer sees or may see its error
-  Rejected,    // a reviewer rejected it, or the verdict is stale
-  Damaged,     // its file is cut short, or holds values that are no numbers
+  Rejected,    // a reviewer rejected it, or its verdict is stale
+  Damaged,     // its source is cut short or holds values that are not numbers
   Warning      // its reader repaired or guessed something
 };
 
 /// "visible", "borderline", "rejected", "damaged", "warning".
 std::string_view name(Gate gate);
 
-/// The gate of this name; unset if there is none.
+/// The gate with this name, if there is one.
 std::optional<Gate> gate_named(std::string_view word);
 
-/// The reason of the first gate that refuses a clip that is done; unset if none does.
+/// The reason why the first of `gates` that applies refuses a clip that is done. Unset if none
+/// applies.
 std::optional<std::string> refusal(const BatchRow& row, const std::vector<Gate>& gates);
 
 }  // namespace mocapress

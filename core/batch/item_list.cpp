@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The length of a path's folder, with what ends it.
+/// The length of a path's folder, including the last separator.
 std::size_t folder_length(const std::string& path) {
   constexpr const char* kSeparators = fs::path::preferred_separator == '/' ? "/" : "/\\";
   return path.find_last_of(kSeparators) + 1;  // npos + 1 is 0
@@ -41,8 +41,8 @@ ItemList::ItemList(std::initializer_list<BatchItem> items) {
   for (const BatchItem& item : items) push_back(item);
 }
 
-/// Fields are separated by zeros: no file name holds one, and a problem or note that does is cut
-/// there.
+/// Stores an item. Zeros end its fields: file names cannot hold a zero, and a problem or note with
+/// a zero is cut there.
 ItemList::Place ItemList::append(const BatchItem& item) {
   const Place place{text_.size(), index_of_folder(item.input), index_of_folder(item.output)};
   for (const std::string& field :
@@ -57,8 +57,8 @@ ItemList::Place ItemList::append(const BatchItem& item) {
   return place;
 }
 
-/// The index of a path's folder, added if it is new. Clips come folder by folder, so only the
-/// latest few folders are searched.
+/// Returns the index of a path's folder; adds the folder if it is new. Searches only the last few
+/// folders, since clips come folder by folder: a folder may be stored more than once.
 std::uint32_t ItemList::index_of_folder(const std::string& path) {
   constexpr std::ptrdiff_t kLooked = 4;
   const std::string folder = path.substr(0, folder_length(path));
@@ -73,7 +73,7 @@ void ItemList::push_back(const BatchItem& item) {
   places_.push_back(append(item));
 }
 
-/// The old text stays in memory, since few items are replaced.
+/// The replaced text stays in memory, since few items are replaced.
 void ItemList::replace(std::size_t index, const BatchItem& item) {
   places_[index] = append(item);
 }

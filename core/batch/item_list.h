@@ -16,17 +16,18 @@ namespace mocapress {
 /// One clip of a batch.
 struct BatchItem {
   std::string input;
-  std::string skeleton;    // the .asf; empty: beside the .amc
-  std::string output;      // below the batch's folder, without extension
+  std::string skeleton;    // the .asf; empty: the one beside the .amc
+  std::string output;      // path below the batch's folder, without extension
   std::size_t preset = 0;  // index into Batch::presets
-  std::string problem;     // reason why it cannot be done; else empty
+  std::string problem;     // why it cannot be done; empty: no problem
   ClipReview review = {};
-  std::optional<ReadOptions> reading = {};  // unset: Batch::reading
+  std::optional<ReadOptions> reading = {};  // unset: as in Batch::reading
 
   bool operator==(const BatchItem&) const = default;
 };
 
-/// The clips of a batch in packed form, so that a list of 100,000 takes no more memory than a clip.
+/// The clips of a batch in packed form. A list of 100,000 takes no more memory than one clip's
+/// motion.
 class ItemList {
  public:
   ItemList() = default;
@@ -36,7 +37,7 @@ class ItemList {
   void replace(std::size_t index, const BatchItem& item);
   void erase(std::size_t index);
 
-  /// Frees memory reserved for growth.
+  /// Frees memory that was reserved for growth.
   void shrink();
 
   std::size_t size() const { return places_.size(); }
@@ -72,10 +73,11 @@ class ItemList {
   Place append(const BatchItem& item);
   std::uint32_t index_of_folder(const std::string& path);
 
-  // Texts of all items, each ended by 0: the last part of input, skeleton, the last part of output,
-  // preset, problem, the fields of its review, the notes as JSON, and its options for reading.
+  // The fields of all items, each ended by a zero: file name of the input, skeleton, last part of
+  // the output, preset, problem, the fields of the review, its notes as JSON, and the options for
+  // reading.
   std::string text_;
-  std::vector<std::string> folders_;  // each ends with / or is empty
+  std::vector<std::string> folders_;  // each ends with a separator, or is empty
   std::vector<Place> places_;
 };
 

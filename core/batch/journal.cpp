@@ -31,7 +31,7 @@ std::string to_line(const JournalHeader& header) {
                  {kHolderKey, to_json(this_process())}});
 }
 
-/// The run named by a journal's first line; unset if it names none.
+/// Reads who holds the lock from a journal's first line. Unset if the line does not tell.
 std::optional<LockHolder> holder_of(const fs::path& path) {
   try {
     std::string line;
@@ -44,7 +44,7 @@ std::optional<LockHolder> holder_of(const fs::path& path) {
   }
 }
 
-/// Tries to take the lock and reports success either way.
+/// Tries to lock the file; reports success even if it is locked already.
 int lock_if_free(int file) {
   lock_now(file);
   return 0;
@@ -83,14 +83,14 @@ std::string first_line(const fs::path& path) {
   return line;
 }
 
-/// Whether a file is below a folder, by their names.
+/// True if `file` is below `folder`, judged by the paths alone.
 bool is_below(const std::string& file, const std::string& folder) {
   const fs::path below = utf8_path(file).lexically_relative(utf8_path(folder));
   return !below.empty() && *below.begin() != ".." && below != ".";
 }
 
-/// Throws if a row's clip is missing only because its folder cannot be listed now. Otherwise the
-/// clip has left the batch.
+/// Called for a row whose clip is not in the batch. Throws if the clip may be missing only because
+/// its folder cannot be listed now. Returns if the clip was removed from the batch.
 void refuse_to_forget(const BatchRow& row, const Batch& batch) {
   for (const BatchItem item : batch.items)
     if (!item.problem.empty() && is_below(row.input, item.input))
@@ -146,7 +146,7 @@ Journal::Journal(const fs::path& path, const Batch& batch, const Shard& shard, S
     lines_.append(to_line(header));
 }
 
-/// Copies the rows that still count to a new file, which replaces the old one.
+/// Copies the rows that still belong to the batch to a new file, which replaces the old one.
 void Journal::keep_rows_of(const Batch& batch, const JournalHeader& header) {
   places_.resize(batch.items.size());
   std::unordered_map<std::uint64_t, std::size_t> wanted;
@@ -162,7 +162,7 @@ void Journal::keep_rows_of(const Batch& batch, const JournalHeader& header) {
       return place;
     };
     write(to_line(header));
-    // A run that was killed while it wrote the header left no rows.
+    // Only a header, perhaps cut short by a kill: there are no rows.
     if (first_line(path_).size() == lines_.size()) return;
     JournalReader(path_).for_each([&](const BatchRow& row) {
       const auto found = wanted.find(key_of(row.output));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The progress of a batch, on disk as lines of JSON: a header, then a row for each clip that has
-// ended.
+// The progress of a batch on disk, as lines of JSON: a header, then a row for each clip that is
+// done or failed.
 #pragma once
 
 #include <cstdint>
@@ -16,16 +16,16 @@
 
 namespace mocapress {
 
-/// The batch and the part of it that a journal belongs to.
+/// Identifies the batch that a journal belongs to, and its shard.
 struct JournalHeader {
-  std::size_t clips = 0;  // number in the whole batch
+  std::size_t clips = 0;  // number of clips in the whole batch
   std::string list;       // fingerprint() of the batch
   Shard shard;
 
   bool operator==(const JournalHeader&) const = default;
 };
 
-/// Reads the complete rows of a journal. Only their places are kept in memory.
+/// Reads a journal and skips rows that are not complete. Keeps only the rows' positions in memory.
 class JournalReader {
  public:
   /// Throws InputError if the journal cannot be read or has no header.
@@ -33,12 +33,12 @@ class JournalReader {
 
   const JournalHeader& header() const { return header_; }
 
-  /// Visits the last row of each output, in the order of their index.
+  /// Visits the last row of each output, in the order of the clips' indices.
   void for_each(const std::function<void(const BatchRow&)>& visit) const;
 
   std::size_t rows() const { return places_.size(); }
 
-  /// The same rows one by one. Throws InputError if a row can no longer be read.
+  /// Gives the rows of for_each() one by one. Throws InputError if a row can no longer be read.
   std::size_t index_at(std::size_t place) const { return places_[place].index; }
   BatchRow row_at(std::size_t place) const;
 
@@ -55,23 +55,23 @@ class JournalReader {
   std::vector<Place> places_;
 };
 
-/// The journal of a run. Only one run at a time may have it open.
+/// The journal that a run writes. Only one run at a time may have it open.
 class Journal {
  public:
   enum class Start { New, Resume, Anew };
 
-  /// New: throws WriteError if a journal exists. Resume: keeps the rows that belong to `batch` and
-  /// `shard`, and drops a row that is not complete. Anew: empties the journal. Throws WriteError,
-  /// also if another run has it open, and names that run by the journal's first line. Throws
-  /// InputError if rows cannot be read, and then leaves the file as it was. `take_over` ignores a
-  /// run on another computer, whose lock may outlive it.
+  /// New: throws WriteError if there is a journal. Resume: keeps the rows that belong to `batch`
+  /// and `shard`, and drops incomplete rows. Anew: empties the journal. Throws WriteError, also if
+  /// another run has it open; the message names that run, as in the journal's first line. Throws
+  /// InputError if rows cannot be read, and then leaves the file as it was. `take_over` ignores the
+  /// lock of a run on another computer, since a lock may outlive its run.
   Journal(const std::filesystem::path& path, const Batch& batch, const Shard& shard, Start start,
           bool take_over = false);
 
-  /// Set if other runs could not be locked out.
+  /// Set if the file system has no locks, so that another run may open the journal too.
   const std::optional<Warning>& warning() const { return lines_.warning(); }
 
-  /// The row of a clip that resuming has kept, if any. Throws InputError if it cannot be read.
+  /// The row of a clip that was kept on resuming, if any. Throws InputError if it cannot be read.
   std::optional<BatchRow> find(std::size_t index) const;
 
   /// Appends a row and returns once it is on the disk. Throws WriteError.
@@ -87,7 +87,7 @@ class Journal {
 
   std::filesystem::path path_;
   AppendedFile lines_;
-  std::vector<Place> places_;  // by the index of the clip; empty: no rows were kept
+  std::vector<Place> places_;  // by the clip's index; empty if no rows were kept
 };
 
 }  // namespace mocapress

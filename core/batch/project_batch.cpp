@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr int kNewestProject = 1;
 
-/// A path, which projects store relative to their folder. Empty if the key is absent.
+/// Reads a path. Projects store paths relative to their folder. Empty if the key is absent.
 std::string path_at(const Json& json, const char* key, const fs::path& folder) {
   const auto found = json.find(key);
   if (found == json.end() || found->is_null()) return "";
@@ -26,8 +26,8 @@ std::string path_at(const Json& json, const char* key, const fs::path& folder) {
   return text.empty() ? "" : utf8((folder / utf8_path(text)).lexically_normal());
 }
 
-/// The text for {folder} in names: the folders between the project and the clip, or the name of the
-/// clip's own folder if it is elsewhere.
+/// The value of {folder} in names: the folders from the project to the clip, or the name of the
+/// clip's own folder if it is not below the project's.
 std::string folder_of(const fs::path& clip, const fs::path& project_folder) {
   const fs::path below = clip.parent_path().lexically_relative(
       project_folder.empty() ? fs::path(".") : project_folder.lexically_normal());
@@ -35,7 +35,8 @@ std::string folder_of(const fs::path& clip, const fs::path& project_folder) {
   return below == "." ? "" : generic_utf8(below);
 }
 
-/// Settings with a name, which rows of a batch need and projects may lack.
+/// Settings of a clip in a project. They get a name if they have none, since rows of a batch need
+/// one.
 Settings settings_of_clip(Json json) {
   json.erase("contact_settings");  // belongs to the studio's search for contacts
   Settings settings = settings_from(json);
@@ -50,7 +51,7 @@ std::size_t index_of(const Settings& settings, std::vector<Settings>& presets) {
   return index;
 }
 
-/// Characters by the rigs of clips.
+/// Reads the project's characters, by the names of rigs.
 std::map<std::string, std::string> characters_in(const Json& json, const fs::path& folder) {
   std::map<std::string, std::string> characters;
   if (const auto by_rig = json.find("characters"); by_rig != json.end())
@@ -59,8 +60,9 @@ std::map<std::string, std::string> characters_in(const Json& json, const fs::pat
   return characters;
 }
 
-/// The character for a clip; empty: its own. A clip whose rig the project does not know yet gets
-/// the only character there is; if that does not fit, the clip keeps its own, with a warning.
+/// The character to put on a clip; empty: the clip keeps its own. If the clip's rig is not known
+/// and the project has only one character, it is that one; should it not fit, the clip keeps its
+/// own, with a warning.
 std::string character_on(const Json& clip, const std::map<std::string, std::string>& characters) {
   const std::string rig = clip.value("rig", "");
   if (rig.empty() && characters.size() == 1) return characters.begin()->second;

@@ -25,7 +25,7 @@ BatchItem item_from(const Json& json, std::size_t presets) {
   item.review = review_from(json);
   if (const auto reading = json.find("reading"); reading != json.end() && !reading->is_null())
     item.reading = format_options(*reading);
-  // A name in a queue obeys the same rules as one made from a pattern.
+  // An output in a queue must obey the same rules as an output made from a pattern.
   item.output = output_name(item.output, {item.input, {}, {}}, {});
   return item;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A queue as a file for another machine: presets, formats and every clip with its own settings.
+// A queue: a file that describes a batch for another machine, with presets, formats, and every clip
+// with its settings.
 #pragma once
 
 #include <string>
@@ -10,7 +11,7 @@ namespace mocapress {
 
 std::string queue_text(const Batch& batch);
 
-/// Reads a queue of clips with their settings from JSON. Throws InputError.
+/// Parses a queue. Throws InputError.
 Batch parse_queue(const std::string& file, const std::string& text);
 
 }  // namespace mocapress

@@ -60,13 +60,14 @@ double times_noticed(const BatchRow& row) {
   return row.measured->seen.times_noticed;
 }
 
-/// Orders rows by the visibility of their error, then by the largest distance; the worst first.
+/// True if row `a` is worse than `b`: by the visibility of the error first, then by the largest
+/// distance.
 bool is_worse(const BatchRow& a, const BatchRow& b) {
   return std::pair(times_noticed(a), a.measured->max_cm(a.preset.weighting)) >
          std::pair(times_noticed(b), b.measured->max_cm(b.preset.weighting));
 }
 
-/// Keeps the first `most` rows in that order.
+/// Inserts a row into `worst`, which holds the `most` worst rows, the worst first.
 void add_worst(const BatchRow& row, std::size_t most, std::vector<BatchRow>& worst) {
   if (worst.size() == most && !is_worse(row, worst.back())) return;
   worst.insert(std::ranges::upper_bound(worst, row, is_worse), row);
@@ -82,18 +83,18 @@ struct Totals {
   std::size_t visible = 0;
   std::size_t borderline = 0;
   std::size_t not_visible = 0;
-  std::size_t approved = 0;  // by verdicts that are not stale
+  std::size_t approved = 0;  // with a verdict that is not stale
   std::size_t rejected = 0;
-  std::size_t stale = 0;  // verdicts
-  std::size_t noted = 0;  // clips with notes on frames
-  std::size_t shown = 0;  // clips that the page can show
+  std::size_t stale = 0;  // with a stale verdict
+  std::size_t noted = 0;  // with notes on frames
+  std::size_t shown = 0;  // with a file for the page's viewer
   double raw_bytes = 0;
   double motion_bytes = 0;
   double worst_eps_cm = 0;
   double worst_cm = 0;
-  std::vector<BatchRow> worst;      // drawn in the report
-  std::vector<BatchRow> most_seen;  // charted in the report
-  std::set<std::string> limits;     // by which visibility was judged, as text
+  std::vector<BatchRow> worst;      // clips whose worst pose is drawn
+  std::vector<BatchRow> most_seen;  // clips whose visible errors are charted
+  std::set<std::string> limits;     // all limits by which visibility was judged, as text
 
   void add(const BatchRow& row) {
     warned += !row.warnings.empty();
@@ -128,7 +129,7 @@ struct Totals {
   }
 };
 
-/// Says by which limits errors are visible.
+/// Says by which limits the visibility of errors was judged.
 std::string visibility_note(const ReportLanguage& say, const std::set<std::string>& limits) {
   std::string all;
   for (const std::string& one : limits) all += (all.empty() ? "" : "; ") + one;
@@ -140,7 +141,7 @@ std::string visibility_note(const ReportLanguage& say, const std::set<std::strin
 }
 
 std::string tiles(const ReportLanguage& say, const Totals& totals, std::size_t waiting) {
-  // None of what is wrong is nothing to be red about.
+  // A count of 0 is good news, and gets no alarming colour.
   const auto toned = [](std::size_t count, const std::string& meaning, const char* tone) {
     return tile(std::to_string(count), meaning, count > 0 ? tone : "");
   };
@@ -171,7 +172,7 @@ std::string tiles(const ReportLanguage& say, const Totals& totals, std::size_t w
   return element("div", attribute("class", "tiles"), all);
 }
 
-/// A moment of a clip, as a link where the clip's path leads there from anywhere on this computer.
+/// A frame of a clip as text: a link to open it in the studio, if the clip's path is absolute.
 std::string moment(const BatchRow& row, int frame, const std::string& joint,
                    const std::string& text) {
   if (!utf8_path(row.input).is_absolute()) return escaped(text);
@@ -221,7 +222,7 @@ std::string text_cell(std::string_view text, std::string_view css) {
   return text.empty() ? cell(kNothing, "name") : cell(escaped(text), css);
 }
 
-/// A table cell with the verdict on visibility, and its reason.
+/// A table cell with the visibility of errors, and its reason.
 std::string seen_cell(const ReportLanguage& say, const Seen& seen) {
   std::string text = sight_phrase(say, seen.sight(), seen.limits.distance_m);
   if (!seen.reason.empty()) text += ": " + escaped(say(seen.reason));
@@ -231,7 +232,7 @@ std::string seen_cell(const ReportLanguage& say, const Seen& seen) {
                  text);
 }
 
-/// Verdict and note. The script of the page filters by the words of data-verdict.
+/// Table cells with verdict and note. The page's script filters by the words in data-verdict.
 std::string review_cells(const ReportLanguage& say, const BatchRow& row) {
   const std::optional<std::string> stale = stale_reason(row);
   const std::string verdict = verdict_text(row.review, stale, say);
@@ -300,7 +301,7 @@ void write_clips(std::ostream& out, const ReportLanguage& say, const BatchRows& 
   out << "</tbody></table></div></section>\n";
 }
 
-/// Writes what reviewers noted on frames, clip by clip.
+/// Writes the reviewers' notes on frames, clip by clip.
 void write_notes(std::ostream& out, const ReportLanguage& say, const BatchRows& rows) {
   out << "<section>" << element("h2", "", say("Notes"))
       << "<div class=\"scroll\"><table id=\"notes\"><thead>"
@@ -345,7 +346,7 @@ void write_sights(std::ostream& out, const ReportLanguage& say, const Totals& to
   out << "</div></section>\n";
 }
 
-/// A warning without its file and line, so that equal warnings of several clips become equal texts.
+/// A warning without its file and line, so that equal warnings about several clips are equal texts.
 std::string without_place(const std::string& warning) {
   const std::size_t end = warning.find(": ");
   return end == warning.npos ? warning : warning.substr(end + 2);

@@ -3,23 +3,23 @@
 
 namespace mocapress {
 
-/// Hides the section that contains it until kReportScript shows its first rows: thousands of rows
-/// take a second to lay out.
+/// Hides the section around it until kReportScript shows the first rows, since browsers take a
+/// second to lay out thousands of rows.
 inline constexpr const char* kHidingScript = "document.currentScript.parentNode.hidden = true;";
 
-/// The texts that kReportScript and the buttons of review_buttons() pass to say().
+/// The texts that kReportScript, and the buttons of review_buttons(), pass to say().
 inline constexpr const char* kReportTexts[] = {
     "any visibility", "visible", "borderline", "not visible", "any verdict", "approved", "rejected",
     "stale", "none", "with warnings or without", "with warnings", "without warnings",
     "max over, cm", "ratio below", "name, preset, reason ...", "show all", "%1 of %2 clips",
     "%1 of %2 clips, the first %3 of them below",
-    // Headings by which columns are found
+    // headings by which the script finds columns
     "visibility", "verdict", "note", "warnings", "ratio", "max", "preset"};
 
-/// Sorts the table of clips: by visibility at first, then by the heading that is clicked, largest
+/// Sorts the table of clips: at first by visibility, later by the heading that was clicked, largest
 /// first. Filters clips by visibility, verdict, error, ratio, warnings and words. Shows the first
-/// rows, or all when asked. The page is complete without this script. The script has neither < nor
-/// &, for the page is XML, too.
+/// rows, or all on demand. Without this script the page is complete, too. The script must contain
+/// neither < nor &, since the page is XML.
 inline constexpr const char* kReportScript = R"(
 const table = document.getElementById("clips");
 const body = table.tBodies[0];

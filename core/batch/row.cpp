@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// All source files of a clip. A character, if any, comes last.
+/// All source files of a clip. If there is a character, it comes last.
 std::vector<fs::path> files_of(const BatchItem& item, const ReadOptions& reading) {
   std::optional<fs::path> skeleton;
   if (!item.skeleton.empty()) skeleton = utf8_path(item.skeleton);
@@ -40,7 +40,7 @@ void add_file(Fnv1a& hash, const fs::path& file) {
   }
 }
 
-/// A stamp without hashes.
+/// Makes a stamp without hashes, which needs no reading.
 InputStamp quick_stamp(const std::vector<fs::path>& files) {
   InputStamp quick;
   for (const fs::path& file : files) {
@@ -58,7 +58,7 @@ std::string hash_of_all(const std::vector<fs::path>& files) {
   return hash.text();
 }
 
-/// Adds hashes, reading each file once.
+/// Adds the hashes to a stamp; reads each file once.
 void add_hashes(InputStamp& stamp, const std::vector<fs::path>& files, const ReadOptions& reading) {
   Fnv1a hash;
   for (const fs::path& file : files) {
@@ -126,7 +126,7 @@ std::string settings_hash(const Settings& settings, const ReadOptions& reading) 
 
 namespace {
 
-constexpr double kUnit = 100;  // units of a stored pose in a cm
+constexpr double kUnit = 100;  // units per cm in stored poses
 
 double bits_per_joint_sample(const BatchRow& row) {
   if (!row.measured) return 0;
@@ -195,7 +195,7 @@ Json to_json(const WorstPose& pose) {
           {"decoded", points_json(pose.decoded)}};
 }
 
-/// Refuses indices outside the arrays, since a journal may have been edited.
+/// Throws Error if an index is outside its array: somebody may have edited the journal.
 void check(const WorstPose& pose) {
   const auto points = static_cast<int>(pose.original.size());
   const auto is_point = [&](int index) { return index >= 0 && index < points; };

@@ -16,37 +16,38 @@
 
 namespace mocapress {
 
-/// The state of a clip's source files when it was done: an .amc with its skeleton, the character
-/// put on it and the curves beside it all count.
+/// The state of a clip's source files when it was done. It covers all files that are read: for
+/// example an .amc's skeleton, the character put on the clip, and a file of curves beside it.
 struct InputStamp {
   std::uintmax_t bytes = 0;
-  std::int64_t newest_ns = 0;  // time of the latest change to any of them
-  std::string hash;            // hash over all their bytes
-  std::string source;          // the same hash without the character
+  std::int64_t newest_ns = 0;  // time of the latest change to any of the files
+  std::string hash;            // hash of all their bytes
+  std::string source;          // hash of all but the character's bytes
 
   bool operator==(const InputStamp&) const = default;
 };
 
-/// The stamp of a clip that is read with these options. Throws InputError.
+/// Reads the files of a clip, as reading it with these options does, and stamps them. Throws
+/// InputError.
 InputStamp stamp(const BatchItem& item, const ReadOptions& reading);
 
-/// The same, reading bytes only if sizes or times differ from those of an `earlier` stamp.
+/// Likewise, but reads the files only if their sizes or times differ from those of `earlier`.
 InputStamp stamp_again(const BatchItem& item, const ReadOptions& reading,
                        const InputStamp& earlier);
 
-/// True if the files still match the stamp. Bytes are read only if their times differ.
+/// True if the files still match the stamp. Reads their bytes only if their times differ.
 bool unchanged(const BatchItem& item, const ReadOptions& reading, const InputStamp& stamp);
 
 /// A hash of everything that shapes a clip's file: settings without their name, and options for
-/// reading. Limits of visibility count only where they are the target: elsewhere they judge a file
-/// and do not change it. For a character and curves their bytes count, through InputStamp::hash,
-/// and not their paths.
+/// reading. Limits of visibility count only if visibility is the target; otherwise they judge a
+/// file but do not change it. The paths of a character and of curves do not count; their bytes do,
+/// through InputStamp::hash.
 std::string settings_hash(const Settings& settings, const ReadOptions& reading);
 
 /// The hash of a file's bytes. Throws InputError.
 std::string hash_of(const std::filesystem::path& file);
 
-/// A file of a batch that was read back and checked before it got its name.
+/// A file of a batch that was read back and checked before it was put in place.
 struct WrittenFile {
   std::string name;  // relative to the batch's folder
   std::uintmax_t bytes = 0;
@@ -57,7 +58,7 @@ struct WrittenFile {
 
 /// The result of one clip.
 struct BatchRow {
-  std::size_t index = 0;  // in the whole batch
+  std::size_t index = 0;  // index in the whole batch
   std::string input;
   std::string output;
   ClipReview review = {};
@@ -67,39 +68,40 @@ struct BatchRow {
   WriteOptions writing;
   InputStamp stamp;
   int joints = 0;
-  std::optional<Measurement> measured;  // measured on the file as read back
+  std::optional<Measurement> measured;  // measured on the file as read back from the disk
   std::string verified_by;              // Verification::by; empty: not measured
   std::vector<WrittenFile> files;
-  std::vector<std::string> warnings;  // the reader's repairs and guesses
+  std::vector<std::string> warnings;  // repairs and guesses of the reader
   std::optional<WorstPose> worst;
   SightChart sights;
-  std::string error;  // reason for failing; empty: it is done
+  std::string error;  // why the clip failed; empty: it is done
 
   bool done() const { return error.empty(); }
 };
 
-/// The reason why the row's verdict does not apply to its source and settings. Unset: it applies,
-/// there is no verdict, or the clip was not read.
+/// The reason why a row's verdict no longer applies to the clip's source and settings. Unset if it
+/// applies, if there is no verdict, or if the clip was not read.
 std::optional<std::string> stale_reason(const BatchRow& row);
 
-/// The same for one of its notes.
+/// The reason why one of the row's notes no longer applies.
 std::optional<std::string> stale_reason(const BatchRow& row, const FrameNote& note);
 
-/// True if a measurement keeps the preset's promise: a ratio within 2 %, a bound not exceeded.
+/// True if a measurement meets the preset's target: a ratio within 2 %, or a bound that is not
+/// exceeded.
 bool keeps_promise(const Settings& preset, const Measurement& measured);
 
 /// The whole row as one line of JSON, without a line end.
 std::string to_journal_line(const BatchRow& row);
 
-/// Reads such a line; unset for anything but a complete row.
+/// Reads what to_journal_line() wrote. Unset for anything but a complete row.
 std::optional<BatchRow> parse_batch_row(std::string_view line);
 
-/// One line of JSON for reports and programs, with the keys of `mocapress compress --json` and null
-/// where a value does not apply. Equal for the same clip and preset; only the stamp, with the
-/// program's version and the report's time, depends on the clock.
+/// A row as one line of JSON for reports and programs, with the keys of `mocapress compress
+/// --json`, and null where a value does not apply. The same clip and preset give the same line;
+/// only the stamp, with the program's version and the report's time, depends on the clock.
 std::string to_report_line(const BatchRow& row, const ReportStamp& stamp = {});
 
-/// The same row as comma-separated values (RFC 4180), with a line feed.
+/// A row as comma-separated values (RFC 4180), with a line feed.
 std::string to_csv_line(const BatchRow& row, const ReportStamp& stamp = {});
 std::string csv_head();
 

@@ -40,7 +40,7 @@ void BatchControl::cancel() {
 void BatchControl::wish(Wish wish) {
   const std::lock_guard lock(mutex_);
   wish_ = std::max(wish_, wish);
-  paused_ = false;  // waiting workers must run to stop
+  paused_ = false;  // workers that wait must run to stop
   changed_.notify_all();
 }
 
@@ -90,7 +90,7 @@ class ClipTime {
 
   bool is_over() const { return limit_ && Clock::now() - start_ > Seconds(*limit_); }
 
-  /// Returns wait() without counting the time it takes.
+  /// Calls wait() and returns its result. Its time does not count.
   template <typename Wait>
   bool without(Wait wait) {
     const Clock::time_point before = Clock::now();
@@ -124,7 +124,7 @@ class Run {
     sources_ = source_files(batch);
     for (const Waiting& clip : queue_) counts_.bytes += clip.bytes;
     counts_.clips = queue_.size();
-    // The largest come first, since a long clip at the end would leave other threads idle.
+    // The largest clips come first: a long clip at the end would leave the other threads idle.
     if (options.largest_first)
       std::ranges::stable_sort(
           queue_, [](const Waiting& a, const Waiting& b) { return a.bytes > b.bytes; });
@@ -138,7 +138,7 @@ class Run {
         while (control_.may_begin()) {
           const std::size_t next = next_++;
           if (next >= queue_.size()) return;
-          // Isolated, so that a thread that waits within a clip does not take up another.
+          // Isolated, so that a thread that waits within a clip does not begin another clip.
           tbb::this_task_arena::isolate([&] { do_clip(queue_[next]); });
         }
       });
@@ -153,8 +153,8 @@ class Run {
     std::uint64_t bytes;
   };
 
-  /// Does one clip. A failure of the clip becomes a row; a journal that cannot be read or written
-  /// ends the run.
+  /// Does one clip. If the clip fails, its row says so; if the journal cannot be read or written,
+  /// the run ends.
   void do_clip(const Waiting& clip) try {
     const BatchItem item = batch_.items[clip.index];
     const std::optional<BatchRow> earlier = find(clip.index);
@@ -223,7 +223,7 @@ class Run {
     return observe(step);
   }
 
-  /// Puts a clip back among those that wait.
+  /// Makes a clip wait again, since it was stopped.
   void drop(const Waiting& clip) {
     const std::lock_guard lock(mutex_);
     set_under_way(clip, 0);
@@ -255,7 +255,7 @@ class Run {
   std::atomic<std::size_t> next_ = 0;
   std::mutex mutex_;  // guards the members below, the journal and calls to the observer
   BatchCounts counts_;
-  std::map<std::size_t, double> under_way_;  // bytes, by the index of the clip
+  std::map<std::size_t, double> under_way_;  // bytes done, by the clip's index
   std::exception_ptr failure_;
 };
 
@@ -276,7 +276,7 @@ void TimeLeft::update(const BatchCounts& counts, double elapsed_seconds) {
   }
   const double done = static_cast<double>(counts.bytes_done) + counts.bytes_under_way;
   const double worked = done - static_cast<double>(counts.bytes_kept);
-  if (!(worked > 0)) return;  // empty files
+  if (!(worked > 0)) return;  // all files are empty
   const double now = elapsed_seconds * (static_cast<double>(counts.bytes) - done) / worked;
   seconds_ = has_ended || !seconds_ ? now : std::min(*seconds_, now);
 }

@@ -11,17 +11,17 @@
 
 namespace mocapress {
 
-/// The characters that the clips of a batch are put on. A file is parsed once, and again only where
-/// its size or time of writing changed. Threads may ask at once: one parses, the others wait.
+/// The characters that a batch's clips are put on. A file is parsed once, and again only if its
+/// size or time has changed. Several threads may ask for it at once: one parses, the others wait.
 class SharedCharacters {
  public:
-  /// Returns what read_character() returns for the file. Throws InputError.
+  /// Returns the character that read_character() reads from the file. Throws InputError.
   std::shared_ptr<const Character> read(const std::filesystem::path& file);
 
  private:
   struct Parsed {
     std::shared_ptr<const Character> character;
-    std::uint64_t bytes = 0;  // the file's
+    std::uint64_t bytes = 0;  // size of the file
     std::int64_t written_ns = 0;
   };
 

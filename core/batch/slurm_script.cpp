@@ -18,7 +18,7 @@ bool is_control(char c) {
   throw WriteError("a script for sbatch cannot name " + word + ": it has " + why + " in it");
 }
 
-/// The text as a single word of a shell.
+/// Quotes a text as a single word for a shell.
 std::string quoted(const std::string& word) {
   if (std::ranges::any_of(word, &is_control))
     refuse(word, "a line break or another control character");
@@ -30,9 +30,9 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
-/// A log's path for an #SBATCH line. Slurm replaces %A and the like in it, so each % is doubled. It
-/// replaces nothing in paths with a backslash, so these are refused. Such a line is split at blanks
-/// unless quoted.
+/// A log's path for an #SBATCH line. Slurm replaces %A and the like, so each % is doubled. In a
+/// path with a backslash it replaces nothing, so such paths are refused. The path is quoted, since
+/// Slurm splits the line at blanks.
 std::string log_name(const std::string& folder, const std::string& name) {
   if (folder.find('\\') != folder.npos) refuse(folder, "a backslash");
   std::string path;

@@ -13,7 +13,8 @@
 namespace mocapress {
 namespace {
 
-/// landmark_tracks() of every frame, or of some thousand in a long clip: enough to find the ground.
+/// landmark_tracks() of every frame or, for a long clip, of some thousands of its frames: enough to
+/// find the ground.
 Eigen::MatrixXd tracks_of_some(const Motion& motion) {
   constexpr int kMost = 8192;
   const int step = motion.clip.frames() / kMost + 1;
@@ -22,7 +23,7 @@ Eigen::MatrixXd tracks_of_some(const Motion& motion) {
                          {motion.clip.sample_rate_hz, motion.clip.channels(frames, Eigen::all)});
 }
 
-/// Compares joints' axes within the precision of the file's 32-bit quaternions.
+/// True if the joints' axes are equal within the precision of the file's 32-bit quaternions.
 bool same_axes(const Skeleton& a, const Skeleton& b) {
   constexpr double kPrecision = 1e-5;
   return std::equal(a.joints().begin(), a.joints().end(), b.joints().begin(), b.joints().end(),
@@ -32,7 +33,7 @@ bool same_axes(const Skeleton& a, const Skeleton& b) {
                     });
 }
 
-/// Receives the decoded motion, block after block of frames.
+/// Receives the decoded motion in blocks of frames, one after the other.
 using Block = std::function<void(int first, const Clip& block)>;
 
 class Verifier {
@@ -105,7 +106,7 @@ class Verifier {
     throw Error("verification: the written file has another shape");
   }
 
-  /// Decodes the motion in coded channels and returns the decoder's name.
+  /// Decodes the motion in the coded channels. Returns the decoder's name.
   std::string_view decode(const Block& visit) const {
     if (opened_.coding() != Coding::Adaptive) {
       visit(0, mocapress::decode(opened_));
@@ -130,7 +131,7 @@ class Verifier {
   const VerificationRequest& request_;
   const Motion& motion_;
   const bool is_long_;
-  Skeleton coded_;  // original joints with the coded channels
+  Skeleton coded_;  // the original's joints with the coded channels
 };
 
 }  // namespace

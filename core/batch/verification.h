@@ -11,10 +11,10 @@
 
 namespace mocapress {
 
-/// The content of a .mcpr file, measured against its original.
+/// Measurements of a .mcpr file against its original.
 struct Verification {
-  /// The decoder: "runtime", the runtime through its C interface and within its default limits, as
-  /// in an engine; or "library", for files that no engine plays (the paper's codings and the
+  /// The decoder that was used. "runtime": through its C interface and within its default limits,
+  /// as in an engine. "library": for files that no engine plays (the paper's codings and the
   /// comparison methods).
   std::string_view by;
   Distortion distortion;
@@ -26,15 +26,16 @@ struct Verification {
 
 /// Options of a verification.
 struct VerificationRequest {
-  std::vector<ContactSpan> contacts;  // contacts of the original's feet
+  std::vector<ContactSpan> contacts;  // foot contacts of the original
   bool motion = false;                // true: return the decoded clip
-  int tiers = 0;                      // measures the first tiers of an adaptive file; 0: all
-  SightLimits limits;                 // thresholds of what people notice
+  int tiers = 0;                      // number of tiers to measure in an adaptive file; 0: all
+  SightLimits limits;                 // thresholds of what viewers notice
 };
 
-/// Reads, decodes and measures a file. If a clip in segments is verified without its motion, it is
-/// decoded in blocks; then percentiles come from DistanceCounts, and there are no distances. Throws
-/// Error if the file cannot be read or has another shape than its original.
+/// Reads, decodes and measures a file. A clip in segments is decoded in blocks unless its motion is
+/// requested; then percentiles come from DistanceCounts, and there are no distances for each frame.
+/// Throws Error if the file cannot be read, or if frames, rate or skeleton differ from the
+/// original's.
 Verification verify(std::span<const std::byte> file, const Encoder& original,
                     const VerificationRequest& request = {});
 

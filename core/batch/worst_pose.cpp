@@ -65,7 +65,7 @@ std::string worst_scene(const WorstPose& pose, const std::string& label) {
     low = low.cwiseMin(point);
     high = high.cwiseMax(point);
   }
-  // Shows the ground below the figure, unless that would make an airborne figure too small.
+  // Shows the ground, too, unless that would make a figure high above it too small.
   low.y() = std::min(low.y(), std::max(pose.ground_cm, low.y() - 0.3 * (high - low).norm()));
   SceneSvg scene(picture, {.centre = (low + high) / 2,
                            .facing = pose.facing,
