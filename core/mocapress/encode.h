@@ -19,26 +19,27 @@ class LoadedClip;
 /// A compressed motion.
 struct Encoded {
   std::vector<std::byte> file;  // all of a .mcpr
-  Measurement measurement;      // the decoded file's, against its original
-  bool complete = true;         // false: stopped early; the file is the best there was till then,
-                                // and need not meet its target
+  Measurement measurement;      // of the decoded file against its original
+  bool complete = true;         // false: stopped early; the file is the best one so far and
+                                // may miss the target
 };
 
-/// Computes everything that does not depend on settings once, when first needed.
+/// Compresses one motion any number of times. Computes what does not depend on settings once, when
+/// it is first needed.
 class ClipEncoder {
  public:
-  /// Compresses `source.motion`. The source's format is kept in the .mcpr, so that a motion written
-  /// from it can have the form of its source.
+  /// Takes the motion to compress. The .mcpr keeps the source's format, so that a motion written
+  /// from it can have the same form.
   explicit ClipEncoder(MotionFile source);
   ~ClipEncoder();
 
   const Motion& motion() const;
 
-  /// `observer` is called now and then on the calling thread and answers whether to continue.
-  /// `stop` stops the work too. Work is spread over all processors.
+  /// Compresses the motion on all processors. `observer` is called now and then on the calling
+  /// thread and returns whether to continue; `stop` ends the work, too.
   ///
-  /// Throws Error for settings that check() refuses or that name a joint the skeleton lacks. Throws
-  /// TargetMissed if nothing meets the target; its what() tells the best result.
+  /// Throws Error for settings that check() refuses or that name a joint the skeleton does not
+  /// have. Throws TargetMissed if nothing meets the target; its what() tells the best result.
   Encoded encode(const Settings& settings, const Observer<EncodeProgress>& observer = {},
                  const std::stop_token& stop = {}) const;
 
@@ -46,7 +47,7 @@ class ClipEncoder {
   std::unique_ptr<const LoadedClip> clip_;
 };
 
-/// Compresses one motion once.
+/// Compresses a motion once.
 Encoded encode(MotionFile source, const Settings& settings,
                const Observer<EncodeProgress>& observer = {}, const std::stop_token& stop = {});
 

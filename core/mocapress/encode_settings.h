@@ -6,8 +6,8 @@
 
 namespace mocapress {
 
-/// The settings of an encode of a clip with that skeleton. Throws Error if they name an effector or
-/// another joint that the skeleton lacks.
+/// Translates settings to an encode of a clip with this skeleton. Throws Error if they name a joint
+/// that the skeleton does not have.
 EncodeSettings encode_settings(const Settings& settings, const Skeleton& skeleton);
 
 }  // namespace mocapress

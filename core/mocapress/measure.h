@@ -10,9 +10,9 @@
 namespace mocapress {
 
 /// Measures a .mcpr of any method against its original: errors in cm, bytes, ratio, how far feet
-/// slide, and what viewers notice by `limits`. Only encoding knows seconds, iterations and
-/// coefficient ratio: these stay unset. Throws FormatError for bytes that are no .mcpr, and Error
-/// for a .mcpr with other channels or another number of frames than `original`.
+/// slide, and what viewers notice by `limits`. Seconds, iterations and the coefficient ratio stay
+/// unset, since only encoding knows them. Throws FormatError for bytes that are not a .mcpr, and
+/// Error for a .mcpr with other channels or another number of frames than `original`.
 Measurement measure(const Motion& original, std::span<const std::byte> file,
                     const SightLimits& limits = {});
 

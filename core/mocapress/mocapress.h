@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// All of the library: read a motion, compress it, measure what that cost, play it.
+// All of the library: read a motion, compress it, measure the result, play it.
 //
 //   MotionFile walk = read_motion("walk.bvh");
-//   Encoded made = encode(walk, settings_from_json(R"({"target": {"kind": "error", "value":
-//   0.5}})")); LocalPose pose = Player(made.file).sample(0.5);
+//   Settings settings = settings_from_json(R"({"target": {"kind": "error", "value": 0.5}})");
+//   Encoded made = encode(walk, settings);
+//   LocalPose pose = Player(made.file).sample(0.5);
 #pragma once
 
 #include "core/mocapress/encode.h"

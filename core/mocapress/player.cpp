@@ -23,7 +23,7 @@ struct Player::Parts {
   Skeleton skeleton;
   ScalarTracks tracks;
 
-  /// Decodes one instant into as many floats as the output has.
+  /// Decodes one instant. `out` has room for as many floats as the output has.
   void decode(mcpr_output output, double seconds, AtEnds at_ends, float* out) const {
     const mcpr_request request{
         .output = output, .apply_ik = 1, .unit = MCPR_SECONDS, .wrap = wrap_of(at_ends)};

@@ -21,8 +21,9 @@ bool is_closed_loop(const Settings& settings) {
 }  // namespace
 
 std::span<const Settings> built_in_presets() {
-  // People look at heads and hands more than their share of the surface says, and feet stand. These
-  // factors keep most clips within the promises at once; if they do not, an encode raises them.
+  // People look at heads and hands more than their share of the surface suggests, and feet stand on
+  // the ground. With these factors most clips keep the promises from the start; otherwise an encode
+  // raises the factors.
   const NamedImportance looks{.factors = {{"feet", 4}, {"fingers", 8}, {"hands", 54}, {"head", 3}},
                               .contacts = 0};
   NamedImportance planted = looks;
@@ -36,9 +37,9 @@ std::span<const Settings> built_in_presets() {
   };
   constexpr double kCloseUp = 1.0 / 3;
   constexpr double kCrowd = 3;
-  // On a screen 60 cm away a person is 26, 7 and 2.6 cm tall from these distances. Gameplay's
-  // results on the study clips are not visible from there, or borderline (FIGURES.md, "What the
-  // eye sees").
+  // Seen from these distances, a person is 26, 7 and 2.6 cm tall on a screen 60 cm away. On the
+  // study clips, errors of Gameplay are not visible from its distance, or borderline (FIGURES.md,
+  // "What the eye sees").
   constexpr SightLimits kNearby{.distance_m = 4};
   constexpr SightLimits kInPlay{.distance_m = 15};
   constexpr SightLimits kInCrowds{.distance_m = 40};
@@ -53,7 +54,7 @@ std::span<const Settings> built_in_presets() {
        .importance = looks,
        .promises = promises(1),
        .limits = kInPlay},
-      // A ninth of the sliding is left in the mean of the study clips, for 9 % more bytes.
+      // On average over the study clips, a ninth of the sliding is left, for 9 % more bytes.
       {.name = "Planted feet",
        .target = {Target::Kind::Error, 0.25},
        .importance = planted,

@@ -19,14 +19,14 @@ constexpr std::string_view kFound = "auto";
 constexpr const char* kContacts = "contacts";  // among the names of importance
 constexpr const char* kRanges = "importance_ranges";
 
-/// The keys of one object, each taken once; what is left over is a mistake.
+/// Takes the values of an object's keys. A key that nobody took is a mistake, and end() refuses it.
 class Keys {
  public:
   Keys(const Json& json, std::string of) : json_(json), of_(std::move(of)) {
     if (!json.is_object()) throw Error(of_ + " is not a JSON object");
   }
 
-  /// nullptr when it is not there.
+  /// Returns the key's value; nullptr if the key is missing.
   const Json* take(const char* key) {
     taken_.emplace_back(key);
     const auto found = json_.find(key);
@@ -47,7 +47,7 @@ class Keys {
     return value->get<double>();
   }
 
-  /// -1 when it is not there.
+  /// Returns a frame; -1 if the key is missing.
   int frame(const char* key) {
     const Json* value = take(key);
     if (!value) return -1;
@@ -221,7 +221,7 @@ std::uint64_t seed_from(const Json& json, const Keys& keys) {
   return json.get<std::uint64_t>();
 }
 
-/// Reads settings without check().
+/// Reads settings; does not call check().
 Settings read_settings(const Json& json) {
   Settings settings;
   settings.name = Keys(json, "what should be settings").text("name", "");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// compress_clip CLIP.bvh|CLIP.amc [JOINT]: compresses a clip in memory, says what that cost, and
-// asks the compressed clip where a joint is after half a second.
+// compress_clip CLIP.bvh|CLIP.amc [JOINT]: compresses a clip in memory, prints the size and error,
+// and asks the compressed clip where a joint is after half a second.
 #include <mocapress/mocapress.h>
 #include <cstdio>
 #include <exception>
@@ -10,7 +10,7 @@ using namespace mocapress;
 
 namespace {
 
-// Members that are left out keep their values in Settings{}; settings_to_json() writes all of them.
+// Missing members have their values in Settings{}; settings_to_json() writes all members.
 constexpr const char* kSettings = R"({
   "target": {"kind": "error", "value": 0.25},
   "weighting": "surface",
@@ -22,7 +22,7 @@ Encoded compress(const MotionFile& source) {
   int reports = 0;
   Encoded made = encode(source, settings, [&](const EncodeProgress& progress) {
     if (++reports % 100 == 1) std::fprintf(stderr, "pass %d\n", progress.pass);
-    return true;  // false stops, with the best there is
+    return true;  // false would stop and return the best result so far
   });
   const Measurement& cost = made.measurement;
   std::printf("%s: %zu bytes, 1 : %.1f, eps_x %.3f cm\n", target_text(settings.target).c_str(),

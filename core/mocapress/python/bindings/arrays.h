@@ -13,10 +13,11 @@ namespace mocapress::python {
 
 namespace py = pybind11;
 
-/// Arguments as doubles in C order. NumPy converts all others, in a copy.
+/// An argument as doubles in C order. NumPy converts other arrays to a copy in this form.
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// A read-only view of memory that `owner` keeps alive. Nothing is copied. Strides count values.
+/// A read-only view of memory that `owner` keeps alive. Nothing is copied. `strides` count values,
+/// not bytes.
 template <typename T>
 py::array view(const T* data, const std::vector<py::ssize_t>& shape,
                std::vector<py::ssize_t> strides, py::handle owner) {
@@ -26,8 +27,8 @@ py::array view(const T* data, const std::vector<py::ssize_t>& shape,
   return array;
 }
 
-/// An array that takes the matrix over: frames x (points * values of each), as an array of frames x
-/// points x values. Nothing is copied; time stays contiguous in memory.
+/// Turns a matrix of frames x (points * values) into an array of frames x points x values, which
+/// takes over its memory. Nothing is copied; the frames of a value stay contiguous in memory.
 template <typename Matrix>
 py::array take_over(Matrix matrix, py::ssize_t values) {
   using T = typename Matrix::Scalar;
@@ -37,7 +38,7 @@ py::array take_over(Matrix matrix, py::ssize_t values) {
   auto kept = std::make_unique<Matrix>(std::move(matrix));
   const T* const data = kept->data();
   const py::capsule owner(kept.get(), [](void* held) { delete static_cast<Matrix*>(held); });
-  kept.release();  // NOLINT(bugprone-unused-return-value): the capsule has it
+  kept.release();  // NOLINT(bugprone-unused-return-value): the capsule owns it now
   return py::array(py::dtype::of<T>(), {frames, points, values},
                    {kSize, kSize * values * frames, kSize * frames}, data, owner);
 }

@@ -72,7 +72,7 @@ py::object sample_clip(const BankFile& bank, const py::str& name, const Doubles&
         mcpr_sample(clip, &request, instant, out, &result);
         if (result.status != MCPR_OK) throw Error(result.message);
       });
-  // The last float of a transform fills it up.
+  // Drops the last float of each transform, which is padding.
   return transforms[py::make_tuple(py::ellipsis(), py::slice(0, kFloats - 1, 1))];
 }
 

@@ -15,7 +15,7 @@
 
 namespace mocapress::python {
 
-/// A .mcpr in memory. It is opened for playing when that is first asked for.
+/// A .mcpr in memory. Makes a player for it on first use.
 class CodedClip {
  public:
   /// Throws FormatError.
@@ -29,12 +29,12 @@ class CodedClip {
   int frames() const { return frames_; }
   double sample_rate_hz() const { return sample_rate_hz_; }
 
-  /// Throws FormatError for a method that no engine plays.
+  /// Throws FormatError if no engine plays the method.
   const Player& player() const;
 
  private:
   std::vector<std::byte> file_;
-  std::optional<Measurement> measurement_;  // set by encoding
+  std::optional<Measurement> measurement_;  // set if the clip was encoded, not opened
   Skeleton skeleton_;
   std::string method_;
   Weighting weighting_ = Weighting::Surface;
@@ -44,13 +44,13 @@ class CodedClip {
   mutable std::optional<Player> player_;
 };
 
-/// Throws InputError, which names the file.
+/// Reads a clip from a file. Throws InputError, which names the file.
 std::shared_ptr<CodedClip> open_clip(const std::filesystem::path& path);
 
 /// Adds Clip, open_clip() and write_bytes().
 void bind_clip(pybind11::module_& module);
 
-/// Adds Encoder, which encodes one motion many times, and Progress.
+/// Adds Encoder, which compresses one motion any number of times, and Progress.
 void bind_encoder(pybind11::module_& module);
 
 /// Adds Bank.

@@ -11,7 +11,8 @@ namespace {
 
 using namespace py::literals;
 
-/// Tells Python how far an encode is, and stops it where Python raises: the callback, or Ctrl-C.
+/// Reports the progress of an encode to Python, and stops the encode if Python raises an exception,
+/// in the callback or by Ctrl-C.
 class ProgressCall {
  public:
   explicit ProgressCall(py::object callback) : callback_(std::move(callback)) {}
@@ -67,7 +68,8 @@ void bind_encoder(py::module_& module) {
       });
   py::class_<ClipEncoder>(module, "Encoder")
       .def(py::init([](const MotionFile& motion) {
-             // A guard of the call would also hold where pybind11 registers the new object.
+             // Not a call guard, which would also release the lock while pybind11 registers the new
+             // object.
              const py::gil_scoped_release without_lock;
              return std::make_unique<ClipEncoder>(motion);
            }),

@@ -9,7 +9,7 @@
 namespace mocapress::python {
 namespace {
 
-/// The exception types, which live as long as the interpreter.
+/// The exception types. They live as long as the interpreter.
 struct ErrorTypes {
   py::handle error;
   py::handle input;

@@ -5,8 +5,8 @@
 
 namespace mocapress::python {
 
-/// Adds the exceptions Error, InputError, FormatError, WriteError and TargetMissed, and has every
-/// failure of the library raised as one of them, with its sentence.
+/// Adds the exceptions Error, InputError, FormatError, WriteError and TargetMissed. Every failure
+/// of the library is raised as one of them, with its message.
 void bind_errors(pybind11::module_& module);
 
 }  // namespace mocapress::python

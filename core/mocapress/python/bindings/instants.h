@@ -10,8 +10,9 @@ inline void check_wrap(bool loop, bool clip_is_loop) {
   if (loop && !clip_is_loop) throw Error("the clip is no loop, and stands after its last frame");
 }
 
-/// Poses at instants: one of (points, values) for a number, else (instants, points, values). Calls
-/// sample(instant, out) without the interpreter's lock for each.
+/// Samples poses at instants. For a number, returns one pose (points, values); for a list,
+/// (instants, points, values). Calls sample(instant, out) for each instant, without the
+/// interpreter's lock.
 template <typename Sample>
 py::array_t<float> at_instants(const Doubles& instants, py::ssize_t points, py::ssize_t values,
                                const Sample& sample) {

@@ -24,7 +24,8 @@ constexpr std::array<int, 3> kOrder = {2, 0, 1};  // Z X Y
   throw std::invalid_argument(why);
 }
 
-/// Calls visit(joint, frame, rotation, translation): both by the channels alone.
+/// Calls visit(joint, frame, rotation, translation) with what the joint's channels alone determine,
+/// without its offset and axes.
 template <typename Visit>
 void visit_channels(const Motion& motion, const Visit& visit) {
   const Eigen::MatrixXd& channels = motion.clip.channels;
@@ -67,7 +68,7 @@ void check(const LocalTransforms& given) {
     refuse("a value is not finite");
 }
 
-/// The translations of one joint, frames x 3; no rows where none were given.
+/// The given translations of one joint, frames x 3; no rows if none were given.
 Eigen::MatrixX3d translations_of(const LocalTransforms& given, Eigen::Index joint) {
   const Eigen::Index first = 3 * joint;
   if (given.translations.cols() < first + 3) return {};
@@ -75,7 +76,7 @@ Eigen::MatrixX3d translations_of(const LocalTransforms& given, Eigen::Index join
 }
 
 bool stays(const Eigen::MatrixX3d& places) {
-  constexpr double kSamePlace = 1e-4;  // cm: what floats lose some metres from the origin
+  constexpr double kSamePlace = 1e-4;  // cm: rounding error of floats some metres from the origin
   return places.rows() == 0 ||
          (places.rowwise() - places.row(0)).cwiseAbs().maxCoeff() <= kSamePlace;
 }

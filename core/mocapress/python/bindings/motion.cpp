@@ -20,7 +20,7 @@ using namespace py::literals;
 using Path = std::filesystem::path;
 using WithoutGil = py::call_guard<py::gil_scoped_release>;
 
-// Motion is held without const, as pybind11 wants it; nothing that is bound changes it.
+// Not const, since pybind11 requires that; no function in the bindings changes a motion.
 using HeldMotion = std::shared_ptr<MotionFile>;
 
 py::list names(const Skeleton& skeleton) {
@@ -130,7 +130,7 @@ py::list write(const MotionFile& motion, const Path& path, const std::optional<P
   return warning_texts(warnings);
 }
 
-/// An array as a matrix: its first dimension x all others together.
+/// An array as a matrix: the first dimension gives the rows, all others together the columns.
 Eigen::Map<const RowMajor> rows(const Doubles& array) {
   const py::ssize_t count = array.shape(0);
   return {array.data(), count, count > 0 ? array.size() / count : 0};
@@ -167,7 +167,8 @@ HeldMotion from_numpy(const py::sequence& joint_names, const std::vector<int>& j
   return made;
 }
 
-/// Channels as the library has them, time contiguous: a view of another motion's is not converted.
+/// Channels in the library's memory order, with the frames of a channel contiguous. A view of
+/// another motion's channels has that order and needs no conversion.
 using TimeContiguous = py::array_t<double, py::array::f_style | py::array::forcecast>;
 
 HeldMotion with_channels(const MotionFile& motion, const TimeContiguous& channels,

@@ -8,7 +8,7 @@
 
 namespace mocapress::python {
 
-/// Motions never change once they are made, so that views of them and threads are safe.
+/// Motions never change once they are made, so views of them are safe, also in several threads.
 using SharedMotion = std::shared_ptr<const MotionFile>;
 
 /// Adds Motion, Track, read_motion() and write_motion().

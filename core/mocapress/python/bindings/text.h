@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Text between Python and the library. Names of joints and files may hold bytes that are not UTF-8:
-// these become lone surrogates, as in Python's own names of files, and come back as they were.
+// Converts text between Python and the library. Names of joints and files may have bytes that are
+// not UTF-8. They become lone surrogates, as in Python's own file names, and are converted back to
+// the same bytes.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -16,14 +17,14 @@ namespace py = pybind11;
 
 py::str to_str(std::string_view text);
 
-/// The inverse. Throws py::type_error for what is no text.
+/// Converts what to_str() made back. Throws py::type_error for an object that is not text.
 std::string from_str(py::handle text);
 
-/// A JSON value as Python has it: dict, list, str, float, int, bool, None.
+/// Converts JSON to Python: dict, list, str, float, int, bool, None.
 py::object to_object(const Json& json);
 
-/// Limits of visibility from a dict, as settings have them; the built-in ones from None. Throws
-/// InputError.
+/// Reads limits of visibility from a dict, in the form that settings have. None gives the built-in
+/// limits. Throws InputError.
 SightLimits to_limits(const py::object& limits);
 
 }  // namespace mocapress::python
