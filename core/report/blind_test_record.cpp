@@ -22,7 +22,7 @@ Cue cue_named(const std::string& word) {
   throw Error("a blind test has an unknown cue: " + word);
 }
 
-/// Throws the JSON library's exceptions.
+/// Reads a record. Throws Error and the JSON library's exceptions.
 BlindTestRecord read_record(const Json& json) {
   BlindTestRecord record;
   json.at("viewer").get_to(record.viewer);
@@ -107,7 +107,7 @@ SightLimits limits_by(const std::vector<BlindTestRecord>& records, const SightLi
   SightLimits limits = otherwise;
   for (std::size_t c = 0; c < kCues; ++c) {
     const auto cue = static_cast<Cue>(c);
-    double least = 0;  // sums of logarithms
+    double least = 0;  // sums of logarithms, as is `share`
     double share = 0;
     int count = 0;
     for (const BlindTestRecord& record : records) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Answers of viewers in blind tests, kept as JSON: one list, a test after the other.
+// Records of viewers' answers in blind tests. A file of them is a JSON array, in the order of the
+// tests.
 #pragma once
 
 #include <filesystem>
@@ -13,14 +14,14 @@
 
 namespace mocapress {
 
-/// A finished blind test. Levels are multiples of the error that `limits` take for noticeable.
+/// A finished blind test. Levels are multiples of the error that is just noticeable by `limits`.
 struct BlindTestRecord {
   std::string viewer;
   std::string clip;
-  std::string character;    // empty: a figure of capsules
+  std::string character;    // its file; empty: a figure of capsules
   std::string time;         // ISO 8601, UTC
-  Cue cue = Cue::Velocity;  // by which the errors were most visible
-  SightLimits limits;       // with the viewer's distance
+  Cue cue = Cue::Velocity;  // cue by which the errors were most visible
+  SightLimits limits;       // include the viewer's distance
   std::vector<double> levels;
   std::vector<BlindAnswer> answers;
 
@@ -31,18 +32,19 @@ struct BlindTestRecord {
 
 Json to_json(const BlindTestRecord& record);
 
-/// The inverse, which fits again instead of reading what follows from the answers. Throws Error.
+/// Reads what to_json() wrote. Values that follow from the answers are computed again instead of
+/// read. Throws Error.
 BlindTestRecord blind_test_from(const Json& json);
 
-/// The records of a file; none if there is no such file. Throws InputError.
+/// Reads the records of a file; none if the file does not exist. Throws InputError.
 std::vector<BlindTestRecord> read_blind_tests(const std::filesystem::path& path);
 
 /// Adds a record to the end of a file. Throws InputError and WriteError.
 void add_blind_test(const std::filesystem::path& path, const BlindTestRecord& record);
 
-/// The limits by which these viewers notice half of what can be noticed: the limit of each tested
-/// cue times the threshold, in the geometric mean of all tests whose threshold was found. Other
-/// cues keep the limits of `otherwise`.
+/// Returns the limits of visibility for these viewers. A tested cue gets the limit of each test
+/// times the threshold that the test found, as the geometric mean of all its tests with a
+/// threshold. Cues without such a test keep the limits of `otherwise`.
 SightLimits limits_by(const std::vector<BlindTestRecord>& records, const SightLimits& otherwise);
 
 }  // namespace mocapress

@@ -10,7 +10,7 @@
 namespace mocapress {
 namespace {
 
-constexpr double kGuideEpsCm = 0.5;  // the paper saw no artifacts up to this error
+constexpr double kGuideEpsCm = 0.5;  // up to this error the paper saw no artifacts
 
 /// Maps values to pixels on a logarithmic axis.
 class LogAxis {
@@ -23,7 +23,8 @@ class LogAxis {
   }
   bool holds(double value) const { return value >= low_ * 0.999 && value <= high_ * 1.001; }
 
-  /// The digits 1, 2 and 5 of each decade, 1 to 9 in a short range, only 1 in a long one.
+  /// The values of the axis labels: digits 1, 2 and 5 of each decade; in a short range 1 to 9, in a
+  /// long one only 1.
   std::vector<double> ticks() const {
     constexpr double kLeastGap = 26;  // px
     const double decades = std::log10(high_ / low_);
@@ -54,7 +55,7 @@ std::string line_between(double x1, double y1, double x2, double y2, std::string
                  "");
 }
 
-/// Draws circle, square, triangle and diamond, then the same upside down.
+/// The outline of a series' marker: circle, square, triangle or diamond, or the same upside down.
 std::string marker_path(int style, double x, double y, double r) {
   const auto polygon = [&](int corners, double turn, double size) {
     std::string d;
@@ -115,7 +116,7 @@ class Drawing {
   double left() const { return 52; }
   double right() const { return chart_.width - (chart_.direct_labels ? label_width() : 12); }
   double label_width() const {
-    constexpr double kLetter = 7.6;  // px: average letter of a bold label
+    constexpr double kLetter = 7.6;  // px: average width of a bold letter
     std::size_t longest = 0;
     for (const ChartSeries& series : chart_.series)
       longest = std::max(longest, series.title.size());
@@ -175,7 +176,7 @@ class Drawing {
     return content;
   }
 
-  /// Labels at the right ends of the lines, moved apart if they would touch.
+  /// Titles at the right ends of the lines, moved apart where they would overlap.
   std::string labels() const {
     struct Label {
       double x, y, wanted;

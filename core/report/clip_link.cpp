@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::string_view kStart = "mocapress://open?";
 
-/// Percent-encodes all but letters, digits and a few marks, so that the text is a link in mails and
-/// HTML as it is.
+/// Percent-encodes all characters but letters, digits and a few marks, so that the result can stand
+/// in mails and HTML unchanged.
 std::string encoded(std::string_view text) {
   constexpr std::string_view kHex = "0123456789ABCDEF";
   constexpr std::string_view kPlain = "-_.~/:,";
@@ -52,7 +52,8 @@ std::string decoded(std::string_view text) {
   return all;
 }
 
-/// True for the absolute path of a motion or .mcpr that lies in a folder of this computer.
+/// True for the absolute path of a motion or .mcpr on this computer. Excludes shares, devices and
+/// paths with "..".
 bool is_harmless(const std::string& path) {
   const bool is_drive = path.size() > 2 && std::isalpha(static_cast<unsigned char>(path[0])) &&
                         path[1] == ':' && (path[2] == '/' || path[2] == '\\');
@@ -66,7 +67,7 @@ bool is_harmless(const std::string& path) {
   return is_clip(file) || equals_ignoring_case(utf8(file.extension()), ".mcpr");
 }
 
-/// Cuts off and returns what stands before the next mark.
+/// Returns the text before the next mark, and removes it and the mark from `rest`.
 std::string_view take_until(std::string_view& rest, char mark) {
   const std::size_t end = rest.find(mark);
   const std::string_view before = rest.substr(0, end);

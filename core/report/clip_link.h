@@ -10,15 +10,16 @@ namespace mocapress {
 
 inline constexpr std::string_view kClipLinkScheme = "mocapress:";
 
-/// A place in a clip, as a link names it: "mocapress://open?clip=/motion/walk.bvh&frame=12". The
-/// studio opens it, and reports hold such links.
+/// A link to a place in a clip: "mocapress://open?clip=/motion/walk.bvh&frame=12". Reports contain
+/// such links, and the studio opens them.
 struct ClipLink {
-  std::string clip;                 // a motion or .mcpr, by its absolute path
-  std::optional<std::string> take;  // in a file with several
-  std::optional<int> frame;         // the first is 0
-  std::string joint;                // by name; empty: none
-  // x, y, z (cm) of what the camera looks at, from the root; turn from +z towards +x and height
-  // above the ground of the eye (degrees), and its distance (cm).
+  std::string clip;                 // absolute path of a motion or .mcpr
+  std::optional<std::string> take;  // for a file with several takes
+  std::optional<int> frame;         // the first frame is 0
+  std::string joint;                // name of a joint; empty: none
+  // The view: x, y, z (cm) of the point that the camera looks at, relative to the root; the
+  // camera's direction from there as the angle from +z towards +x and the angle above the ground
+  // (degrees); its distance (cm).
   std::optional<std::array<double, 6>> camera;
 
   bool operator==(const ClipLink&) const = default;
@@ -26,9 +27,9 @@ struct ClipLink {
 
 std::string link_text(const ClipLink& link);
 
-/// The inverse of link_text(); keys that it does not know are left out. Links come from web pages
-/// and mail, so one opens nothing but a clip by an absolute path on this computer: throws Error for
-/// any other, such as a device, a path with "..", or a share, which would be told who asks.
+/// Parses what link_text() made; ignores unknown keys. Links come from web pages and mails, so a
+/// link may only open a clip by an absolute path on this computer. Throws Error for any other path:
+/// a device, a path with "..", or a share, since the share's owner would learn who opens the link.
 ClipLink parse_clip_link(std::string_view text);
 
 }  // namespace mocapress

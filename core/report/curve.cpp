@@ -12,7 +12,7 @@ Curve best_of(std::vector<CurvePoint> points) {
   std::ranges::sort(points, [](const CurvePoint& a, const CurvePoint& b) {
     return a.ratio != b.ratio ? a.ratio > b.ratio : a.eps_cm < b.eps_cm;
   });
-  Curve curve;  // starts with the smallest file: each point must beat all before it
+  Curve curve;  // begins with the smallest file: each further point must have a smaller error
   for (const CurvePoint& point : points)
     if (curve.empty() || point.eps_cm < curve.back().eps_cm) curve.push_back(point);
   std::ranges::reverse(curve);
@@ -47,7 +47,7 @@ Curve mean_at_equal_error(std::span<const Curve> curves, int points) {
   if (curves.empty() || low >= high) return {};
   Curve mean;
   for (int i = 0; i < points; ++i) {
-    // The last point is exact: rounding could put it beyond the curve's end.
+    // The last point is not computed, since rounding could put it beyond the curve's end.
     const double eps_cm = i + 1 == points ? high : low * std::pow(high / low, i / (points - 1.0));
     std::vector<double> ratios;
     for (const Curve& curve : curves)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Values in rows of results. A missing value is null in JSON and empty in CSV.
+// Reads and writes single values of rows of results. A missing value is null in JSON and empty in
+// CSV.
 
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -22,7 +23,7 @@ inline Json text_or_null(std::string_view text) {
   return text.empty() ? Json() : Json(text);
 }
 
-/// Reads a value; null gives an unset one. Throws the JSON library's exceptions, also for a missing
+/// Reads a value; unset if it is null. Throws the JSON library's exceptions, also for a missing
 /// key.
 template <typename T>
 std::optional<T> optional_at(const Json& json, const char* key) {
@@ -30,8 +31,9 @@ std::optional<T> optional_at(const Json& json, const char* key) {
   return value.is_null() ? std::nullopt : std::optional<T>(value.get<T>());
 }
 
-/// A field of comma-separated values (RFC 4180) from names of files and joints: control characters
-/// are made visible, and an apostrophe precedes text that a spreadsheet would take for a formula.
+/// Makes a field for comma-separated values (RFC 4180) of a file's or joint's name. Control
+/// characters become visible. Text that a spreadsheet would take for a formula gets an apostrophe
+/// in front.
 inline std::string csv_quoted(const std::string& field) {
   constexpr std::string_view kFormulas = "=+-@";
   std::string text = printable(field);

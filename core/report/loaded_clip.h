@@ -13,11 +13,11 @@
 
 namespace mocapress {
 
-/// A checksum of 16 hexadecimal digits over samples, rate, skeleton and mesh: it tells if a clip
-/// has changed since it was measured. It does not protect against forgery.
+/// A hash over samples, rate, skeleton and mesh, as 16 hexadecimal digits. It tells whether a clip
+/// has changed since it was measured; it does not protect against forgery.
 std::string fingerprint(const Motion& motion);
 
-/// A clip with everything that its compressions share.
+/// A clip with everything that several compressions of it share.
 class LoadedClip {
  public:
   /// Throws InputError if the file cannot be read.
@@ -30,10 +30,11 @@ class LoadedClip {
   const SourceFormat& source() const { return source_; }
   const ScalarTracks& tracks() const { return tracks_; }
 
-  /// Spans in which a foot is planted in the original.
+  /// Spans of frames in which a foot of the original is planted.
   const std::vector<ContactSpan>& contacts() const { return encoder_.wavelets().contacts(); }
 
-  /// `contacts` are edited contacts, over which the footskate is measured instead.
+  /// Returns the measurements of an encoding. `contacts` is the number of edited contacts, if
+  /// footskate was measured over those instead of contacts().
   Measurement measure(const Encoding& encoding, std::optional<std::size_t> contacts = {}) const;
 
  private:

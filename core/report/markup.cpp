@@ -23,7 +23,7 @@ std::string escaped(std::string_view text) {
       case '"':
         safe += "&quot;";
         break;
-      default:  // XML allows no other control characters
+      default:  // XML does not allow other control characters
         safe += static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t' ? '?' : c;
     }
   return safe;

@@ -9,8 +9,8 @@ namespace mocapress {
 /// Escapes a text for HTML and SVG, including attributes.
 std::string escaped(std::string_view text);
 
-/// Makes "<tag attributes>content</tag>". Content is markup already; text must be escaped first.
-/// Nested calls keep tags balanced.
+/// Makes "<tag attributes>content</tag>". Content must be markup: text has to be escaped first.
+/// With nested calls, tags are always balanced.
 std::string element(std::string_view tag, std::string_view attributes, std::string_view content);
 
 /// Makes ' name="value"' and escapes the value.
@@ -19,10 +19,10 @@ std::string attribute(std::string_view name, std::string_view value);
 /// Formats a number with `decimals` decimals.
 std::string fixed(double value, int decimals);
 
-/// Formats a length on a drawing.
+/// Formats a length in pixels for a drawing.
 std::string px(double value);
 
-/// Formats about three significant digits, never an exponent: "0.051", "3.42", "128".
+/// Formats a number with about three significant digits and no exponent: "0.051", "3.42", "128".
 std::string format_significant(double value);
 
 /// Formats a number without trailing zeros: "0.26", "30".
@@ -33,13 +33,13 @@ std::string ratio_text(double ratio);
 
 }  // namespace mocapress
 
-/// Parts of an HTML page.
+/// Makes parts of HTML pages.
 namespace mocapress::html {
 
-/// Text for a missing figure.
+/// Shown in place of a missing value.
 inline constexpr const char* kNothing = "&#8211;";
 
-/// The paper's distortion.
+/// The name of the paper's error measure, eps_x.
 inline constexpr const char* kEpsX = "&#949;<sub>x</sub>";
 
 inline std::string cell(std::string_view content, std::string_view css = "") {
@@ -50,7 +50,7 @@ inline std::string head(std::string_view content, std::string_view attributes = 
   return element("th", attributes, content);
 }
 
-/// The heading of a column of text.
+/// The head of a column of text.
 inline std::string text_head(std::string_view content) {
   return head(content, attribute("class", "name"));
 }
@@ -68,20 +68,20 @@ inline std::string table(std::string_view heads, std::string_view body) {
                  element("table", "", element("thead", "", heads) + element("tbody", "", body)));
 }
 
-/// A paragraph in grey.
+/// A paragraph of grey text.
 inline std::string muted(std::string_view content) {
   return element("p", attribute("class", "muted"), content);
 }
 
-/// A figure in large letters, with its meaning. Good and neutral figures have the text's colour;
-/// `tone` makes one amber ("doubtful") or red ("wrong").
+/// A number in large letters with its meaning below. `tone` colours it: "doubtful" amber, "wrong"
+/// red; otherwise it has the text's colour.
 inline std::string tile(std::string_view figure, std::string_view meaning,
                         std::string_view tone = "") {
   return element("div", attribute("class", tone.empty() ? "tile" : "tile " + std::string(tone)),
                  element("b", "", figure) + element("span", "", meaning));
 }
 
-/// The beginning of a page, up to its contents, which "</main></body></html>" ends.
+/// The beginning of a page. Its contents follow, and then "</main></body></html>".
 inline std::string page_begin(std::string_view language, std::string_view title,
                               std::string_view style) {
   return "<!DOCTYPE html>\n<html" + attribute("lang", language) +
@@ -90,7 +90,7 @@ inline std::string page_begin(std::string_view language, std::string_view title,
          element("title", "", title) + element("style", "", style) + "</head><body><main>";
 }
 
-/// A heading over several columns.
+/// A head over several columns.
 inline std::string group(std::string_view title, std::size_t columns,
                          std::string_view css = "group") {
   return head(title, attribute("colspan", std::to_string(columns)) + attribute("class", css));

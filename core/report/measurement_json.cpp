@@ -16,7 +16,7 @@ Json own_limits_json(const SightLimits& limits) {
 
 namespace {
 
-/// Reads the keys of add_seen(). Throws the JSON library's exceptions.
+/// Reads what add_seen() wrote. Throws the JSON library's exceptions.
 Seen seen_of(const Json& json) {
   const Json& own = json.at("own_limits");
   SightLimits limits = own.is_null() ? SightLimits() : limits_from(own);
@@ -26,8 +26,8 @@ Seen seen_of(const Json& json) {
           json.at("unnoticed_from_m").get<double>(), limits};
 }
 
-/// Reads the keys of add_body_figures(), except the places of the worst points. Throws the JSON
-/// library's exceptions.
+/// Reads what add_body_figures() wrote; the places of the worst points are not stored. Throws the
+/// JSON library's exceptions.
 BodyFigures body_figures_of(const Json& json) {
   const auto spread = [&](const std::string& of) {
     Spread found;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A measurement as JSON, with keys shared by every command, row and report.
+// Measurements as JSON. Commands, rows and reports share the keys.
 
 #pragma once
 
@@ -10,10 +10,10 @@
 
 namespace mocapress {
 
-/// The limits that differ from the built-in ones, without the distance; null if none does.
+/// The limits that differ from the built-in ones, without the distance; null if there are none.
 Json own_limits_json(const SightLimits& limits);
 
-/// Calls `add(key, value)` for each figure.
+/// Calls `add(key, value)` for each measurement of the body.
 template <typename Add>
 void add_body_figures(const BodyFigures& figures, const Add& add) {
   const auto add_spread = [&](const std::string& of, const std::optional<Spread>& spread) {
@@ -50,7 +50,8 @@ void add_body_figures(const BodyFigures& figures, const Add& add) {
   add("worst_neighbours_cm_per_frame", Json(figures.ends.worst_neighbours_cm_per_frame));
 }
 
-/// The same for visibility. "own_limits" is null where all limits are the built-in ones.
+/// Calls `add(key, value)` for each value of visibility. "own_limits" is null if all limits are
+/// built-in.
 template <typename Add>
 void add_seen(const Seen& seen, const Add& add) {
   add("visibility", Json(name(seen.sight())));
@@ -62,7 +63,8 @@ void add_seen(const Seen& seen, const Add& add) {
   add("own_limits", own_limits_json(seen.limits));
 }
 
-/// Calls `add` for a measurement's errors, from the coefficient ratio to the worst frame.
+/// Calls `add(key, value)` for a measurement's errors, from the coefficient ratio to the worst
+/// frame.
 template <typename Add>
 void add_errors(const Measurement& m, Weighting weighting, const Add& add) {
   add("coefficient_ratio", or_null(m.coefficient_ratio));
@@ -81,12 +83,12 @@ void add_errors(const Measurement& m, Weighting weighting, const Add& add) {
   add("worst_frame", Json(m.worst_frame));
 }
 
-/// Adds the measurement keys that every row of results has, all null without a measurement. Times
-/// are not among them.
+/// Adds the measurement's keys that all rows of results have; all are null without a measurement.
+/// Times are not among them.
 void add_measurement(Json& json, const std::optional<Measurement>& measured, Weighting weighting);
 
-/// Reads the measurement of a row, except the places of its worst points and "ik_ratio_used", which
-/// only some rows have. Throws the JSON library's exceptions.
+/// Reads a row's measurement. Leaves out the places of the worst points, which are not stored, and
+/// "ik_ratio_used", which only some rows have. Throws the JSON library's exceptions.
 Measurement measurement_of(const Json& row);
 
 }  // namespace mocapress

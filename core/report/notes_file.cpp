@@ -18,7 +18,7 @@ constexpr const char* kFormat = "mocapress-notes";
 constexpr int kVersion = 1;
 constexpr JsonLimits kLimits{.depth = 8, .values = 1'000'000};
 
-/// Checks the form. Throws InputError.
+/// Reads a file of notes. Throws InputError if it has another form.
 Json read_json(const std::filesystem::path& file) {
   const Json json = parse_json(utf8(file), read_text(file), kLimits);
   if (!json.is_object() || json.value("format", Json()) != kFormat ||
@@ -29,8 +29,8 @@ Json read_json(const std::filesystem::path& file) {
   return json;
 }
 
-/// True unless the notes are of a clip of that name in another format. A clip that was renamed
-/// together with its notes keeps them.
+/// False if the notes are those of a clip with the same stem but another format. True for a clip
+/// that was renamed together with its notes.
 bool is_for(const Json& json, const std::filesystem::path& clip) {
   const std::filesystem::path named = utf8_path(json.value("clip", ""));
   return named.stem() != clip.stem() || named.extension() == clip.extension();
@@ -63,7 +63,7 @@ void write_notes(const std::filesystem::path& clip, const NotesByTake& notes) {
   if (is_there(file) && !is_for(read_json(file), clip))
     throw WriteError(utf8(file) + ": holds the notes of a clip in another format");
   if (takes.empty()) {
-    std::error_code ignored;  // none is there, or it stays
+    std::error_code ignored;  // the file may be absent already, or stay
     std::filesystem::remove(file, ignored);
     return;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texts and values in the scripts of pages. Neither < nor & occurs in them: pages are XML, too.
+// Texts and values for the scripts of pages. They contain neither < nor &, since pages are XML.
 #pragma once
 
 #include <initializer_list>
@@ -11,11 +11,11 @@
 
 namespace mocapress {
 
-/// Writes JSON for a <script>, without characters that could end it.
+/// Writes JSON for use in a <script>. Escapes the characters <, > and &.
 std::string in_script(const Json& json);
 
-/// A script that defines say(text, ...values) for the page's other scripts: each text of `lists` in
-/// the page's language, with the values in place of %1 and on.
+/// Makes a script that defines say(text, ...values) for the page's other scripts. say() translates
+/// the texts of `lists` to the page's language, and puts the values in place of %1, %2 and so on.
 std::string say_script(const ReportLanguage& say,
                        std::initializer_list<std::span<const char* const>> lists);
 

@@ -14,11 +14,11 @@ namespace mocapress {
 
 namespace {
 
-constexpr double kThickness = 0.42;   // radius (cm) per square root of carried length
+constexpr double kThickness = 0.42;   // radius (cm) per square root of the carried length (cm)
 constexpr double kLeastRadius = 0.9;  // cm
 constexpr double kShortest = 0.1;     // cm: shorter limbs are not drawn
 constexpr double kHeadWithoutTop =
-    7;  // radius (cm) around a head's joint at which the file's bones end
+    7;  // radius (cm) around a head's joint, for a head without a bone to its top
 
 std::string lower(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -33,7 +33,7 @@ double radius(double carried_length) {
   return std::max(kLeastRadius, kThickness * std::sqrt(carried_length));
 }
 
-/// For each joint, the total length of its segments and all below.
+/// For each joint, the total length (cm) of its own segments and of all segments below.
 std::vector<double> carried_lengths(const Skeleton& skeleton) {
   std::vector<double> carried = skeleton.driven_lengths();
   for (int j = skeleton.joint_count() - 1; j > 0; --j)

@@ -15,18 +15,19 @@ namespace mocapress {
 
 /// A tapered limb between two landmarks.
 struct DrawnBone {
-  int from;  // landmark indices
+  int from;  // index of a landmark
   int to;
   double from_radius;  // cm
   double to_radius;
 };
 
-/// A body for a skeleton: limbs that taper like branches, as thick as the length of everything they
-/// carry (Leonardo's rule), and a head.
+/// Makes a body for a skeleton: a head, and limbs that taper like branches. A limb is the thicker
+/// the longer all that it carries is (Leonardo's rule).
 std::vector<DrawnBone> figure_shape(const Skeleton& skeleton);
 
-/// The horizontal unit vector in which the figure faces, judged by where its legs join the trunk.
-/// World z for a figure without legs. `points` are the landmarks of one frame, y up.
+/// The horizontal unit vector of the direction in which a figure faces, judged by the joints where
+/// its legs meet the trunk. For a figure without legs: the world's z. `points` are the landmarks of
+/// one frame, with y up.
 Eigen::Vector3d facing(const Skeleton& skeleton, const std::vector<Eigen::Vector3d>& points);
 
 /// World positions (cm) of all landmarks at one frame.
@@ -39,26 +40,26 @@ struct PicturedMethod {
   double eps_cm = 0;
   double max_error_cm = 0;  // in the weighting of eps_cm
   SightChart sights;
-  std::string review;  // the script of review_clip() for review_name(); empty: without the viewer
+  std::string review;  // script that review_clip() made for review_name(); empty without the viewer
 };
 
-/// One frame of the original and of each method.
+/// A frame of the original and of each method.
 struct PicturedFrame {
   int frame = 0;
   PosePoints original;
   std::vector<PosePoints> decoded;  // one for each method
 };
 
-/// The contact with the largest slide in the first method.
+/// The foot contact that slides most by the first method.
 struct PicturedFoot {
   int landmark = 0;
-  PicturedFrame pose;  // at the end of the contact
+  PicturedFrame pose;  // at the middle of the contact
   std::vector<Eigen::Vector3d> original_trail;
   std::vector<std::vector<Eigen::Vector3d>> trails;  // one for each method
-  std::vector<double> slid_cm;                       // for each method, in excess of the original
+  std::vector<double> slid_cm;                       // for each method: slide beyond the original's
 };
 
-/// A clip compressed by several methods to one ratio, in selected poses.
+/// Selected poses of a clip that several methods compressed to the same ratio.
 struct Picture {
   std::string clip;  // path
   double ratio = 0;  // same for every method
@@ -66,16 +67,16 @@ struct Picture {
   int frames = 0;
   std::vector<DrawnBone> bones;
   std::vector<std::string> landmark_names;
-  double ground_cm = 0;    // height of the floor
-  Eigen::Vector3d facing;  // in the worst frame
+  double ground_cm = 0;    // height of the floor in world space
+  Eigen::Vector3d facing;  // the figure's direction in the worst frame
   std::vector<PicturedMethod> methods;
-  PicturedFrame worst;                  // largest error of the first method
-  std::vector<PicturedFrame> sequence;  // at even distances over the clip
+  PicturedFrame worst;                  // frame with the largest error of the first method
+  std::vector<PicturedFrame> sequence;  // frames at even distances
   std::optional<PicturedFoot> foot;     // unset: no foot slides
 };
 
-/// The name under which a page shows a pictured clip, compressed by one method: it has the clip's
-/// whole path, for clips of two folders may be called alike.
+/// The name by which a page shows a pictured clip, compressed by one method. It contains the clip's
+/// whole path, since clips in different folders may have the same name.
 std::string review_name(const Picture& picture, const std::string& method);
 
 }  // namespace mocapress

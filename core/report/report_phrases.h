@@ -12,7 +12,7 @@ namespace mocapress {
 /// "not visible".
 std::string sight_phrase(const ReportLanguage& say, Sight sight);
 
-/// "not visible from 8 m".
+/// Describes visibility: "not visible from 8 m".
 std::string sight_phrase(const ReportLanguage& say, Sight sight, double distance_m);
 
 }  // namespace mocapress

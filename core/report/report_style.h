@@ -3,8 +3,8 @@
 
 namespace mocapress {
 
-/// The style sheet of a report: light or dark as the reader's system, and light on paper. Series
-/// colours s0 to s11 differ in lightness; markers distinguish them without colour.
+/// The style sheet of a report: light or dark by the reader's system, and light on paper. The
+/// colours of series, s0 to s11, differ in lightness; markers tell series apart without colour.
 inline constexpr const char* kReportStyle = R"css(
 :root { color-scheme: light dark;
   --page: #f6f4f0; --card: #fffefb; --ink: #211f1d; --muted: #6d6862; --rule: #e2ddd4;

@@ -15,7 +15,7 @@ std::vector<std::byte> nearly_lossless(const Encoder& encoder,
                                        const Observer<EncodeProgress>& observer) {
   EncodeSettings options;
   options.weighting = Weighting::BoneEnds;
-  options.target = {Target::Kind::Error, 0.008};  // a draft may be a little further off
+  options.target = {Target::Kind::Error, 0.008};  // a draft may exceed this slightly
   options.effort = Effort::Draft;
   options.figures_only = true;
   return write_container(encoder.encode(options, observer).compressed);

@@ -16,7 +16,7 @@ std::string_view text_of(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// The arguments with which a page shows a clip.
+/// The arguments of the scripts' functions that show a clip.
 std::string shown(std::string_view name, const std::vector<std::string>& facts,
                   const std::vector<ReviewNote>& notes = {}) {
   Json all = Json::array();

@@ -12,8 +12,8 @@ inline constexpr const char* kReviewTexts[] = {
     "Reset camera", "Frame %1 of %2, %3 s.", "On the bones, %1 is %2 cm off.",
     "The lightest colour is %1 cm."};
 
-/// Unpacks the viewer when the first clip is opened, and clips from the page or from scripts beside
-/// it. Neither < nor & may occur here, since pages are XML too.
+/// Unpacks the viewer when the first clip is opened. Takes clips from the page, or from scripts
+/// beside it. Must contain neither < nor &, since pages are XML.
 inline constexpr const char* kReviewScript = R"(
 const mocapressClips = new Map();
 function mocapressReview(name, original, compressed) {
@@ -65,10 +65,10 @@ async function showClip(name, facts, notes) {
 }
 )";
 
-/// Adds a button to each row of the clips. It runs after kReportScript, which defines the rows and
-/// finds their columns. Facts from the row go with the clip. Buttons beside the clip that is shown,
-/// and the keys Q and Shift+Q, go to the next and previous clip of the table as it is sorted and
-/// filtered.
+/// Adds a button to each row of the table of clips. Must run after kReportScript, which defines the
+/// rows and finds their columns. Facts from the row are shown with the clip. Buttons beside the
+/// clip that is shown, and the keys Q and Shift+Q, go to the next and previous clip of the table as
+/// it is sorted and filtered.
 inline constexpr const char* kReviewButtons = R"(
 const told = ["preset", "ratio", "max", "visibility", "verdict", "note"];
 for (const row of rows) {
@@ -134,7 +134,7 @@ section.addEventListener("keydown", function (event) {
 });
 )";
 
-/// Style sheet of the viewer.
+/// The viewer's style sheet.
 inline constexpr const char* kReviewStyle = R"css(
 .review canvas { display: block; width: 100%; height: min(64vh, 720px); border-radius: 10px; outline: none; }
 .review canvas.strip { height: 44px; border-radius: 4px; margin-top: 8px; background: var(--page); cursor: pointer; }

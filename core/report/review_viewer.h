@@ -6,7 +6,8 @@
 
 namespace mocapress {
 
-/// The largest viewer that a build accepts: a report of 3,000 clips stays below 3 MB with it.
+/// The most bytes of a viewer that a build accepts. With it, a report of 3,000 clips stays below 3
+/// MB.
 inline constexpr std::size_t kLargestViewer = 300'000;
 
 /// The bytes of build/web/viewer.js.gz; empty if the build had none.

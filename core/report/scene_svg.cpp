@@ -15,17 +15,17 @@ namespace mocapress {
 namespace {
 
 constexpr double kBeside =
-    62 * std::numbers::pi / 180;  // between the figure's front and the camera
+    62 * std::numbers::pi / 180;  // angle of the camera from the figure's front
 constexpr double kElevation = 11 * std::numbers::pi / 180;  // angle of the camera above the horizon
-constexpr double kDistanceInHeights = 2.6;  // distance in heights of the visible part
+constexpr double kDistanceInHeights = 2.6;  // distance of the camera in heights of the visible part
 constexpr double kGridStepCm = 50;
 constexpr int kGridLines = 4;      // on each side of the centre
-constexpr std::size_t kFades = 4;  // steps of the floor's fading outwards
-constexpr int kShades = 4;         // shades from near to far limbs
-// Direction of the light: the shift of a shadow for each cm of height.
+constexpr std::size_t kFades = 4;  // steps in which the floor fades outwards
+constexpr int kShades = 4;         // from near to far limbs
+// Direction of the light: movement of a point's shadow for each cm of the point's height.
 const Eigen::Vector3d kShadowSlope{0.28, 0, -0.18};
 
-/// The outline of two discs and their common tangents.
+/// The outline around two discs: their outer arcs and common tangents.
 std::string capsule_path(double x1, double y1, double r1, double x2, double y2, double r2) {
   const double d = std::hypot(x2 - x1, y2 - y1);
   if (r2 > r1) return capsule_path(x2, y2, r2, x1, y1, r1);
@@ -66,7 +66,8 @@ SceneSvg::OnSheet SceneSvg::project(const Eigen::Vector3d& point) const {
 }
 
 void SceneSvg::add_floor() {
-  // The floor is snapped to the world's grid, so that its lines show how far the figure has moved.
+  // Snaps the floor to a fixed grid in world space, so that its lines show how far the figure has
+  // moved.
   const double x = kGridStepCm * std::round(view_.centre.x() / kGridStepCm);
   const double z = kGridStepCm * std::round(view_.centre.z() / kGridStepCm);
   const double reach = kGridLines * kGridStepCm;
@@ -115,7 +116,7 @@ void SceneSvg::add_shadow(const PosePoints& points) {
   for (const DrawnBone& bone : picture_.bones) {
     const OnSheet from = project(fallen[bone.from]);
     const OnSheet to = project(fallen[bone.to]);
-    // A disc on the floor appears flattened.
+    // Flattened, as a disc on the floor appears to the camera.
     d += capsule_path(from.x, from.y, 0.45 * bone.from_radius * from.scale, to.x, to.y,
                       0.45 * bone.to_radius * to.scale);
   }

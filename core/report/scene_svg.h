@@ -10,43 +10,43 @@
 
 namespace mocapress {
 
-/// A camera that looks at a point from a little above and from beside the figure's front, and the
-/// sheet it draws on.
+/// A camera that looks at a point, from a little above and from beside the figure's front, and the
+/// sheet that it draws on.
 struct SceneView {
-  Eigen::Vector3d centre;  // cm, in the world
-  Eigen::Vector3d facing;  // horizontal
+  Eigen::Vector3d centre;  // the point, in world space (cm)
+  Eigen::Vector3d facing;  // horizontal direction in which the figure faces
   double height_cm = 215;  // height of the visible part at the centre
   double width = 520;      // px
   double height = 470;
 };
 
-/// A pose over its original, drawn as tapered bones on a grid on the floor.
+/// Draws a pose over its original, as tapered bones on a floor with a grid.
 class SceneSvg {
  public:
   SceneSvg(const Picture& picture, const SceneView& view);
 
-  /// Adds lines half a metre apart around the centre, fading out.
+  /// Adds the floor's grid: lines half a metre apart, which fade out from the centre.
   void add_floor();
 
   void add_shadow(const PosePoints& points);
 
-  /// Adds a figure in the colours of a class: "ghost" or "figure".
+  /// Adds a figure in the colours of a CSS class: "ghost" or "figure".
   void add_figure(const PosePoints& points, std::string_view css);
 
-  /// Adds a path over the floor, with a dot at its end.
+  /// Adds the path of points, projected to the floor, with a dot at its end.
   void add_trail(const std::vector<Eigen::Vector3d>& points, std::string_view css);
 
-  /// Adds a line from a point's wanted to its found position, with a ring and a text.
+  /// Adds a line from a point's original to its decoded position, with a ring and a text.
   void add_gap(const Eigen::Vector3d& wanted, const Eigen::Vector3d& found,
                const std::string& text);
 
-  /// Returns the <svg> with a label for screen readers.
+  /// Returns the drawing as <svg>, with a label for screen readers.
   std::string finish(std::string_view label) const;
 
  private:
   struct OnSheet {
     double x, y;   // px
-    double scale;  // px for a cm at this depth
+    double scale;  // px per cm at this depth
   };
 
   OnSheet project(const Eigen::Vector3d& point) const;

@@ -11,12 +11,12 @@ namespace {
 
 constexpr Eigen::Index kMostColumns = 240;
 constexpr std::size_t kMostJoints = 8;
-constexpr double kNames = 92;  // px for names
+constexpr double kNames = 92;  // px: room for names
 constexpr double kWidth = 520;
 constexpr double kLine = 15;
 constexpr double kBar = 11;
 
-/// One digit for each column, the worst of its windows.
+/// A digit for each column: the worst of the windows of time that it covers.
 std::string sights_of(const Eigen::VectorXf& times_noticed) {
   const Eigen::Index columns = std::min(times_noticed.size(), kMostColumns);
   std::string sights;
@@ -45,7 +45,8 @@ std::string text(double x, double y, std::string_view anchor, std::string_view c
       escaped(content));
 }
 
-/// Bars have half height for borderline, so that the chart does not depend on colour.
+/// The bars of a line. Borderline bars have half height, so that colour is not needed to tell them
+/// from visible ones.
 std::string bars(const ReportLanguage& say, const SightLine& line, double y, double seconds) {
   const std::string who = line.joint.empty() ? "" : line.joint + ", ";
   const double columns = static_cast<double>(line.sights.size());

@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t kWorst = 20;
 
-/// Without variables, grids and rounded corners.
+/// A style sheet without variables, grids and rounded corners, for simple renderers.
 constexpr const char* kPaperStyle = R"css(
 body { font-family: sans-serif; font-size: 9pt; color: #1b1f24; }
 h1 { font-size: 17pt; } h2 { font-size: 12pt; }
@@ -53,17 +53,17 @@ std::string or_nothing(const std::string& text) {
   return text.empty() ? kNothing : escaped(text);
 }
 
-/// A reason why something is stale, or nothing.
+/// A reason why something is stale, in the report's language; a dash without one.
 std::string reason_text(const ReportLanguage& say, const std::optional<std::string>& reason) {
   return or_nothing(reason ? say(*reason) : "");
 }
 
-/// "not visible from 8 m"; empty: nobody looked.
+/// Describes visibility: "not visible from 8 m". Empty if visibility was not judged.
 std::string sight_text(const ReportLanguage& say, const SignOffFigures& figures) {
   return figures.sight ? sight_phrase(say, *figures.sight, figures.limits.distance_m) : "";
 }
 
-/// "built-in limits"; several texts where clips were judged by different ones.
+/// Describes the limits by which clips were judged, each once: "built-in limits".
 std::string limits_text(const SignOff& report) {
   std::set<std::string> texts;
   for (const SignOffClip& clip : report.clips)
@@ -74,7 +74,8 @@ std::string limits_text(const SignOff& report) {
   return all;
 }
 
-/// The number of a frame, or the numbers of a range that starts there, and its time.
+/// A frame's number and time. `numbers` is the number as text, or the numbers of a range that
+/// begins there.
 std::string moment_text(const SignOffClip& clip, int frame, const std::string& numbers) {
   return clip.sample_rate_hz > 0
              ? numbers + ", " + fixed_text(frame / clip.sample_rate_hz, 2) + " s"
@@ -92,7 +93,7 @@ std::string summary(const SignOff& report) {
   return text + ".";
 }
 
-/// Clips by the largest error, the worst first.
+/// A table of the clips with the largest errors, the worst first.
 std::string worst_table(const SignOff& report) {
   const ReportLanguage& say = report.language;
   std::vector<const SignOffClip*> worst;

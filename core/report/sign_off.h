@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The report by which a set of clips is signed off: each clip with its verdict, worst frame and
-// notes, who said so and when, and how many are still to be reviewed.
+// The sign-off: a report on a set of clips that reviewers approve or reject. Lists each clip with
+// its verdict, worst frame and notes, who decided and when, and tells how many clips are still to
+// be reviewed.
 #pragma once
 
 #include <cstddef>
@@ -15,39 +16,39 @@
 
 namespace mocapress {
 
-/// The result of a clip's last compression, as far as a sign-off shows it.
+/// Results of a clip's last compression that a sign-off shows.
 struct SignOffFigures {
   double ratio = 0;
   std::size_t bytes = 0;
   double eps_cm = 0;
   double max_cm = 0;
-  std::optional<int> worst_frame;  // where max_cm is
-  std::string worst_point;         // likewise; empty: unknown
+  std::optional<int> worst_frame;  // frame of the largest error
+  std::string worst_point;         // point of the largest error; empty: unknown
   std::optional<Sight> sight;
   SightLimits limits;                // limits by which `sight` was judged
-  std::optional<std::string> stale;  // why the figures are not those of the clip today
+  std::optional<std::string> stale;  // why these results no longer apply
 };
 
 struct SignOffClip {
   std::string name;
-  std::string path;           // absolute; its links lead there
-  std::string take;           // in a file with several; else empty
+  std::string path;           // absolute path, to which the links lead
+  std::string take;           // for a file with several takes; else empty
   double sample_rate_hz = 0;  // 0: unknown
   ClipReview review;
   std::string source_hash;  // hashes of the clip's files and settings today, for stale_reason()
   std::string settings_hash;
-  std::optional<SignOffFigures> figures;  // unset: never compressed
-  std::string problem;                    // why it cannot be read or compressed; empty: it can
+  std::optional<SignOffFigures> figures;  // unset: it was never compressed
+  std::string problem;                    // why it cannot be read or compressed; empty: no problem
 };
 
 struct SignOff {
   std::string title;  // the project's name
   std::vector<SignOffClip> clips;
   ReportStamp stamp;
-  ReportLanguage language;  // the pages' language; tables are English
+  ReportLanguage language;  // language of the page; tables for programs are English
 };
 
-/// Verdicts of clips, by what still applies.
+/// Counts of clips by their verdicts.
 struct SignOffCounts {
   std::size_t approved = 0;
   std::size_t rejected = 0;
@@ -60,14 +61,14 @@ struct SignOffCounts {
 
 SignOffCounts count(const SignOff& report);
 
-/// Screens get the style of other reports. Paper gets one that simple renderers of HTML understand,
-/// such as Qt's, which makes the PDF.
+/// Screen: the style of other reports. Paper: a style for simple HTML renderers, such as Qt's,
+/// which makes the PDF.
 enum class ReportMedium { Screen, Paper };
 
-/// A page that needs nothing else, with a link to each clip, worst frame and note.
+/// Makes a page that needs no other file, with a link to each clip, worst frame and note.
 std::string sign_off_html(const SignOff& report, ReportMedium medium = ReportMedium::Screen);
 
-/// A row a clip, as comma-separated values (RFC 4180).
+/// Makes comma-separated values (RFC 4180) with a row for each clip.
 std::string sign_off_csv(const SignOff& report);
 
 }  // namespace mocapress
