@@ -12,31 +12,32 @@
 
 namespace mocapress {
 
-/// A clip, and the targets that each method gets for it.
+/// A clip, and the targets that each method compresses it to.
 struct StudyClip {
   std::filesystem::path path;
   std::vector<Target> targets;
-  ClipReview review = {};  // given if a library has one
+  ClipReview review = {};  // the verdict from a library, if it has one
 };
 
-/// A comparison of methods: every clip by every method at every target of the clip.
+/// A comparison of methods: each clip is compressed by each method to each of the clip's targets.
 struct StudyPlan {
   std::vector<StudyClip> clips;
-  std::vector<std::string> methods;               // names of compression_methods()
+  std::vector<std::string> methods;               // names from compression_methods()
   std::optional<std::filesystem::path> skeleton;  // for clips without one beside them
   ReadOptions reading;
-  Settings settings;              // for each compression, except method, target and correction
-  std::vector<double> ik_ratios;  // r_IK values at which "annealed" also runs with the feet held
+  Settings settings;              // for all compressions, but for method, target and correction
+  std::vector<double> ik_ratios;  // r_IK values at which "annealed" also runs with feet held
 };
 
-/// The default ratios and errors (cm) of a study.
+/// The ratios and errors (cm) that a study has by default.
 std::vector<Target> usual_targets();
 
-/// The targets of the paper's evaluation of a clip: a grid of ratios that contains those of Table
-/// 2, the coefficient ratio of its video, and for the clips of Table 1 the errors of their rows.
+/// The targets at which the paper evaluated a clip: a grid of ratios that contains those of Table
+/// 2, the coefficient ratio of the paper's video, and, for clips of Table 1, the errors of the
+/// table's rows.
 std::vector<Target> paper_targets(const std::filesystem::path& clip);
 
-/// One compression of a plan, by its indices there.
+/// One compression of a plan. `clip` and `method` are indices into the plan's lists.
 struct StudyJob {
   std::size_t clip;
   std::size_t method;
@@ -44,9 +45,9 @@ struct StudyJob {
   std::optional<double> ik_ratio;  // unset: without IK correction
 };
 
-/// All compressions, clip by clip and method by method in the order of the plan. Targets that a
-/// method cannot take are left out: comparison methods have no coefficient ratio. Feet are held at
-/// ratios only, so that files of the same size are compared.
+/// Lists all compressions of a plan, clip by clip and method by method. Leaves out targets that a
+/// method does not support: comparison methods have no coefficient ratio. With the feet held, only
+/// compression and coefficient ratios are targets, so that files of equal size are compared.
 std::vector<StudyJob> jobs_of(const StudyPlan& plan);
 
 }  // namespace mocapress

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Source of every figure here: "Adapting Wavelet Compression to Human Motion Capture Clips", Tables
-// 1 and 2 and section 6. Nothing in this file was measured by this program.
+// Values published in "Adapting Wavelet Compression to Human Motion Capture Clips", Tables 1 and 2
+// and section 6. Nothing in this file was measured by this program.
 #pragma once
 
 #include <array>
@@ -8,26 +8,26 @@
 
 namespace mocapress {
 
-/// A coded size and its ratio to the uncompressed floats. 1 KB = 1024 bytes.
+/// A coded size in KB (1024 bytes), and the ratio of the uncompressed floats' size to it.
 struct PublishedSize {
   double kb;
   double ratio;
 };
 
-/// A row of Table 1.
+/// A row of Table 1: sizes at one error.
 struct PublishedSizes {
   double eps_cm;
   PublishedSize pca, standard, annealed;
 };
 
-/// A row of Table 2: optimised selection on a 2 GHz AMD Athlon 64.
+/// A row of Table 2: the time of optimised selection on a 2 GHz AMD Athlon 64.
 struct PublishedTiming {
   double ratio;
   double ms_per_frame;
   int iterations;
 };
 
-/// The paper's figures for one clip of the CMU library.
+/// The values published for one clip of the CMU library.
 struct PublishedClip {
   std::string_view stem;  // file name without extension
   std::string_view title;
@@ -57,15 +57,15 @@ inline constexpr std::array<PublishedClip, 2> kPublishedClips = {{
      {{{50, 308, 247}, {40, 312, 243}, {30, 391, 311}, {15, 456, 369}, {7, 483, 380}}}},
 }};
 
-/// The error and ratio up to which the paper saw no artifact in its 15 clips.
+/// The error up to which, and the mean ratio at which, the paper saw no artifact in its 15 clips.
 inline constexpr double kPublishedInvisibleEpsCm = 0.5;
 inline constexpr double kPublishedMeanRatio = 25;
 
-/// The coefficient ratio of the angles in the paper's video.
+/// The coefficient ratios in the paper's video: of the angles, and of the IK correction.
 inline constexpr double kPublishedVideoRatio = 30;
 inline constexpr double kPublishedVideoIkRatio = 16;
 
-/// The paper's figures for a clip of this name; null if there are none.
+/// The values published for a clip, by its file name without extension; null if there are none.
 constexpr const PublishedClip* find_published(std::string_view stem) {
   for (const PublishedClip& clip : kPublishedClips)
     if (clip.stem == stem) return &clip;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Its pictures are based on: "Adapting Wavelet Compression to Human Motion Capture Clips", Figures
-// 1, 3 and 4.
+// The report's pictures are based on: "Adapting Wavelet Compression to Human Motion Capture Clips",
+// Figures 1, 3 and 4.
 #include "core/study/report.h"
 
 #include <algorithm>
@@ -32,8 +32,8 @@ std::string section(std::string_view title, std::string_view content) {
   return element("section", "", element("h2", "", title) + std::string(content));
 }
 
-/// A colour and marker that a method keeps in every study. Methods without one of their own take
-/// the remaining ones in their order.
+/// The index of a series' colour and marker. Most methods have the same one in every study; other
+/// series take the remaining ones, in their order.
 int style_of(const Results& results, const Series& series) {
   constexpr std::string_view kOwn[] = {"annealed",     "standard", "per-channel", "haar",
                                        "linear",       "pca",      "subsample",   "quaternion",
@@ -76,7 +76,7 @@ Chart mean_chart(const ReportLanguage& say, const Results& results) {
   return chart;
 }
 
-/// Adds the paper's points as hollow markers.
+/// Adds the paper's points to a chart, as hollow markers.
 void add_published(const ReportLanguage& say, Chart& chart, const Results& results,
                    const PublishedClip& clip) {
   const auto add = [&](const char* method, auto size_of) {
@@ -152,7 +152,7 @@ std::string tiles(const ReportLanguage& say, const Results& results) {
   return element("div", attribute("class", "tiles"), all);
 }
 
-/// The method that is smallest at an error, of those that all clips have there.
+/// The method with the smallest files at an error, among those that reach it for all clips.
 const Series* smallest_at(const Results& results, double eps_cm) {
   const Series* smallest = nullptr;
   double largest_ratio = 0;
@@ -167,7 +167,7 @@ const Series* smallest_at(const Results& results, double eps_cm) {
   return smallest;
 }
 
-/// Says which method and which preset to take, by what was measured.
+/// Recommends a method and presets, by the measurements.
 std::string recommendation(const ReportLanguage& say, const Results& results) {
   const double eps_cm = headline_eps_cm(results);
   const Series* best = smallest_at(results, eps_cm);
@@ -296,7 +296,7 @@ std::string captioned(const std::string& svg, const std::string& caption,
                  svg + element("figcaption", "", caption));
 }
 
-/// The landmark with the largest error.
+/// The index of the landmark with the largest error.
 std::size_t worst_landmark(const PosePoints& original, const PosePoints& decoded) {
   std::size_t worst = 0;
   double most = -1;
@@ -305,7 +305,7 @@ std::size_t worst_landmark(const PosePoints& original, const PosePoints& decoded
   return worst;
 }
 
-/// The point midway between the floor and the top of the figure, above the middle of its bones.
+/// The centre of a figure's bounding box, which is extended down to the floor.
 Eigen::Vector3d centre_of(const Picture& picture, const PosePoints& points) {
   Eigen::Vector3d low = points.front();
   Eigen::Vector3d high = points.front();
@@ -318,7 +318,7 @@ Eigen::Vector3d centre_of(const Picture& picture, const PosePoints& points) {
   return (low + high) / 2;
 }
 
-/// The height that is shown: the tallest figure of the picture and some air above.
+/// The height to show, for which the largest figure of the picture has some air around it.
 double seen_height_cm(const Picture& picture) {
   double height = 0;
   const auto consider = [&](const PicturedFrame& frame) {
@@ -335,7 +335,7 @@ std::string seconds_text(const ReportLanguage& say, const Picture& picture, int 
   return say("frame %1, %2 s", {frame_text(frame), fixed(frame / picture.sample_rate_hz, 2)});
 }
 
-/// A button that turns and plays a method's clip, where the page has it.
+/// A button that opens a method's clip in the viewer. Empty if the page has no viewer for it.
 std::string review_of(const ReportLanguage& say, const Picture& picture,
                       const PicturedMethod& method) {
   if (method.review.empty()) return "";
@@ -427,7 +427,8 @@ std::string sights(const ReportLanguage& say, const Picture& picture, std::size_
                    element("b", "", escaped(title)));
 }
 
-/// The worst frame of each method side by side, a sequence of frames, and the foot that slid most.
+/// A section with the worst frame of each method side by side, a sequence of frames, and the foot
+/// that slid most.
 std::string picture_section(const ReportLanguage& say, const Picture& picture) {
   const double height_cm = seen_height_cm(picture);
   const SceneView view{.centre = centre_of(picture, picture.worst.original),

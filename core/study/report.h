@@ -13,9 +13,9 @@
 
 namespace mocapress {
 
-/// A finished study as one HTML page that needs no other file: curves, tables beside the paper's,
-/// poses. With the viewer, the pictured clips turn and play. Equal rows and pictures make an equal
-/// page.
+/// Makes a study's report: one HTML page that needs no other file, with curves, tables beside the
+/// paper's, and poses. If this build has the viewer, the pictured clips turn and play. Equal rows
+/// and pictures make an equal page.
 std::string report_html(const Results& results, const std::vector<Picture>& pictures,
                         const ReportLanguage& say = {},
                         std::span<const std::byte> viewer = review_viewer());

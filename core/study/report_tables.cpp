@@ -24,7 +24,7 @@ std::string eps_text(double eps_cm) {
   return format_shortest(eps_cm) + " cm";
 }
 
-/// The series with anything to show, in order.
+/// The series for which has_any() is true, in order.
 template <typename HasAny>
 std::vector<const Series*> series_with(const Results& results, const HasAny& has_any) {
   std::vector<const Series*> chosen;
@@ -37,7 +37,7 @@ using Errors = std::set<double, std::greater<>>;  // cm, largest first
 
 constexpr double kUsualErrors[] = {1, 0.5, 0.26, 0.1};
 
-/// The errors that a study asked of a clip, or the usual ones if it asked for none.
+/// The errors at which a study compressed a clip; the usual errors if there are none.
 Errors asked_errors(const Results& results, const StudiedClip& clip) {
   Errors errors;
   for (const StudyRow& row : results.rows())
@@ -47,7 +47,7 @@ Errors asked_errors(const Results& results, const StudiedClip& clip) {
   return errors;
 }
 
-/// The errors asked of every clip, and the usual ones.
+/// The errors at which every clip was compressed, and the usual errors.
 Errors common_errors(const Results& results) {
   Errors errors(std::begin(kUsualErrors), std::end(kUsualErrors));
   if (results.clips().empty()) return errors;
@@ -59,7 +59,7 @@ Errors common_errors(const Results& results) {
   return errors;
 }
 
-/// At most `most` clips: those of the paper, else the first.
+/// The clips of the paper; if there are none, the first `most` clips.
 std::vector<const StudiedClip*> shown_clips(const Results& results, std::size_t most) {
   std::vector<const StudiedClip*> shown;
   for (const StudiedClip& clip : results.clips())
@@ -88,7 +88,7 @@ std::string size_text(double kb, double ratio) {
   return format_significant(kb) + " (" + ratio_text(ratio) + ")";
 }
 
-/// A size, marked "≈" if it is read from the curve.
+/// A size, marked "≈" if it is read from the curve instead of measured.
 std::string size_cell(const Results& results, const StudiedClip& clip, const Series& series,
                       double eps_cm) {
   const auto size = results.size_at(clip, series, eps_cm);
@@ -149,7 +149,7 @@ std::string time_cells(const StudyRow* row, const StudiedClip& clip, double rati
   return cells + cell(kNothing, "paper") + cell(kNothing, "paper");
 }
 
-/// Among the targets of a kind whose rows are measured and suit, the one nearest to `value`.
+/// The target of a kind that is nearest to `value`, among measured rows for which suits() is true.
 template <typename Suits>
 std::optional<Target> nearest_target(const Results& results, Target::Kind kind, double value,
                                      const Suits& suits) {
@@ -162,7 +162,8 @@ std::optional<Target> nearest_target(const Results& results, Target::Kind kind, 
   return nearest;
 }
 
-/// The total path, a contact's mean and largest path, and the largest drift.
+/// A cell with the length of all sliding, its mean and largest length for a contact, and the
+/// largest drift.
 std::string slide_cell(const ReportLanguage& say, const Measurement& measured) {
   std::string text = fixed(*measured.footskate_cm, 1) + " cm";
   if (measured.slide)
@@ -226,7 +227,8 @@ double headline_eps_cm(const Results& results) {
   const Series* leading = results.leading_series();
   std::pair<int, int> most = {-1, -1};
   for (const double eps_cm : {0.5, 0.26, 1.0, 0.1, 2.0, 0.2, 0.05, 5.0, 10.0}) {
-    // The leading series counts first, so that no error is chosen at which it has no size.
+    // The leading series counts first: an error at which it has no size is not chosen if there is
+    // another.
     std::pair<int, int> sizes = {0, 0};
     for (const Series& series : results.series())
       for (const StudiedClip& clip : results.clips())
@@ -245,7 +247,8 @@ std::string mean_size_table(const ReportLanguage& say, const Results& results) {
   std::string body;
   const int clips = static_cast<int>(results.clips().size());
   for (const double eps_cm : common_errors(results)) {
-    // Means must be over the same clips, or they would compare clips instead of methods.
+    // A mean ratio takes part in the comparison only if it is over all clips. Otherwise it would
+    // compare clips instead of methods.
     std::vector<std::optional<MeanRatio>> means;
     double best = 0;
     bool all = true;
@@ -415,9 +418,9 @@ std::string angle_table(const ReportLanguage& say, const Results& results) {
 
 namespace {
 
-constexpr double kShownRatio = 50;  // the ratio that r = 30 and r_IK = 16 of the paper's video give
+constexpr double kShownRatio = 50;  // compression ratio of r = 30, r_IK = 16 in the paper's video
 
-/// Rows of one clip at the same size, with and without IK.
+/// The rows of a clip at the same size, without and with IK.
 struct Pair {
   const StudyRow* without;
   const StudyRow* with;
@@ -482,11 +485,11 @@ std::string held_feet_table(const ReportLanguage& say, const Results& results) {
 
 namespace {
 
-/// All targets that one method missed with one clip.
+/// All targets that a method missed for a clip.
 struct Failure {
-  std::vector<std::string> steps;    // targets for which the nearest step was taken
-  std::vector<std::string> targets;  // targets without a result
-  std::string why;                   // reason of the first
+  std::vector<std::string> steps;    // targets that it missed, with the nearest result
+  std::vector<std::string> targets;  // targets for which it failed
+  std::string why;                   // reason of the first failure
 };
 
 std::string joined(const std::vector<std::string>& words) {

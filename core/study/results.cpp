@@ -35,7 +35,7 @@ StudiedClip studied(const StudyRow& row) {
   return clip;
 }
 
-/// Replaces titles shared by several clips by their paths.
+/// Replaces each title that several clips share by the clip's path.
 void make_titles_unique(std::vector<StudiedClip>& clips) {
   for (StudiedClip& clip : clips) {
     const std::string stem = stem_of(clip.path);

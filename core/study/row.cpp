@@ -57,7 +57,7 @@ StudyRow row_from(const Json& json) {
   return row;
 }
 
-/// A row for a report, with the stamp that tells its program and time.
+/// A row for a report, with a stamp that names the program and the time.
 Json stamped_json(const StudyRow& row, const ReportStamp& stamp) {
   Json json = to_json(row);
   json["program"] = stamp.program;
@@ -114,7 +114,7 @@ std::string rows_csv(std::span<const StudyRow> rows) {
 
 namespace {
 
-/// The complete rows among lines.
+/// The complete rows of a text, parsed and as lines.
 struct WholeRows {
   explicit WholeRows(const std::string& text) {
     for (std::size_t begin = 0; begin < text.size();) {

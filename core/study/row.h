@@ -16,58 +16,60 @@
 
 namespace mocapress {
 
-/// One compression of a study: its settings, and its measurement or the reason for none.
+/// One compression of a study: its settings, and its measurement or the reason why there is none.
 struct StudyRow {
-  std::string clip;         // the path as given
-  ClipReview review = {};   // given if a library has one
-  std::string fingerprint;  // hash of the motion as read; empty: it could not be read
-  Settings settings;        // as asked for
-  int jobs = 1;             // compressions at a time, which affect seconds
+  std::string clip;         // the path in the plan
+  ClipReview review = {};   // the verdict from a library, if it has one
+  std::string fingerprint;  // of the motion that was read; empty: the clip could not be read
+  Settings settings;        // requested settings
+  int jobs = 1;             // compressions running at a time, which influences times
   std::optional<Measurement> measured;
-  std::string error;  // reason for having no measurement
+  std::string error;  // why there is no measurement
 
-  /// r_IK; unset: without IK correction.
+  /// r_IK; unset without IK correction.
   std::optional<double> ik_ratio() const {
     return settings.correction ? settings.correction->ratio : std::nullopt;
   }
 
-  /// True if the target was met: a ratio within 2 %, a bound not exceeded.
+  /// True if the target was met: a ratio within 2 %, or a bound that is not exceeded.
   bool reached() const;
 
-  /// A key that equals that of the same compression in another run: it covers all settings and the
-  /// motion, but not its path.
+  /// Identifies the compression in any run: equal for equal settings and an equal motion, whatever
+  /// its path.
   std::string key() const;
 };
 
-/// The row as one line of JSON, without a line end. Keys with the meaning they have in `mocapress
-/// compress --json` are the same; null where a value does not apply.
+/// The row as one line of JSON, without a line end. Keys of `mocapress compress --json` have the
+/// same meaning here; a value that does not apply is null.
 std::string to_json_line(const StudyRow& row);
 
-/// Reads such a line; unset for anything but a complete row.
+/// Reads what to_json_line() wrote. Unset for anything but a complete row.
 std::optional<StudyRow> parse_row(std::string_view line);
 
-/// All rows as a JSON array, one on each line, with the program's version and the date.
+/// All rows as a JSON array, one row on each line, with the program's version and the time of the
+/// report.
 std::string rows_json(std::span<const StudyRow> rows);
 
-/// The same rows as comma-separated values (RFC 4180, lines end with a line feed) under a header
-/// line; empty where a value does not apply.
+/// All rows as comma-separated values (RFC 4180, with line feeds) under a header line. A value that
+/// does not apply is empty.
 std::string rows_csv(std::span<const StudyRow> rows);
 
-/// The complete rows in a file of JSON lines; other lines are skipped. Throws InputError.
+/// Reads the complete rows of a file of JSON lines; skips other lines. Throws InputError.
 std::vector<StudyRow> read_rows(const std::filesystem::path& path);
 
-/// The rows of a study so far, as lines of JSON on disk. A run that was stopped or died resumes
-/// from them.
+/// The rows of a study so far, on disk as lines of JSON. The next run continues from them if this
+/// one is stopped or killed.
 class RowsFile {
  public:
-  /// Opens or creates the file. Drops lines that are no complete rows, as the last one of a run
-  /// that died. Throws InputError; throws WriteError, also if another run has it open.
+  /// Opens or creates the file. Drops lines that are not complete rows, such as the last line of a
+  /// run that was killed. Throws InputError; throws WriteError, also if another run has the file
+  /// open.
   explicit RowsFile(const std::filesystem::path& path);
 
-  /// The rows found when it was opened.
+  /// The rows that were in the file when it was opened.
   const std::vector<StudyRow>& rows() const { return rows_; }
 
-  /// Set if other runs could not be locked out.
+  /// Set if the file system has no locks, so that another run may open the file, too.
   const std::optional<Warning>& warning() const { return lines_.warning(); }
 
   /// Appends a row and returns once it is on the disk. Throws WriteError.

@@ -20,13 +20,13 @@
 namespace mocapress {
 namespace {
 
-/// A clip shared by its jobs: the first reads it and the last frees it, so that memory holds only
-/// the clips being worked on.
+/// A clip that several jobs share. The first of them reads it and the last frees it, so that memory
+/// holds only clips that are being compressed.
 class SharedClip {
  public:
   explicit SharedClip(int jobs) : jobs_left_(jobs) {}
 
-  /// The clip; null if it cannot be read, and then error() says why.
+  /// Returns the clip. Null if it cannot be read; error() tells why.
   const LoadedClip* get(const StudyPlan& plan, const std::filesystem::path& path) {
     const std::lock_guard lock(mutex_);
     if (!clip_ && error_.empty()) {
@@ -74,10 +74,10 @@ class Run {
   }
 
   StudyOutcome run() {
-    // Jobs are taken one by one in the plan's order, so that few clips are in memory.
+    // Takes jobs one by one in the plan's order, so that few clips are in memory.
     parallel_for(0, workers_, [this](int) {
       for (std::size_t job = next_++; job < jobs_.size() && !stopped_; job = next_++)
-        // Isolated, so that a thread that waits within a job does not take up another.
+        // Isolated, so that a thread that waits within a job does not begin another job.
         tbb::this_task_arena::isolate([&] { do_job(job); });
     });
     StudyOutcome outcome;
@@ -124,13 +124,13 @@ class Run {
     const auto found = earlier_.find(row.key());
     if (found == earlier_.end()) return false;
     StudyRow kept = *found->second;
-    kept.clip = std::move(row.clip);  // the motion's present path may be another
+    kept.clip = std::move(row.clip);  // the path may have changed since the earlier run
     kept.review = std::move(row.review);
     row = std::move(kept);
     return true;
   }
 
-  /// Compresses and measures a clip. False: the observer stopped it.
+  /// Compresses and measures a clip. Returns false if the observer stopped it.
   bool compress(const LoadedClip& clip, StudyRow& row) {
     bool told_to_stop = false;
     try {
@@ -142,7 +142,7 @@ class Run {
       if (!encoding.complete) return false;
       row.measured = clip.measure(encoding);
     } catch (const std::bad_alloc&) {
-      throw;  // no fault of the clip: as a row it would be kept for later runs
+      throw;  // not the clip's fault: later runs would keep it as a row
     } catch (const std::exception& error) {
       row.error = error.what();
     }

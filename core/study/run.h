@@ -15,24 +15,24 @@ namespace mocapress {
 /// Progress of a study.
 struct StudyProgress {
   int jobs = 0;
-  int done = 0;                        // finished ones, including kept ones
-  int kept = 0;                        // those among them from an earlier run
-  const StudyRow* finished = nullptr;  // the row just finished; null: only a chance to stop
+  int done = 0;                        // finished jobs, including kept ones
+  int kept = 0;                        // jobs whose rows come from an earlier run
+  const StudyRow* finished = nullptr;  // the row just finished; null between rows
 };
 
 /// Takes each new row. Called by one thread at a time.
 using RowSink = std::function<void(const StudyRow&)>;
 
 struct StudyOutcome {
-  std::vector<StudyRow> rows;  // in the order of jobs_of(plan), not of their ends
-  Warnings warnings;     // from the readers, in the order of the clips, and from the rows' file
-  bool complete = true;  // false: the observer stopped it, and some rows are missing
+  std::vector<StudyRow> rows;  // in the order of jobs_of(plan)
+  Warnings warnings;           // of the readers, in the order of the clips, and of the rows' file
+  bool complete = true;        // false: the observer stopped the study, and rows are missing
 };
 
-/// Compresses every clip by every method at every target, on all cores. A failure becomes a row
-/// with its reason; only exceptions of the sink get out. Rows of `earlier` with the same key() are
-/// not measured again. The observer is called by one thread at a time, after each row and in
-/// between; it must not throw.
+/// Compresses each clip by each method to each target, on all cores. A failure becomes a row with
+/// its reason. Throws what the sink throws, and std::bad_alloc. Rows of `earlier` with an equal
+/// key() are not measured again. The observer is called by one thread at a time, after each row and
+/// in between; it must not throw.
 StudyOutcome run_study(const StudyPlan& plan, std::span<const StudyRow> earlier = {},
                        const RowSink& sink = {}, const Observer<StudyProgress>& observer = {});
 

@@ -23,9 +23,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kPictures = 2;
-constexpr double kPicturedRatio = 50;  // a ratio high enough for errors to be seen
+constexpr double kPicturedRatio = 50;  // a ratio at which errors can be seen
 
-/// The method that ships beside the paper's plain one, else the first two.
+/// The two methods to draw: the paper's plain one and the one that ships, or else the first two.
 std::vector<std::string> pictured_methods(const Results& results) {
   const Series* shipped = results.leading_series();
   if (results.find_series("standard") && shipped && shipped->method != "standard")
@@ -36,7 +36,7 @@ std::vector<std::string> pictured_methods(const Results& results) {
   return methods;
 }
 
-/// A clip and a ratio at which all of some methods were measured.
+/// A clip, and a ratio at which it was measured with all methods to draw.
 struct Pictured {
   std::string path;
   bool published;
@@ -63,7 +63,7 @@ std::optional<Pictured> pictured(const Results& results, const StudiedClip& clip
   return best;
 }
 
-/// Clips to draw: the paper's first, then those with the largest errors.
+/// Selects clips to draw: the paper's first, then those with the largest errors.
 std::vector<Pictured> pictured_clips(const Results& results,
                                      const std::vector<std::string>& methods) {
   std::vector<Pictured> clips;
@@ -78,7 +78,7 @@ std::vector<Pictured> pictured_clips(const Results& results,
   return clips;
 }
 
-/// Takes the pictures. Unset: the observer stopped it.
+/// Takes the pictures. Returns nothing if the observer stopped it.
 std::optional<std::vector<Picture>> take_pictures(const StudyPlan& plan, const Results& results,
                                                   const Observer<EncodeProgress>& observer,
                                                   Warnings& warnings) {
@@ -92,7 +92,7 @@ std::optional<std::vector<Picture>> take_pictures(const StudyPlan& plan, const R
       try {
         taken[i] = take_picture(plan, utf8_path(clips[i].path), methods, clips[i].ratio, observer);
         if (!taken[i]) stopped = true;
-      } catch (const InputError& error) {  // the figures do not depend on it
+      } catch (const InputError& error) {  // the report is complete without this picture
         problems[i] = error.what();
       }
     });

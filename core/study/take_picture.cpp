@@ -23,7 +23,7 @@ PosePoints points_at(const Eigen::MatrixXd& tracks, int frame) {
   return points;
 }
 
-/// Tracks of the original and of every method.
+/// Tracks (positions of landmarks) of the original and of every method.
 struct AllTracks {
   const Eigen::MatrixXd& original;
   std::vector<Eigen::MatrixXd> decoded;
@@ -35,7 +35,7 @@ struct AllTracks {
   }
 };
 
-/// The height at which the lowest landmark rests.
+/// The height of the floor: the lowest height at which a landmark rests.
 double floor_cm(const Eigen::MatrixXd& tracks) {
   double lowest = std::numeric_limits<double>::infinity();
   for (int landmark = 0; 3 * landmark < tracks.cols(); ++landmark)
@@ -68,7 +68,7 @@ std::optional<PicturedFoot> worst_foot(const std::vector<ContactSpan>& contacts,
   return foot;
 }
 
-/// The frame at which the landmarks together have the largest error.
+/// The frame with the largest error, as the sum of squares over all landmarks.
 int worst_frame(const Distortion& distortion) {
   Eigen::Index frame = 0;
   distortion.distances.rowwise().squaredNorm().maxCoeff(&frame);

@@ -13,8 +13,8 @@
 
 namespace mocapress {
 
-/// Compresses a clip of the plan to `ratio` by each of `methods` and picks the frames to draw.
-/// Unset: the observer stopped it. Throws InputError; throws TargetMissed if a method does not
+/// Compresses a clip of the plan to `ratio` by each of `methods` and selects the frames to draw.
+/// Unset if the observer stopped it. Throws InputError; throws TargetMissed if a method does not
 /// reach the ratio.
 std::optional<Picture> take_picture(const StudyPlan& plan, const std::filesystem::path& clip,
                                     const std::vector<std::string>& methods, double ratio,
