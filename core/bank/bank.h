@@ -19,7 +19,7 @@
 
 namespace mocapress {
 
-/// "packed", "cooked".
+/// The name of a form: "packed" or "cooked".
 std::string_view name(runtime::BankForm form);
 
 /// Returns the form with this name, if there is one.

@@ -37,7 +37,8 @@ class AppendedFile {
   /// Removes the file if this object created it and it is still empty.
   ~AppendedFile();
 
-  /// Set if the file system has no locks, so that other processes can open the file too.
+  /// Set if the file could not be locked, as on a file system without locks, so that other
+  /// processes can open it, too.
   const std::optional<Warning>& warning() const { return warning_; }
 
   std::uint64_t size() const { return size_; }
@@ -45,7 +46,7 @@ class AppendedFile {
   /// Reads `length` bytes, or fewer at the end of the file. Throws InputError.
   std::string read(std::uint64_t offset, std::size_t length) const;
 
-  /// Appends `line`, which has no line end, and a line end. Throws WriteError.
+  /// Appends `line` and a line end. Throws WriteError.
   void append(std::string_view line);
 
   /// Replaces all contents at once by what `write` writes. Throws WriteError, and whatever `write`

@@ -28,7 +28,8 @@ std::string read_text(const std::filesystem::path& path);
 void write_bytes(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_text(const std::filesystem::path& path, std::string_view text);
 
-/// Does the same for text that is too long to keep in memory. The stream ignores the locale.
+/// Writes text that is too long to keep in memory, as StagedFile does: `write` writes it to a
+/// stream, which ignores the locale.
 void write_stream(const std::filesystem::path& path,
                   const std::function<void(std::ostream&)>& write);
 

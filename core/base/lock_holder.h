@@ -21,7 +21,7 @@ struct LockHolder {
 /// Describes this process, with the current time as `since`.
 LockHolder this_process();
 
-/// "ana on render3, process 4711, since 2026-11-26T14:05:00Z"
+/// Describes a holder: "ana on render3, process 4711, since 2026-11-26T14:05:00Z".
 std::string text(const LockHolder& holder);
 
 Json to_json(const LockHolder& holder);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Based on: O. Arikan, "Compression of Motion Capture Databases", 2006. What we do differently, or
-// the paper leaves open:
+// Based on: O. Arikan, "Compression of Motion Capture Databases", 2006. Differences, and choices
+// that the paper leaves open:
 // - each curve begins where the one before ends, so that nothing has to be smoothed;
 // - k-means, not spectral clustering; segment length and number of clusters are chosen for the
 //   tolerance;

@@ -34,7 +34,7 @@ Eigen::VectorXd moved_by_channels(const Motion& motion, Weighting weighting) {
 }
 
 /// Returns key frames between which straight lines stay within `tolerance` of the curve. Each key
-/// is as far from the last one as possible: the slopes that pass all frames between them form a
+/// is as far from the previous one as possible: the slopes that pass all frames between them form a
 /// cone, which narrows until it is empty.
 std::vector<int> line_keys(const Eigen::Ref<const Eigen::VectorXd>& curve, double tolerance) {
   std::vector<int> keys{0};

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Based on: G. Liu and L. McMillan, "Segment-Based Human Motion Compression", 2006. What we do
-// differently:
+// Based on: G. Liu and L. McMillan, "Segment-Based Human Motion Compression", 2006. Differences:
 // - the signals are channels, scaled by how far they move the body on average, not markers;
 // - segments are halved for as long as that saves bytes, not grown frame by frame;
 // - feet are not coded separately.

@@ -25,7 +25,7 @@ extern const ComparisonMethod kLiuMcMillan;
 /// detail stands for a tolerance.
 extern const ComparisonMethod kArikan;
 
-/// What engines do: each channel by itself, with key frames, and quantised only as finely as it
+/// Codes each channel by itself, as engines do: with key frames, and quantised only as finely as it
 /// needs. The detail stands for a tolerance.
 extern const ComparisonMethod kKeyFrames;
 

@@ -24,7 +24,7 @@ class SubsampleCoder : public DetailCoder {
  public:
   SubsampleCoder(const Motion& motion, Weighting) : channels_(motion.clip.channels) {
     const int gaps = static_cast<int>(channels_.rows()) - 1;
-    // Of all strides that keep the same number of frames, takes the smallest, which has the most
+    // If several strides keep the same number of frames, takes the smallest, which has the most
     // even gaps.
     for (int stride = gaps; stride > 1; --stride)
       if (kept(gaps, stride) != kept(gaps, stride - 1)) strides_.push_back(stride);

@@ -18,7 +18,7 @@ int compared(double before, double after, double share) {
   return after < before * (1 - share) ? -1 : 0;
 }
 
-/// Compares two errors in centimetres likewise.
+/// Compares two errors in centimetres. They also count as equal if they differ by less than 0.001.
 int compared_cm(double before, double after, double share) {
   constexpr double kSameCm = 0.001;
   return std::abs(after - before) < kSameCm ? 0 : compared(before, after, share);

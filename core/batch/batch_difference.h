@@ -32,8 +32,8 @@ inline constexpr std::array kClipChanges = {
     ClipChange::Gone,   ClipChange::Added,        ClipChange::Done,  ClipChange::NoLongerSeen,
     ClipChange::Better, ClipChange::Smaller};
 
-/// "failed", "newly-visible", "worse", "larger", "gone", "added", "done", "no-longer-visible",
-/// "better", "smaller".
+/// The name of a change: "failed", "newly-visible", "worse", "larger", "gone", "added", "done",
+/// "no-longer-visible", "better" or "smaller".
 std::string_view name(ClipChange change);
 std::optional<ClipChange> clip_change_named(std::string_view word);
 
@@ -46,7 +46,7 @@ struct ClipFigures {
   double max_cm = 0;
   std::optional<Sight> sight;
   SightLimits limits;  // limits by which `sight` was judged
-  std::string reason;  // the worst visible error, or why the clip failed
+  std::string reason;  // the worst visible error; if not measured, why the clip failed
 };
 
 /// Takes a clip's measurements from its row of the batch.

@@ -19,10 +19,10 @@ struct ClipProgress {
   double fraction = 0;  // share of the clip's work; a guess while a target is searched
 };
 
-/// "reading", "encoding", "verifying".
+/// The name of a stage: "reading", "encoding" or "verifying".
 std::string_view name(ClipProgress::Stage stage);
 
-/// Which existing files an export may replace.
+/// Permissions of an export to replace existing files.
 struct ExportRights {
   bool overwrite = false;
   bool resumed = false;  // true: files with exactly the bytes to be written may be replaced

@@ -19,7 +19,7 @@ enum class Gate {
   Warning      // its reader repaired or guessed something
 };
 
-/// "visible", "borderline", "rejected", "damaged", "warning".
+/// The name of a gate: "visible", "borderline", "rejected", "damaged" or "warning".
 std::string_view name(Gate gate);
 
 /// The gate with this name, if there is one.

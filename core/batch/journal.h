@@ -68,7 +68,7 @@ class Journal {
   Journal(const std::filesystem::path& path, const Batch& batch, const Shard& shard, Start start,
           bool take_over = false);
 
-  /// Set if the file system has no locks, so that another run may open the journal too.
+  /// Set if the journal could not be locked, so that another run may open it, too.
   const std::optional<Warning>& warning() const { return lines_.warning(); }
 
   /// The row of a clip that was kept on resuming, if any. Throws InputError if it cannot be read.

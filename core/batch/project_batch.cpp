@@ -60,9 +60,9 @@ std::map<std::string, std::string> characters_in(const Json& json, const fs::pat
   return characters;
 }
 
-/// The character to put on a clip; empty: the clip keeps its own. If the clip's rig is not known
-/// and the project has only one character, it is that one; should it not fit, the clip keeps its
-/// own, with a warning.
+/// The character to put on a clip; empty: the clip keeps its own. A clip whose rig the project does
+/// not know yet gets the project's character if there is only one. If that does not fit, the clip
+/// keeps its own later, with a warning.
 std::string character_on(const Json& clip, const std::map<std::string, std::string>& characters) {
   const std::string rig = clip.value("rig", "");
   if (rig.empty() && characters.size() == 1) return characters.begin()->second;

@@ -27,11 +27,10 @@ struct InputStamp {
   bool operator==(const InputStamp&) const = default;
 };
 
-/// Reads the files of a clip, as reading it with these options does, and stamps them. Throws
-/// InputError.
+/// Stamps the files that are read for a clip with these options. Throws InputError.
 InputStamp stamp(const BatchItem& item, const ReadOptions& reading);
 
-/// Likewise, but reads the files only if their sizes or times differ from those of `earlier`.
+/// Stamps the files again. Reads them only if sizes or times differ from those of `earlier`.
 InputStamp stamp_again(const BatchItem& item, const ReadOptions& reading,
                        const InputStamp& earlier);
 

@@ -55,7 +55,8 @@ std::string line_between(double x1, double y1, double x2, double y2, std::string
                  "");
 }
 
-/// The outline of a series' marker: circle, square, triangle or diamond, or the same upside down.
+/// The outline of a series' marker: circle, square, triangle, diamond, triangle upside down or
+/// hexagon.
 std::string marker_path(int style, double x, double y, double r) {
   const auto polygon = [&](int corners, double turn, double size) {
     std::string d;

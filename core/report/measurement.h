@@ -31,7 +31,7 @@ struct Measurement {
   int worst_frame = 0;                   // by the weighting that the clip was encoded with
   int contacts = 0;                      // number of foot contacts in the original
   std::optional<double> footskate_cm;    // sum over all contacts; unset without contacts
-  std::optional<SlidePerContact> slide;  // footskate for each contact; unset likewise
+  std::optional<SlidePerContact> slide;  // footskate for each contact
   std::optional<double> ik_ratio_used;   // with IK only: r_IK, given or found
   std::optional<std::size_t> ik_bytes;
   std::optional<double> knee_speed_ratio;  // with IK only: fastest knee / that of the original

@@ -21,8 +21,8 @@ struct DrawnBone {
   double to_radius;
 };
 
-/// Makes a body for a skeleton: a head, and limbs that taper like branches. A limb is the thicker
-/// the longer all that it carries is (Leonardo's rule).
+/// Makes a body for a skeleton: a head, and limbs that taper like branches. The thickness of
+/// a limb grows with the total length of all limbs that it carries (Leonardo's rule).
 std::vector<DrawnBone> figure_shape(const Skeleton& skeleton);
 
 /// The horizontal unit vector of the direction in which a figure faces, judged by the joints where

@@ -22,8 +22,8 @@ void put(Json& json, const ClipReview& review);
 /// for a value of another type.
 ClipReview review_from(const Json& json);
 
-/// Write and read notes on frames: objects of "frame", "last_frame", "joint", "text", "reviewer",
-/// "time", "place_cm" (three numbers), "source_hash" and "settings_hash".
+/// Convert notes on frames to JSON and back: objects of "frame", "last_frame", "joint", "text",
+/// "reviewer", "time", "place_cm" (three numbers), "source_hash" and "settings_hash".
 Json to_json(const std::vector<FrameNote>& notes);
 std::vector<FrameNote> frame_notes_from(const Json& json);
 

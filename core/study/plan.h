@@ -25,7 +25,7 @@ struct StudyPlan {
   std::vector<std::string> methods;               // names from compression_methods()
   std::optional<std::filesystem::path> skeleton;  // for clips without one beside them
   ReadOptions reading;
-  Settings settings;              // for all compressions, but for method, target and correction
+  Settings settings;              // for all compressions, except method, target and correction
   std::vector<double> ik_ratios;  // r_IK values at which "annealed" also runs with feet held
 };
 

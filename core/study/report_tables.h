@@ -11,7 +11,7 @@
 namespace mocapress {
 
 /// The error at which the report compares methods by single numbers: the one at which the leading
-/// series, or else all series together, have a size for most clips. Of several such errors, the
+/// series, or else all series together, have a size for most clips. If there are several, the
 /// first of a fixed list that starts with 0.5 cm, up to which the paper saw no artifacts.
 double headline_eps_cm(const Results& results);
 

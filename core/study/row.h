@@ -69,7 +69,7 @@ class RowsFile {
   /// The rows that were in the file when it was opened.
   const std::vector<StudyRow>& rows() const { return rows_; }
 
-  /// Set if the file system has no locks, so that another run may open the file, too.
+  /// Set if the file could not be locked, so that another run may open it, too.
   const std::optional<Warning>& warning() const { return lines_.warning(); }
 
   /// Appends a row and returns once it is on the disk. Throws WriteError.
