@@ -50,7 +50,7 @@ void screenshotAndQuit(MainWindow& window, const QString& path) {
   });
   const auto give_up = [](const QString& message) {
     std::fprintf(stderr, "%s\n", qPrintable(message));
-    QTimer::singleShot(0, [] { QCoreApplication::exit(kBadInput); });  // runs once the loop does
+    QTimer::singleShot(0, [] { QCoreApplication::exit(kBadInput); });  // needs the event loop
   };
   QObject::connect(session, &Session::openFailed, &window,
                    [=](const OpenRequest&, const QString& message) { give_up(message); });
@@ -70,7 +70,7 @@ void nameProgram() {
   QCoreApplication::setApplicationVersion(QStringLiteral(MOCAPRESS_VERSION));
 }
 
-/// Texts and numbers in the chosen language from here on.
+/// Sets the language of texts and numbers from here on.
 void setLanguage(QCoreApplication& application) {
   const QString chosen = chosenLanguage();
   QLocale::setDefault(chosen.isEmpty() ? QLocale::system() : QLocale(chosen));
@@ -85,7 +85,7 @@ void say(int argc, char** argv) {
   parseLaunchOptions(application);
 }
 
-/// Opens links that this user follows from now on in this window.
+/// From now on, this window opens the links that the user follows.
 void receiveLinks(MainWindow& window) {
   auto* receiver = new LinkReceiver(&window);
   QObject::connect(receiver, &LinkReceiver::received, &window, [&window](const QString& link) {
@@ -96,7 +96,7 @@ void receiveLinks(MainWindow& window) {
   });
 }
 
-/// The event loop's exit code, and what the window handed on.
+/// The exit code of the event loop, and the state that the window hands on.
 struct Ended {
   int code = 0;
   WindowState state;
@@ -129,7 +129,7 @@ Ended showFirst(Work& work, const LaunchOptions& options) {
   return {code, window.state()};
 }
 
-/// Shows the same in the language chosen since.
+/// Shows the same work in a new window, in the language chosen meanwhile.
 Ended showAgain(Work& work, const WindowState& before) {
   MainWindow window(&work);
   window.takeOver(before);

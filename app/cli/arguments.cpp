@@ -6,7 +6,7 @@
 #include <fcntl.h>
 #include <io.h>
 #include <windows.h>
-// After windows.h, which it needs.
+// shellapi.h needs windows.h before it.
 #include <shellapi.h>
 
 #include <cstdio>
@@ -23,13 +23,13 @@ Arguments::Arguments(int argc, char** argv) : texts_(argv, argv + argc) {
   wchar_t** const wide = CommandLineToArgvW(GetCommandLineW(), &count);
   if (wide) texts_.clear();
   for (int i = 0; wide && i < count; ++i) {
-    // A name that is no valid UTF-16 keeps its other letters.
+    // A name that is not valid UTF-16 loses only its invalid letters.
     std::string text(static_cast<std::size_t>(WideCharToMultiByte(CP_UTF8, 0, wide[i], -1, nullptr,
                                                                   0, nullptr, nullptr)),
                      '\0');
     WideCharToMultiByte(CP_UTF8, 0, wide[i], -1, text.data(), static_cast<int>(text.size()),
                         nullptr, nullptr);
-    text.pop_back();  // its zero
+    text.pop_back();  // the terminating zero
     texts_.push_back(text);
   }
   if (wide) LocalFree(wide);

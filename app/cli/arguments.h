@@ -6,9 +6,9 @@
 
 namespace mocapress::cli {
 
-/// The program's arguments in UTF-8. Windows hands main() others, in a code page that lacks most
-/// letters. There the standard streams are set too: to pass bytes on as they are, and UTF-8 to the
-/// console.
+/// The program's arguments in UTF-8. On Windows the arguments of main() are in a code page that
+/// lacks most letters, so they are fetched anew. The constructor also sets the standard streams on
+/// Windows: to pass bytes on unchanged, and to show UTF-8 on the console.
 class Arguments {
  public:
   Arguments(int argc, char** argv);

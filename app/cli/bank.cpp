@@ -55,14 +55,14 @@ class ClipCount {
  public:
   ~ClipCount() { end(); }
 
-  /// Counts the clips of a bank that is being changed, and prints its warnings at once.
+  /// Shows the progress of a change to a bank, and prints its warnings at once. False: stop.
   bool done(const BankProgress& progress) {
     if (progress.warning) print_warnings({*progress.warning});
     ik_bytes_ = progress.ik_bytes;
     return done(progress.done, progress.clips);
   }
 
-  /// Counts `done` of `clips`. False: stop.
+  /// Shows that `done` of `clips` are done. False: stop.
   bool done(std::size_t done, std::size_t clips) {
     done_ = done;
     clips_ = clips;
@@ -93,7 +93,7 @@ void describe_written(const std::string& path) {
                name(bank.form).data());
 }
 
-/// Says that the bank just written is sound, or that it was not written.
+/// Describes the bank just written. If writing was stopped, says so and throws EndedWith.
 void tell_of(const std::string& path, bool is_whole, const ClipCount& count) {
   count.end();
   if (!is_whole) {
@@ -154,7 +154,7 @@ struct BankFilling {
         ->check(CLI::Range(1, MCPR_MOST_DETAIL_BANDS));
   }
 
-  /// Throws CLI::ValidationError if the bank is packed, and an option is for cooked ones.
+  /// Throws CLI::ValidationError if an option for cooked banks is given with a packed bank.
   void require_use_of_options(bool make) const {
     if (!no_ik && !ik_error && !detail_bands) return;
     if (make ? cooked : BankFile(utf8_path(bank)).is_cooked()) return;
@@ -260,7 +260,7 @@ void list_bank(const std::string& path, bool json) {
       std::string tags;
       for (const std::string& tag : described.tags) tags += "  " + printable(tag);
       const std::string name = printable(described.name);
-      const auto inner_bytes =  // bytes after a letter's first: they take no place of their own
+      const auto inner_bytes =  // UTF-8 continuation bytes, which take no column of their own
           std::ranges::count_if(name, [](char byte) { return (byte & 0xC0) == 0x80; });
       std::printf("%-*s %9llu bytes %7d frames at %s Hz, skeleton %u%s\n",
                   32 + static_cast<int>(inner_bytes), name.c_str(),
@@ -319,7 +319,7 @@ struct Extraction {
   }
 
  private:
-  /// The requested clips, each once.
+  /// The requested clips, each once; all clips if none is named.
   std::vector<std::uint32_t> asked(const BankFile& file) const {
     std::vector<std::uint32_t> clips;
     for (const std::string& name : names) clips.push_back(file.find(name));
@@ -330,8 +330,8 @@ struct Extraction {
     return clips;
   }
 
-  /// Output paths below the folder, whatever the clips' names are. No two are equal, and none is an
-  /// existing file unless --overwrite is given.
+  /// Output paths below the folder. Throws if a clip's name leads out of it, if two paths are
+  /// equal, or if a file exists there and --overwrite is not given.
   std::vector<fs::path> places_of(const BankFile& file,
                                   const std::vector<std::uint32_t>& clips) const {
     std::vector<fs::path> places;
@@ -346,7 +346,7 @@ struct Extraction {
       places.push_back(below);
       const fs::path place = utf8_path(folder) / below;
       refuse_source(place, {utf8_path(bank)});
-      std::error_code error;  // is_there() sees no link that leads nowhere
+      std::error_code error;  // is_there() misses a link whose target is gone
       if (!overwrite && (is_there(place) || fs::is_symlink(place, error)))
         throw WriteError(utf8(place) + " exists: not overwritten");
     }

@@ -75,7 +75,7 @@ struct BatchCommand {
   bool merge = false;
   std::string slurm_file;
   int slurm_tasks = 8;
-  std::vector<CLI::Option*> of_queue;  // options that a queue file has settled already
+  std::vector<CLI::Option*> of_queue;  // refused with a queue file, which sets them itself
 
   void run() const {
     if (merge) return run_merge();
@@ -132,7 +132,8 @@ struct BatchCommand {
     return batch;
   }
 
-  /// Refuses output folders that are inputs too: the next run would take the outputs for clips.
+  /// Refuses an output folder that is also an input, unless only .mcpr is written: the next run
+  /// would compress the outputs as clips.
   void check_folders() const {
     if (formats == std::vector<std::string>{"mcpr"}) return;
     const std::optional<FileIdentity> target = identity_of(utf8_path(folder));

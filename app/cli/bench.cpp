@@ -25,9 +25,9 @@
 namespace mocapress::cli {
 namespace {
 
-constexpr double kErrorCm = 0.5;             // error of the decoded clip
+constexpr double kErrorCm = 0.5;             // target error of the closed-loop clip
 constexpr double kCoefficientRatio = 20;     // ratio at which selections are measured
-constexpr double kRatioWithCorrection = 30;  // ratios with IK, from the paper's video
+constexpr double kRatioWithCorrection = 30;  // this and the next: from the paper's video
 constexpr double kCorrectionRatio = 16;
 
 double seconds_of(const auto& work) {
@@ -36,7 +36,7 @@ double seconds_of(const auto& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The best of several runs, which other work on the machine disturbs least.
+/// Time of the fastest of several runs: other work on the machine disturbs it least.
 double best_seconds_of(const auto& work) {
   constexpr int kRuns = 20;
   double best = seconds_of(work);
@@ -44,7 +44,8 @@ double best_seconds_of(const auto& work) {
   return best;
 }
 
-/// Times and sizes of the runtime decoder for a closed-loop adaptive clip; microseconds.
+/// Measurements of the runtime decoder on a closed-loop clip with adaptive coding. Times are in
+/// microseconds.
 struct Played {
   double open_us = 0;
   std::size_t resident_bytes = 0;  // without the skeleton
@@ -81,7 +82,7 @@ class OpenClip {
     return info.resident_bytes - info.skeleton_bytes;
   }
 
-  /// Decodes into the same memory each time.
+  /// Decodes into the same memory at each call.
   void decode(const mcpr_request& request, std::uint32_t first, std::uint32_t count) {
     mcpr_result result;
     mcpr_decode_frames(clip_.get(), &request, first, count, out_.data(), scratch_->data(),
@@ -100,7 +101,7 @@ class OpenClip {
   mcpr::Owned<const mcpr_clip> clip_;
 };
 
-/// Seconds to decode windows of `count` frames at random places, one time for each.
+/// Seconds per window to decode windows of `count` frames at random places.
 double seconds_of_windows(OpenClip& clip, const mcpr_request& request, std::uint32_t count) {
   constexpr int kWindows = 200;
   Random random(1);
@@ -132,7 +133,7 @@ Played bench_decoder(const Encoding& encoding) {
   return played;
 }
 
-/// Microseconds a frame for the IK correction of the feet alone; unset without feet.
+/// Microseconds per frame that the IK correction of the feet alone takes; unset without feet.
 std::optional<double> bench_correction(const Encoder& encoder, IkSolver solver) {
   if (find_feet(encoder.motion().skeleton).empty()) return std::nullopt;
   const Encoding encoding =
@@ -167,8 +168,8 @@ Annealed bench_annealing(const ClipAnalysis& analysis) {
   return {seconds, report.iterations};
 }
 
-/// One iteration as in the paper: every channel in turn gets more coefficients, and full forward
-/// kinematics measures the result.
+/// Seconds of one iteration as in the paper: it tries more coefficients for each channel in turn,
+/// and measures each result by full forward kinematics.
 double bench_reference_iteration(const ClipAnalysis& analysis) {
   const RankedCoefficients& ranked = analysis.in(Basis::Cubic).ranked;
   const Kept kept =
@@ -192,8 +193,8 @@ double bench_reference_iteration(const ClipAnalysis& analysis) {
   });
 }
 
-/// The slowest draft of a series, as a moving slider asks for them, of a clip that is analysed
-/// already: with an estimated size, or with its bytes.
+/// Seconds of the slowest of several drafts, such as a moving slider asks for, on a clip that is
+/// analysed already. If `size_will_do`, the size is estimated, and no bytes are made.
 double worst_draft_seconds(const Encoder& encoder, bool size_will_do) {
   double worst = 0;
   for (const double eps_cm : {0.1, 0.2, 0.3, 0.4, 0.5, 0.7, 1.0})

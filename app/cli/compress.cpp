@@ -34,7 +34,7 @@
 namespace mocapress::cli {
 namespace {
 
-/// Reports settings that Settings refuses as usage errors.
+/// Turns an Error thrown by `check` into a usage error.
 void or_usage_error(const std::function<void()>& check) {
   try {
     check();
@@ -43,7 +43,7 @@ void or_usage_error(const std::function<void()>& check) {
   }
 }
 
-/// The error of the first tiers of a file.
+/// The error of the clip when only the first `tiers` tiers of its file are read.
 TierError tier_error(const Encoder& original, std::span<const std::byte> file, int tiers,
                      Weighting weighting) {
   const Distortion found = verify(file, original, {.tiers = tiers}).distortion;
@@ -61,11 +61,11 @@ struct Compress {
   std::vector<ImportantRange> ranges;
   std::optional<double> track_error;
   int tiers = 1;
-  std::optional<std::string> additive;  // the base
+  std::optional<std::string> additive;  // file of the base
   std::optional<int> base_frame;
   bool json = false;
 
-  /// The requested settings, as far as they do not depend on the clip.
+  /// The settings from the command line, before they are fitted to the clip.
   Settings asked() const {
     Settings asked = preset.read();
     if (!ranges.empty()) asked.ranges = ranges;
@@ -74,7 +74,7 @@ struct Compress {
     return asked;
   }
 
-  /// The same for this clip. Throws CLI::ValidationError where they do not fit it.
+  /// The settings for this clip. Throws CLI::ValidationError if they do not fit it.
   EncodeSettings asked_of(const Settings& asked, const Motion& motion) const {
     preset.importance.require_names_of(motion.skeleton);
     EncodeSettings options;
@@ -109,7 +109,8 @@ struct Compress {
           output + ": compress writes .mcpr files alone; decompress writes motion files");
   }
 
-  /// Its name has an extension for the reader alone: errors do not say it.
+  /// Reads the motion from standard input. Readers go by the extension of an invented file name,
+  /// which error messages leave out.
   MotionFile read_stream() const {
     const std::string named = "standard input." + input_format;
     try {
@@ -198,7 +199,7 @@ struct Compress {
     return frames_of(base, *base_frame - 1, 1);
   }
 
-  /// Compresses what the clip adds to the base.
+  /// Compresses the clip as an additive one: only what it adds to the base.
   void run_additive(MotionFile file, const Settings& asked) const {
     EncodeSettings options = asked_of(asked, file.motion);
     const std::vector<ContactSpan> spans = *std::exchange(options.contacts, std::nullopt);

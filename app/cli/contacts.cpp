@@ -36,7 +36,7 @@ ContactSpan span_from(const Json& json, const Motion& motion, const std::vector<
                          json.at("last_frame").get<int>()};
   if (span.landmark < 0) throw Error("the skeleton has no joint named " + joint);
   if (span.first_frame < 0 || span.last_frame < span.first_frame ||
-      span.last_frame >= motion.clip.frames())  // in the words of the file, which counts from 0
+      span.last_frame >= motion.clip.frames())  // the message counts from 0, as the file does
     throw Error("first_frame " + std::to_string(span.first_frame) + " and last_frame " +
                 std::to_string(span.last_frame) +
                 " are not a span of the clip, whose frames are 0 to " +

@@ -13,8 +13,8 @@ namespace mocapress::cli {
 
 /// Contacts of the feet: found on the original by thresholds, or read from an edited file.
 struct ContactInput {
-  std::vector<double> height;  // cm: begin, end; empty: the default
-  std::vector<double> speed;   // cm/s
+  std::vector<double> height;  // thresholds in cm: begin, end; empty: the default
+  std::vector<double> speed;   // thresholds in cm/s: begin, end; empty: the default
   std::optional<std::string> file;
 
   void add_options(CLI::App& command);

@@ -53,7 +53,7 @@ struct Decompress {
   std::optional<std::string> onto;
   MotionOutput target;
   bool no_clobber = false;
-  int tiers = 0;  // to read of a file with tiers; 0: all
+  int tiers = 0;  // number of tiers to read; 0: all
 
   void run() const {
     check_output();
@@ -116,7 +116,7 @@ struct Decompress {
     return files;
   }
 
-  /// Refuses to replace also a file that has appeared since run() looked.
+  /// With --no-clobber, refuses to replace even a file that appeared after run() checked.
   StagedFile::Existing existing() const {
     return no_clobber ? StagedFile::Existing::Refuse : StagedFile::Existing::Replace;
   }
@@ -157,8 +157,8 @@ struct Decompress {
                                   target.options, tracks, existing()));
   }
 
-  /// A take for each clip, with its file's name. Takes share the nodes of the first clip, joint by
-  /// joint in its order.
+  /// Writes one file with a take for each clip, named after the clip's file. All takes use the
+  /// nodes of the first clip, so the clips must list the same joints in the same order.
   void write_together() const {
     std::vector<Read> read;
     for (const std::string& input : inputs) {

@@ -43,10 +43,11 @@ struct Diff {
                    counted(difference.judged_otherwise, "clip").c_str());
     refuse(difference);
     if (waiting > 0)
-      throw EndedWith{kSomeFailed};  // `waiting` is the later batch's, which was read last
+      throw EndedWith{kSomeFailed};  // counts clips of the later batch, which was read last
   }
 
-  /// Throws EndedWith if a clip changed in a way that --fail-on names, or if nobody can tell.
+  /// Throws EndedWith if a clip changed in a way that --fail-on names, or if --fail-on names a
+  /// change of visibility and clips were judged by different limits.
   void refuse(const BatchDifference& difference) const {
     bool refused = false;
     for (const std::string& word : fail_on) {

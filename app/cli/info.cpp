@@ -50,7 +50,7 @@ Json name_of(SourceFormat::Kind kind) {
   return {};
 }
 
-/// Null stands for unknown values.
+/// Format, unit and axes of the source file; null if unknown.
 Json describe(const SourceFormat& source) {
   if (source.kind == SourceFormat::Kind::None) return {};
   return {{"format", name_of(source.kind)},
@@ -59,7 +59,7 @@ Json describe(const SourceFormat& source) {
           {"bvh_root", source.root ? Json(name(*source.root)) : Json()}};
 }
 
-/// The joints that BVH renames, with their names in the BVH file.
+/// Maps the names of joints that BVH has to rename from BVH's name to the original one.
 Json describe_bvh_names(const Skeleton& skeleton) {
   const std::vector<std::string> words = bvh_names(skeleton);
   Json renamed = Json::object();
@@ -98,7 +98,7 @@ Json describe_motion(const std::string& path, const MotionFile& file) {
           {"warnings", warnings}};
 }
 
-/// The tiers of a file: how many of its bytes are enough for which error.
+/// Lists the tiers of a file: the bytes up to the end of each, and the error reached with them.
 Json describe_tiers(std::span<const std::byte> file) {
   const runtime::TierTable table = sections_of(file).tiers;
   Json described = Json::array();
@@ -110,7 +110,7 @@ Json describe_tiers(std::span<const std::byte> file) {
   return described;
 }
 
-/// The bytes by joint and by second, and what else is in the file.
+/// Divides the bytes of the file by joint, by second and by its other parts.
 Json describe_bytes(std::span<const std::byte> file, const CompressedClip& clip) {
   const int second = std::max(1, static_cast<int>(std::lround(clip.sample_rate_hz)));
   const ByteCosts costs = byte_costs(file, second);
@@ -128,7 +128,7 @@ Json describe_bytes(std::span<const std::byte> file, const CompressedClip& clip)
   return described;
 }
 
-/// A table with the dearest joints first.
+/// Prints the bytes as a table, the joints with the most bytes first.
 void print_bytes(const Json& bytes) {
   const auto row = [](const std::string& name, const Json& value) {
     std::printf("    %-24s %10s\n", printable(name).c_str(),
@@ -184,7 +184,7 @@ Json describe_compressed(const std::string& path, bool with_bytes) {
   return described;
 }
 
-/// A value for people: short numbers, and objects as their parts without the unknown ones.
+/// Formats a value for people: short numbers, and an object as a list of its known parts.
 std::string shown(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number_float()) {

@@ -50,7 +50,8 @@ const CLI::App& called(const CLI::App& app) {
   return *command;
 }
 
-/// The command's first argument, its input: errors without a file of their own name this one.
+/// The first argument of the called command, which is its input. Errors that concern no other file
+/// name this one.
 std::string first_input(const CLI::App& app) {
   const CLI::App& command = called(app);
   for (const CLI::Option* option : command.get_options())
@@ -72,8 +73,8 @@ std::size_t slips_between(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-/// Names the words that nothing takes, in their order. CLI11 2.1 turns the order round, and says of
-/// a wrong command only that there is none.
+/// An error message that lists unexpected words in the order given. CLI11 2.1 would reverse them,
+/// and would report an unknown command as a missing one.
 std::string failure_message(const CLI::App* app, const CLI::Error& error) {
   const auto told = [&](const std::string& text) {
     return CLI::FailureMessage::simple(app, CLI::ExtrasError(text, error.get_exit_code()));
@@ -83,7 +84,7 @@ std::string failure_message(const CLI::App* app, const CLI::Error& error) {
   if (command.get_require_subcommand_min() > 0 && !words.empty() &&
       !words.front().starts_with('-')) {
     std::string meant;
-    std::size_t nearest = 3;  // slips of the finger, too many for the same word
+    std::size_t nearest = 3;  // words that differ by 3 letters or more are not suggested
     for (const CLI::App* known : command.get_subcommands({}))
       if (const std::size_t slips = slips_between(words.front(), known->get_name());
           slips < nearest) {
@@ -107,7 +108,7 @@ ExitCode run(int argc, char** argv) {
   }
   CLI::App app("Compresses human motion capture clips with wavelets.", "mocapress");
   app.set_version_flag("-v,--version", MOCAPRESS_VERSION);
-  app.allow_windows_style_options(false);  // "/clips/walk.bvh" is a file on every system
+  app.allow_windows_style_options(false);  // "/clips/walk.bvh" is a path, not an option
   app.require_subcommand(1);
   app.footer(
       "Every command accepts --memory SIZE: files whose contents would take more are refused "

@@ -24,7 +24,7 @@ CLI::Validator possible_size() {
       "");
 }
 
-/// Adds "--rate" and the like, or "--out-rate" and the like for another prefix.
+/// Adds --rate, --cm-per-unit and so on, with `prefix` after the dashes, as in --out-rate.
 void add_format_options(CLI::App& command, const std::string& prefix, const std::string& of_file,
                         ReadOptions& options) {
   const auto flag = [&](const char* name) { return "--" + prefix + name; };

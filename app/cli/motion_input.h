@@ -18,10 +18,10 @@ struct MotionInput {
 
   void add_options(CLI::App& command);
 
-  /// Adds the option of commands that measure.
+  /// Adds --character, for commands that measure errors.
   void add_character_option(CLI::App& command);
 
-  /// Adds the option of commands that use tracks.
+  /// Adds --tracks, for commands that compress or measure scalar tracks.
   void add_tracks_option(CLI::App& command);
 
   /// All files that are read along with `path`.
@@ -32,7 +32,7 @@ struct MotionInput {
   Motion read(const std::string& path) const { return read_file(path).motion; }
 };
 
-/// Options for writing a motion file, which replace the values of its source.
+/// Options for writing a motion file; each one given overrides what the source file states.
 struct MotionOutput {
   WriteOptions options;
 

@@ -11,7 +11,7 @@
 
 namespace mocapress::cli {
 
-/// An option for the values of an enum, spelled as by name().
+/// An option whose words are the names of enum values, as given by name().
 template <typename Enum>
 CLI::CheckedTransformer one_of(std::initializer_list<Enum> values) {
   std::map<std::string, Enum> words;
@@ -25,7 +25,7 @@ CLI::CheckedTransformer one_of(std::initializer_list<Enum> values) {
   return transformer;
 }
 
-/// Checks for a number above 0. CLI11's own check says a range of 309 digits.
+/// Checks for a number above 0. CLI11's own check prints an upper limit of 309 digits.
 inline CLI::Validator number_above_0() {
   return CLI::Validator(
       [](std::string& text) {

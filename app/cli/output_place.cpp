@@ -9,7 +9,7 @@ namespace mocapress::cli {
 void require_place(const std::filesystem::path& output,
                    const std::vector<std::filesystem::path>& sources) {
   refuse_source(output, sources);
-  StagedFile{output};  // refuses what cannot be written, and leaves nothing there
+  StagedFile{output};  // throws if `output` cannot be written; leaves no file there
 }
 
 }  // namespace mocapress::cli

@@ -6,8 +6,8 @@
 
 namespace mocapress::cli {
 
-/// Throws WriteError for an output file that would overwrite a source or cannot be written, before
-/// work is spent on it.
+/// Throws WriteError if `output` would overwrite a source or cannot be written. Call it before the
+/// work starts, so that none is wasted.
 void require_place(const std::filesystem::path& output,
                    const std::vector<std::filesystem::path>& sources);
 

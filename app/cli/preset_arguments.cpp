@@ -115,7 +115,7 @@ ImportantRange range_from(const std::string& word) {
     throw CLI::ValidationError(
         "--importance-range",
         "expects A-B=FACTOR, frames A to B from 1 on, FACTOR from 1 to 100: " + word);
-  --range.first_frame;  // ranges count from 0
+  --range.first_frame;  // ImportantRange counts from 0
   --range.last_frame;
   return range;
 }

@@ -54,14 +54,14 @@ struct PresetArguments {
   std::optional<Weighting> weighting;
   std::optional<Target> target;
   std::optional<std::uint64_t> seed;
-  std::optional<Effort> effort;  // a draft is left to the caller: settings have none
+  std::optional<Effort> effort;  // the caller handles a draft: Settings cannot hold it
   std::optional<Ends> ends;
   std::optional<Loop> loop;
   ImportanceArguments importance;  // replaces the preset's importances if any is named
   CorrectionArguments correction;
   SightArguments sight;
 
-  /// Efforts: those that `compress` has, with drafts, or all others.
+  /// `with_drafts`: --effort also accepts "draft".
   void add_options(CLI::App& command, bool with_drafts);
 
   /// Throws InputError if the preset cannot be read, CLI::ValidationError for options that exclude

@@ -44,7 +44,7 @@ void print(const Visibility& seen, const Skeleton& skeleton) {
   std::cerr << '\n';
 }
 
-/// Adds each figure under a key of its own.
+/// Adds the measurements of visibility, each under a key of its own.
 void add_visibility(const Visibility& seen, Json& json) {
   const auto worst = [&](Cue cue) {
     return seen.worst_of[static_cast<std::size_t>(cue)].times_noticed();

@@ -21,7 +21,7 @@ struct TrackFigures {
   double max_error = 0;
 };
 
-/// Throws Error if the file has other tracks.
+/// Compares the file's tracks with the original's. Throws Error if they are other tracks.
 TrackFigures track_figures(const ScalarTracks& original, std::span<const std::byte> mcpr);
 
 /// The output of `compress` and `measure`: one compressed clip compared with its original.
@@ -50,7 +50,7 @@ struct Report {
 /// Keys are stable, since scripts depend on them. Null for values that do not apply.
 Json to_json(const Report& report);
 
-/// The same as text on standard error.
+/// Prints the report as text to standard error.
 void print(const Report& report);
 
 /// Writes JSON and nothing else to standard output.

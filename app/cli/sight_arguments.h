@@ -11,14 +11,15 @@ namespace mocapress::cli {
 
 /// Options for what viewers notice, and from what distance.
 struct SightArguments {
-  std::string limits_file;  // empty: the limits given to read()
+  std::string limits_file;  // empty: read() uses its argument
   std::optional<double> distance_m;
 
-  /// `otherwise` ends the help of --distance: the distance if neither option states one.
+  /// `otherwise` is a text for the help of --distance: the distance used if neither option gives
+  /// one.
   void add_options(CLI::App& command, const std::string& otherwise);
 
-  /// The limits of the file, else `otherwise`, at the distance that was asked for, else the file's,
-  /// else that of `otherwise`. Throws InputError.
+  /// The limits of the file; without a file, `otherwise`. The distance is that of --distance, else
+  /// that of the file, else that of `otherwise`. Throws InputError.
   SightLimits read(const SightLimits& otherwise = {}) const;
 };
 

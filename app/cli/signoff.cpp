@@ -20,8 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Throws WriteError if the sign-off would take the place of a report of its batch, by its name or
-/// through a link.
+/// Throws WriteError if the sign-off would replace a report of its batch, by having the same name
+/// or by following a link to it.
 void refuse_report(const fs::path& file, const fs::path& batch) {
   const fs::path folder = fs::absolute(file).parent_path();
   const std::string name = utf8(file.filename());

@@ -16,8 +16,8 @@ std::string read_standard_input();
 /// Throws WriteError.
 void write_standard_output(std::string_view bytes);
 
-/// Refuses "-" for every option of `app`'s commands that cannot use standard input or output. It is
-/// never taken for the name of a file.
+/// Refuses "-" for every option of `app`'s commands that cannot use standard input or output. "-"
+/// never means a file of that name.
 void refuse_streams(CLI::App& app);
 
 }  // namespace mocapress::cli

@@ -38,8 +38,8 @@ ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(is_terminal(st
 StopOnSignals::StopOnSignals() {
   const auto ask_to_stop = [](int signal) { stop_signal = signal; };
 #ifdef _WIN32
-  // A handler is called once there. SIGBREAK stands for Ctrl+Break, a closed window and the end of
-  // the session.
+  // Windows resets a handler after its first call. SIGBREAK stands for Ctrl+Break, a closed window
+  // and the end of the session.
   for (const int signal : {SIGINT, SIGTERM, SIGBREAK}) std::signal(signal, ask_to_stop);
 #else
   struct sigaction action = {};

@@ -19,7 +19,7 @@ class ProgressLine {
 
   double elapsed_seconds() const;
 
-  /// True when the next report is due; quick work reports none.
+  /// True when the next report is due. Work that ends within 0.3 s reports nothing.
   bool due() const;
   void show(std::string line);
   void clear() const;
