@@ -7,7 +7,7 @@
 namespace mocapress {
 namespace {
 
-/// Collects news, since thousands of clips may report at once.
+/// Collects news before sending it, since thousands of clips may report at once.
 class BatchReporter {
  public:
   using Send = std::function<void(const BatchCounts&, std::vector<BatchStep>)>;

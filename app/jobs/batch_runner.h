@@ -49,9 +49,9 @@ class BatchRunner : public QObject {
   bool busy() const { return runner_.busy(); }
 
  signals:
-  /// Reports changes since the last time: the newest for each clip.
+  /// Reports the changes since the last signal: for each clip only the newest step.
   void advanced(const BatchCounts& counts, const std::vector<BatchStep>& steps);
-  /// All clips have ended and their bank is being made.
+  /// Emitted after all clips have ended, while their bank is being made.
   void bankAdvanced(const BankProgress& bank);
   void ended(const BatchOutcome& outcome);
   void failed(const QString& message);

@@ -16,21 +16,21 @@ struct PutCharacter {
   QString trouble;      // why it cannot be read; empty: no error so far
 };
 
-/// Characters by rig_of(): each is on all clips of its rig.
+/// Characters by rig_of(); each is shown on all clips of its rig.
 using Characters = std::map<std::string, PutCharacter>;
 
 /// The character for clips of this skeleton.
 PutCharacter characterOn(const Characters& characters, const Skeleton& skeleton);
 
-/// The same, and reads it on first use; the map keeps the result.
+/// Like characterOn(), but reads the character's file on first use and keeps the result in the map.
 PutCharacter readCharacterOn(Characters& characters, const Skeleton& skeleton);
 
-/// Only the files of the characters.
+/// The files of characters, by rig_of().
 using CharacterFiles = std::map<std::string, QString>;
 CharacterFiles filesOf(const Characters& characters);
 
 /// The file of the character for clips of this rig; empty: each clip keeps its own. A clip whose
-/// rig is unknown ("") gets the only character there is, if there is one. If that does not fit, the
+/// rig is unknown ("") gets the only character if there is exactly one; if that does not fit, the
 /// clip keeps its own, with a warning.
 QString characterFile(const CharacterFiles& files, const std::string& rig);
 

@@ -30,10 +30,10 @@ Eigen::Vector3d widest(const Eigen::MatrixX3d& points) {
 
 constexpr int kSkinSide = 96;  // pixels
 
-/// Maps points to the square: right, down, and towards the viewer.
+/// Projects points to the square: x to the right, y down, z towards the viewer.
 struct View {
   Eigen::Vector3d right;
-  Eigen::Vector3d middle;  // right and down
+  Eigen::Vector3d middle;  // centre of the square, in x and y
   double size;
 
   Eigen::Vector3d of(const Eigen::Vector3d& point) const {

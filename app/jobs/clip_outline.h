@@ -18,7 +18,7 @@ namespace mocapress {
 struct ClipOutline {
   int frames = 0;
   double sample_rate_hz = 0;
-  std::string rig;      // rig_of() its skeleton
+  std::string rig;      // rig_of() the skeleton
   QList<QLineF> bones;  // lines of a pose in a square from 0 to 1, y down
   QImage skin;          // picture of the same pose; null: no skin
   QStringList notes;    // repairs and guesses of the reader
@@ -26,10 +26,11 @@ struct ClipOutline {
   Takes takes;
 };
 
-/// The take that was read, as ReadOptions names it; unset: the file has no other.
+/// The take that was read, for ReadOptions::take; unset: the file has no other take.
 std::optional<std::string> takeAmong(const Takes& takes);
 
-/// Draws the middle frame from its widest side. `skin` may be null.
+/// Summarises a motion. The picture shows its middle frame, seen from the widest side. `skin` may
+/// be null.
 ClipOutline outlineOf(const Motion& motion, const Skin* skin);
 
 /// Reads a motion or a compressed clip. Throws the readers' exceptions.

@@ -25,7 +25,7 @@ bool isGone(const QString& path) {
   return !there && !error;
 }
 
-/// Paths of the files below a folder, by file name; only names that are looked for.
+/// Paths of the files below a folder, by file name. The keys are the names to look for.
 using Places = QHash<QString, QStringList>;
 
 Places placesOf(Places wanted, const QString& folder, const Job& job) {
@@ -41,7 +41,7 @@ QString nameOf(const QString& path) {
   return QFileInfo(path).fileName();
 }
 
-/// All ways to combine found files into the clip.
+/// All pairs of a found motion and a found skeleton that may be the missing clip.
 std::vector<ClipSource> candidates(const ClipSource& clip, const Places& places) {
   QStringList skeletons{clip.skeleton};
   if (!clip.skeleton.isEmpty() && isGone(clip.skeleton)) skeletons = places[nameOf(clip.skeleton)];

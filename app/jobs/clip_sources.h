@@ -19,7 +19,7 @@ struct ClipSource {
   InputStamp stamp;  // no hash: never examined
 };
 
-/// The same files today.
+/// The files of a ClipSource as they are now.
 struct SourceNow {
   enum class State { Found, Missing, Unreadable };
 
@@ -28,15 +28,15 @@ struct SourceNow {
   QString trouble;   // error if they cannot be read
 };
 
-/// Reads bytes only if sizes or times have changed.
+/// Examines a clip's files. Reads their bytes only if sizes or times have changed.
 SourceNow lookAt(const ClipSource& source);
 
-/// The same for many clips, in order; fewer if the job is stopped.
+/// Examines many clips, in order. Returns fewer if the job is stopped.
 std::vector<SourceNow> lookAt(const std::vector<ClipSource>& sources, const Job& job);
 
-/// Searches a folder for clips by their file names. Among several files of a name, the one with the
-/// clip's old bytes wins; a file with other bytes is taken only if it is the only one. The result
-/// is keyed by the paths of the missing clips.
+/// Searches a folder for missing clips by their file names. Among several files with the same name,
+/// the one with the clip's old bytes wins; a file with other bytes is taken only if it is the only
+/// one. The result is keyed by the paths of the missing clips.
 std::map<QString, ClipSource> findMoved(const QString& folder,
                                         const std::vector<ClipSource>& missing, const Job& job);
 

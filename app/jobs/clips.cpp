@@ -178,7 +178,7 @@ Warnings dress(Skeleton& skeleton, const PutCharacter& put, const Skin* own) {
     put_character(file, put.character, skeleton, warnings);
     return warnings;
   } catch (const Error& error) {
-    // The clip keeps its own skin.
+    // The character does not fit: the clip keeps its own skin.
     return {{file.string(), 0, std::string("is not put on: ") + error.what()}};
   }
 }

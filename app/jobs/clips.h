@@ -45,14 +45,14 @@ struct OriginalClip {
   QString character;                 // path of the character put on it, whether it fits or not
   bool has_character = false;        // the character could be read
   Warnings of_character;             // warnings about the character
-  Takes takes;                       // with several, `reading` says which
+  Takes takes;                       // with several, reading.take is the one read
   ClipOutline outline;
   ScalarTracks scalars;  // morph weights and other tracks
   std::shared_ptr<const Encoder> encoder;
 
   const Motion& motion() const { return encoder->motion(); }
 
-  /// True if `put`, as far as it has been read, is on the clip.
+  /// True if `put` is on the clip already: with its skin, if that has been read.
   bool wears(const PutCharacter& put) const {
     return character == put.path && (has_character || !put.character.skin);
   }
@@ -64,7 +64,7 @@ struct OriginalClip {
 /// A compressed clip, decoded for display.
 struct DecodedClip {
   std::string method;       // a method's name
-  bool of_wavelets = true;  // false: `compressed` is as OpenedMcpr has it
+  bool of_wavelets = true;  // false: made by a comparison method; see OpenedMcpr
   CompressedClip compressed;
   std::vector<std::byte> file;  // the .mcpr; empty for a draft whose size is estimated
   SourceFormat source;          // as stated in the .mcpr it came from
@@ -81,7 +81,7 @@ struct DecodedClip {
   std::optional<Footskate> uncorrected_footskate;
   std::optional<CorrectionResult> correction;  // set for a clip encoded here
   std::optional<double> coefficient_ratio;     // set for a clip encoded here
-  std::optional<int> iterations;               // in the annealing
+  std::optional<int> iterations;               // number of iterations of annealing
   double encode_seconds = 0;
   bool complete = true;             // false: encoding was stopped early
   Effort effort = Effort::Default;  // Draft: the target may be missed
@@ -90,7 +90,7 @@ struct DecodedClip {
 using OriginalPtr = std::shared_ptr<const OriginalClip>;
 using DecodedPtr = std::shared_ptr<const DecodedClip>;
 
-/// The same clip with its bytes, for a draft that has only an estimated size.
+/// The same clip with its bytes; for a draft whose size is only estimated.
 DecodedPtr coded(const DecodedClip& decoded);
 
 /// The .mcpr that saving writes. `tracks` come from the original.
@@ -108,8 +108,7 @@ bool comparable(const Motion& original, const CompressedClip& compressed);
 /// Decodes and measures an encoding made with these options.
 DecodedPtr decodedClip(Encoding encoding, const Encoder& encoder, const EncodeSettings& options);
 
-/// The same for a clip read from a file; measured, by `limits` of visibility, if there is an
-/// original.
+/// Decodes a clip read from a file. If there is an original, measures it and judges it by `limits`.
 DecodedPtr decodedClip(OpenedMcpr opened, const OriginalClip* original, const SightLimits& limits,
                        const SourceFormat& source = {});
 
@@ -117,15 +116,16 @@ DecodedPtr decodedClip(OpenedMcpr opened, const OriginalClip* original, const Si
 DecodedPtr measured(const DecodedClip& decoded, const OriginalClip& original,
                     const SightLimits& limits);
 
-/// A clip that was encoded with these options but for their limits of visibility, judged by them.
+/// Judges a clip by the visibility limits in `options`. The clip must have been encoded with
+/// options that differ at most in these limits.
 DecodedPtr judged(const DecodedClip& decoded, const Encoder& encoder,
                   const EncodeSettings& options);
 
-/// The same clip with its skin's errors measured on the original's current skin.
+/// The same clip with errors on the skin measured again, on the original's current skin.
 DecodedPtr measuredAgain(const DecodedClip& decoded, const OriginalClip& original);
 
-/// Puts the character, if it fits, on the joints, and the file's own skin otherwise:
-/// Weighting::Skin measures on it. Returns warnings about the character.
+/// Attaches to the joints the skin on which Weighting::Skin measures errors: the character's if it
+/// fits, else the clip's own. Returns warnings about the character.
 Warnings dress(Skeleton& skeleton, const PutCharacter& character, const Skin* own);
 
 /// The same clip with another character.

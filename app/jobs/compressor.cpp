@@ -21,12 +21,12 @@ EncodeSettings quickOptions(EncodeSettings wanted) {
     wanted.effort = Effort::Draft;
     wanted.size_will_do = true;
   }
-  // Auto would take many encodings to find the ratio, so the draft fixes it.
+  // A search for the best ratio takes many encodings, so the draft uses a fixed ratio.
   if (wanted.correction && !wanted.correction->ratio) wanted.correction->ratio = kDraftIkRatio;
   return wanted;
 }
 
-/// Calls encode() and marks a missed target before rethrowing.
+/// Calls encode(). If the target is missed, calls `missed` and rethrows.
 template <typename Missed>
 Encoding encodeOrTell(const Encoder& encoder, const EncodeSettings& options,
                       const Observer<EncodeProgress>& observer, const Missed& missed) {
@@ -38,8 +38,8 @@ Encoding encodeOrTell(const Encoder& encoder, const EncodeSettings& options,
   }
 }
 
-/// True if a refinement that was stopped early, and may miss its target, is better at no more
-/// bytes.
+/// True if a refinement that was stopped early, and may miss its target, has a smaller error at
+/// about the same size or less.
 bool worthKeeping(const DecodedClip& refined, const DecodedClip& quick) {
   const Weighting weighting = refined.compressed.provenance.weighting;
   return refined.distortion->eps(weighting) < quick.distortion->eps(weighting) &&
@@ -124,7 +124,7 @@ void Compressor::startQuick() {
         if (newer_wanted_)
           startQuick();
         else if (refines())
-          refine_later_.start();  // refinement may reach a target that the quick answer misses
+          refine_later_.start();  // refinement may reach the missed target
         else
           fail(message);
       });

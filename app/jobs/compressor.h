@@ -13,20 +13,20 @@
 
 namespace mocapress {
 
-/// Answers the newest settings. A quick answer (a closed loop's draft, or standard selection
-/// instead of annealing) comes at once and is refined afterwards. A draft with an estimated size is
-/// repeated with its bytes before the refinement. New settings abandon a running refinement at
-/// once, but let a quick answer finish, so that pictures keep coming during a drag. Settings that
-/// were answered before are answered from the cache, judged by their limits of visibility.
+/// Compresses the clip by the newest settings. A quick answer (a closed loop's draft, or standard
+/// selection instead of annealing) comes at once and is refined afterwards. A draft whose size is
+/// estimated is coded before the refinement. New settings abandon a running refinement at once, but
+/// let a quick answer finish, so that pictures keep coming during a drag. Settings that were
+/// answered before are answered from the cache, judged by the current limits of visibility.
 class Compressor : public QObject {
   Q_OBJECT
 
  public:
   explicit Compressor(QObject* parent = nullptr);
 
-  /// Sets the clip to compress and abandons all work; null: nothing to compress, and all results
-  /// are forgotten. Results are kept by `content`, which must be equal only for encoders that
-  /// answer alike; empty: like no other.
+  /// Sets the clip to compress and abandons all work. Null: nothing to compress, and all results
+  /// are forgotten. `content` is the key of the results: encoders may share it only if they give
+  /// equal results. Empty: shared with no other encoder.
   void setEncoder(std::shared_ptr<const Encoder> encoder, const std::string& content = {});
 
   void request(const EncodeSettings& options);
@@ -40,8 +40,8 @@ class Compressor : public QObject {
   bool refining() const { return refine_.busy(); }
 
  signals:
-  /// Answers the newest request, or the one before it while a quick answer is under way. `final`:
-  /// no better answer will follow.
+  /// An answer to the newest request, or to an earlier one whose quick answer was under way.
+  /// `final`: no better answer will follow.
   void answered(const DecodedPtr& decoded, bool final);
 
   /// Progress of the refinement since the last report.
@@ -74,10 +74,10 @@ class Compressor : public QObject {
   EncodeSettings wanted_;
   bool newer_wanted_ = false;   // newer settings wait for the quick job
   bool out_of_reach_ = false;   // the newest job found the target out of reach
-  bool coded_will_do_ = false;  // no refinement is wanted any more
+  bool coded_will_do_ = false;  // coded bytes are the final answer: no refinement is wanted
   DecodedPtr quick_answer_;     // null: these settings have none
-  std::string content_;         // the encoder's, see setEncoder()
-  int unlike_others_ = 0;       // encoders without content so far
+  std::string content_;         // see setEncoder()
+  int unlike_others_ = 0;       // number of encoders without content so far
   ResultCache results_;         // results of this encoder and earlier ones
 };
 

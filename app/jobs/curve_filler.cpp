@@ -25,7 +25,7 @@ void CurveFiller::start(const CurveTask& task) {
               encoding.distortion.eps(options.weighting)};
           job.post([this, ratio, point] { emit measured(ratio, point); });
         } catch (const Error&) {
-          // A ratio out of this clip's reach gives no point.
+          // The clip cannot reach this ratio: the curve has no point there.
         }
       });
     }

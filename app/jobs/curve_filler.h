@@ -14,7 +14,7 @@ namespace mocapress {
 /// Points of a rate-distortion curve to measure.
 struct CurveTask {
   std::shared_ptr<const Encoder> encoder;
-  EncodeSettings options;       // the target in it is ignored
+  EncodeSettings options;      // their target is ignored
   std::vector<double> ratios;  // in order of priority
 };
 
@@ -31,7 +31,7 @@ class CurveFiller : public QObject {
   bool busy() const { return runner_.busy(); }
 
  signals:
-  /// `asked` is the task's ratio that led to the point.
+  /// `asked`: the ratio in the task that led to this point.
   void measured(double asked, const CurvePoint& point);
   void ended();
 

@@ -57,7 +57,7 @@ void JobRunner::launch(Work work, Failed failed) {
   setBusy(true);
 }
 
-/// Runs on a thread of the pool.
+/// Runs waiting jobs until none is left; called on a thread of the pool.
 void JobRunner::lookAfter(const std::shared_ptr<Queue>& queue) {
   std::unique_lock lock(queue->mutex);
   while (queue->waiting) {

@@ -38,9 +38,10 @@ class Job {
   std::stop_token stop_;
 };
 
-/// Runs jobs of one purpose, one at a time, on a pool's thread, and delivers results and errors on
-/// its own thread. A newer job asks the running one to stop and makes it void: a void job delivers
-/// nothing. The destructor asks for a stop and waits, so that no job outlives the data it uses.
+/// Runs jobs of one purpose, one at a time, on a thread of a pool, and delivers results and errors
+/// on the runner's own thread. A newer job asks the running one to stop and makes it void: a void
+/// job delivers nothing. The destructor asks for a stop and waits, so that no job outlives the data
+/// it uses.
 class JobRunner : public QObject {
   Q_OBJECT
 
@@ -50,8 +51,8 @@ class JobRunner : public QObject {
   explicit JobRunner(Workers workers = Workers::WaitedFor, QObject* parent = nullptr);
   ~JobRunner() override;
 
-  /// Runs `work(const Job&)` on another thread, then `done(result)` or `failed(message)` on this
-  /// one. `work` must own its data or share only constant data.
+  /// Runs `work(const Job&)` on another thread, then `done(result)` or `failed(message)` on the
+  /// runner's thread. `work` must own its data or share only constant data.
   template <typename Work, typename Done>
   void start(Work work, Done done, Failed failed) {
     using Result = std::invoke_result_t<Work, const Job&>;

@@ -12,7 +12,7 @@ void LevelEncoder::start(std::shared_ptr<const Encoder> encoder, const EncodeSet
       if (job.stopRequested()) break;
       EncodeSettings wanted = options;
       wanted.target = {Target::Kind::Visibility, level};
-      wanted.effort = Effort::Draft;  // near is near enough: each result is judged as it is
+      wanted.effort = Effort::Draft;  // near the level is enough: each result is measured
       wanted.promises = {};
       wanted.ranges.clear();
       try {
@@ -22,7 +22,7 @@ void LevelEncoder::start(std::shared_ptr<const Encoder> encoder, const EncodeSet
         const DecodedPtr decoded = decodedClip(std::move(encoding), *encoder, wanted);
         job.post([this, decoded] { emit made(decoded); });
       } catch (const TargetMissed&) {
-        // The clip cannot be that exact: the level is left out.
+        // The clip cannot reach so small an error: the level is left out.
       }
     }
     return true;

@@ -17,8 +17,8 @@ class LevelEncoder : public QObject {
  public:
   explicit LevelEncoder(QObject* parent = nullptr) : QObject(parent) {}
 
-  /// Starts with the options of a clip, whose target and promises are ignored, and abandons a
-  /// running task. Levels are multiples of what is noticed.
+  /// Starts with the options of a clip, whose target, promises and ranges are ignored, and abandons
+  /// a running task. Levels are multiples of the noticeable threshold.
   void start(std::shared_ptr<const Encoder> encoder, const EncodeSettings& options,
              const std::vector<double>& levels);
   void abandon() { runner_.abandon(); }

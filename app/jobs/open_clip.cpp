@@ -82,7 +82,7 @@ OpenedClip openOriginal(OpenRequest& request) {
   return {original, together ? measured(*request.decoded, *original, request.limits) : nullptr};
 }
 
-/// Opens the clip as a comparison method leaves it.
+/// Compresses the clip by a comparison method and opens the result.
 OpenedClip openCompared(OpenRequest& request, const Job& job) {
   const OriginalPtr original = readOriginal(request);
   const CompressionMethod* compression_method = find_compression_method(request.comparison);

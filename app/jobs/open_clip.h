@@ -12,7 +12,7 @@ namespace mocapress {
 
 struct StudyRow;
 
-/// A file to open, together with the open clip: a .mcpr and its original are shown together,
+/// A file to open, and the clip that is open: a .mcpr and its original are shown together,
 /// whichever is opened first.
 struct OpenRequest {
   QString path;          // .bvh, .amc or .mcpr
@@ -24,7 +24,7 @@ struct OpenRequest {
   /// Options to compress with; unset: those of the last clip.
   std::optional<EncodeSettings> options;
   SightLimits limits;                  // for the visibility of clips that are not compressed here
-  Characters characters;               // choices; one that fits is put on
+  Characters characters;               // by rig; the clip's rig decides which is put on
   std::optional<ReadOptions> reading;  // for a motion; unset: as it was read last
   std::string comparison;  // for a motion: comparison method to show with `options`, or empty
 };
@@ -33,7 +33,7 @@ struct OpenRequest {
 struct OpenedClip {
   OriginalPtr original;
   DecodedPtr decoded;
-  Characters characters = {};  // the request's, with the ones read meanwhile
+  Characters characters = {};  // those of the request, some of them read meanwhile
 };
 
 /// A request that opens the clip of a study's row as compressed there.

@@ -59,7 +59,7 @@ std::size_t bytesOf(const Matrix& matrix) {
   return static_cast<std::size_t>(matrix.size()) * sizeof(typename Matrix::Scalar);
 }
 
-/// The size of the arrays with a value for each frame, which dominate.
+/// Approximate size: counts the file and the arrays with a value for each frame, which dominate.
 std::size_t bytesOf(const DecodedClip& decoded) {
   std::size_t bytes = decoded.file.size() + bytesOf(decoded.clip.channels);
   for (const Tracks& tracks : {decoded.tracks, decoded.uncorrected_tracks})

@@ -20,7 +20,7 @@ void SlopeFinder::start(const SlopeTask& task) {
           if (job.stopRequested()) return;
           job.post([this, i, slope] { emit found(static_cast<int>(i), slope); });
         } catch (const Error&) {
-          // A change out of this clip's reach gives no line.
+          // The clip cannot reach this change: it gets no line.
         }
       });
     return true;

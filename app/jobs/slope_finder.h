@@ -12,7 +12,8 @@ namespace mocapress {
 
 /// Changes of a clip's settings to try.
 struct SlopeTask {
-  /// Joints to be relaxed; without joints the motion takes so many times its bytes.
+  /// Lets the error of these joints grow `times`-fold. Without joints, gives the motion `times` as
+  /// many bytes.
   struct Change {
     std::vector<int> joints;
     double times = 2;
@@ -24,7 +25,7 @@ struct SlopeTask {
   std::vector<Change> changes;
 };
 
-/// Tries them in the background, on one thread of the lowest priority.
+/// Tries the changes of a task in the background, on one thread of the lowest priority.
 class SlopeFinder : public QObject {
   Q_OBJECT
 
@@ -37,7 +38,7 @@ class SlopeFinder : public QObject {
   bool busy() const { return runner_.busy(); }
 
  signals:
-  /// `change` is an index into the task's.
+  /// `change`: an index in SlopeTask::changes.
   void found(int change, const Slope& slope);
   void ended();
 

@@ -14,14 +14,14 @@ namespace mocapress {
 struct StudyCounts {
   int jobs = 0;
   int done = 0;
-  int kept = 0;  // number of those that an earlier run measured
+  int kept = 0;  // number of done jobs that an earlier run measured
 };
 
 /// A study to run.
 struct StudyTask {
   StudyPlan plan;
   QString folder;           // folder of its rows
-  bool with_files = false;  // writes tables and report there too
+  bool with_files = false;  // tables and a report are written there, too
 };
 
 /// Runs the newest study in the background and hands over its rows as they are measured.
@@ -46,7 +46,7 @@ class StudyRunner : public QObject {
   /// `rows` are new since the last time, in the order of completion.
   void advanced(const StudyCounts& counts, const std::vector<StudyRow>& rows);
 
-  /// Has all rows in the order of the plan.
+  /// `outcome` has all rows, in the order of the plan.
   void ended(const StudyOutcome& outcome);
   void failed(const QString& message);
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMostThreads = 8;  // the studio runs at most this many jobs of a kind
 
-/// Applies to the calling thread.
+/// Lowers the priority of the calling thread.
 void lowerPriority([[maybe_unused]] LowerPriority how) {
 #ifdef Q_OS_LINUX
   // Linux has a niceness for each thread, and a new thread inherits it.

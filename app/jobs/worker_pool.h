@@ -25,10 +25,10 @@ enum class Workers {
 
 /// Threads that jobs share. They start on demand and stay.
 ///
-/// Each kind of work has its own pool, so that a slider never waits behind a batch. A pool has a
-/// thread for every job that can exist at once, so that no job waits for a paused one: pools limit
-/// threads, and core's parallel loops share the processors anyway. It uses standard threads instead
-/// of QThreadPool because the thread sanitizer can follow those.
+/// Each kind of work has its own pool, so that a slider never waits behind a batch. Except for idle
+/// work, a pool has a thread for every job that can exist at once, so that no job waits for a
+/// paused one: pools limit threads, and core's parallel loops share the processors anyway. Standard
+/// threads are used instead of QThreadPool because the thread sanitizer can follow them.
 class WorkerPool {
  public:
   static WorkerPool& of(Workers workers);
