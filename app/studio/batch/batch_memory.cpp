@@ -9,8 +9,8 @@
 namespace mocapress {
 namespace {
 
-/// Makes a path relative to the folder, so that a project can be moved with its files. Empty stays
-/// empty.
+/// Makes a path relative to the folder, so that a project can be moved with its files. An empty
+/// path stays empty.
 std::string relative(const QString& path, const QDir& folder) {
   return path.isEmpty() ? std::string() : folder.relativeFilePath(path).toStdString();
 }

@@ -28,7 +28,7 @@ std::filesystem::path pathOf(const QString& text) {
   return text.toStdU16String();
 }
 
-/// True if the settings may not fit each clip.
+/// True if the settings name joints or frames, which other clips may lack.
 bool namesJoints(const Settings& preset) {
   return !preset.importance.factors.empty() || preset.contacts || !preset.ranges.empty() ||
          (preset.correction && !preset.correction->effectors.empty());
@@ -149,7 +149,7 @@ void BatchSession::addClips(const QStringList& paths) {
       });
 }
 
-/// Names in the settings may no longer occur in the files.
+/// Reads a clip first if its settings name joints, since its file may no longer have those joints.
 void BatchSession::addTuned(const std::vector<TunedClip>& clips) {
   if (refused()) return;
   to_fit_.insert(to_fit_.end(), clips.begin(), clips.end());
@@ -225,7 +225,7 @@ void BatchSession::setLeftOut(const std::vector<int>& rows, bool left_out) {
                    [this, others, left_out] { queue_.setLeftOut(others, !left_out); }));
 }
 
-/// Adds the clips that are not in the queue yet at its end.
+/// Appends the clips that are not in the queue yet.
 void BatchSession::add(const std::vector<QueuedClip>& clips) {
   std::set<QString> there;
   for (const QueuedClip& clip : queue_.clips()) there.insert(clip.key());
@@ -247,7 +247,7 @@ void BatchSession::redo() {
   if (!running()) history_.redo();
 }
 
-/// Gives clips that are in the queue already their new settings.
+/// Adds clips. Those that are in the queue already get the new settings.
 void BatchSession::take(const std::vector<QueuedClip>& clips) {
   const bool new_settings = std::any_of(clips.begin(), clips.end(), [this](const auto& clip) {
     const auto& queued = queue_.clips();

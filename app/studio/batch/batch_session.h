@@ -20,8 +20,8 @@ namespace mocapress {
 
 class PresetShelf;
 
-/// A clip as it waits in the queue. Reads it where its settings name joints; where that fails, the
-/// batch says so.
+/// Makes a clip for the queue. If its settings name joints, reads the clip to leave out those that
+/// it lacks. If reading fails, the batch reports the error later.
 QueuedClip queuedClip(const TunedClip& clip);
 
 /// The queue of a batch export, its settings and its run. No widgets.
@@ -31,7 +31,7 @@ class BatchSession : public QObject {
  public:
   enum class State { Idle, Running, Paused, Stopping, Cancelling, Stopped, Complete, Failed };
 
-  /// `presets` must outlive it.
+  /// `presets` must outlive the session.
   explicit BatchSession(PresetShelf* presets, QObject* parent = nullptr);
 
   /// Loads a project's batch and drops the previous one. Not allowed while a batch runs.
@@ -69,14 +69,15 @@ class BatchSession : public QObject {
   /// Adds files, and all clips below folders. A running batch refuses with noted().
   void addClips(const QStringList& paths);
 
-  /// Adds clips locked to the settings they were tuned with; clips without any use the common
+  /// Adds clips locked to the settings they were tuned with; clips without settings use the common
   /// preset. Each keeps its character, unless the batch has one for all. A running batch refuses
   /// with noted().
   void addTuned(const std::vector<TunedClip>& clips);
 
   PresetShelf* presets() const { return presets_; }
 
-  /// The output name of one of the clips, or the fault of the pattern, which sets `wrong`.
+  /// The output name of one of the clips. If the pattern for names is wrong, sets `wrong` and
+  /// returns the error.
   QString exampleName(bool* wrong) const;
 
   /// The reason why the batch cannot start; empty: it can.
@@ -97,7 +98,7 @@ class BatchSession : public QObject {
   /// Progress of the bank, which is made after all clips have ended; unset before.
   const std::optional<BankProgress>& bank() const { return bank_; }
 
-  /// Share done, 0 to 1, by the clips' lengths.
+  /// The part of the batch that is done, from 0 to 1, by the clips' lengths.
   double fraction() const;
   const std::optional<double>& secondsLeft() const { return time_left_.seconds(); }
 
@@ -124,7 +125,7 @@ class BatchSession : public QObject {
   void noted(const QString& message);
 
  private:
-  /// The clips that are not left out, and their rows in the queue.
+  /// The clips to export, without those that the user left out, and their rows in the queue.
   Batch batch() const;
   std::vector<int> includedRows() const;
   QueuedClip reviewed(QueuedClip clip) const;

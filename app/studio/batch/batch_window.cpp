@@ -321,7 +321,7 @@ void BatchWindow::connectSession() {
   connect(cancel_, &QPushButton::clicked, session_, &BatchSession::cancel);
   connect(report_, &QPushButton::clicked, this, [this] {
     QDesktopServices::openUrl(QUrl::fromLocalFile(session_->report()));
-    // Nothing tells if a browser came up.
+    // Shows the path, since nothing tells whether a browser opened.
     note_->setText(tr("Report: %1").arg(QDir::toNativeSeparators(session_->report())));
   });
   connect(slurm_, &QPushButton::clicked, this, &BatchWindow::writeSlurm);
@@ -412,8 +412,8 @@ void BatchWindow::writeSlurm() {
   if (!path.isEmpty()) session_->writeSlurm(path, tasks);
 }
 
-/// Locks the selected clips to the preset. Without a selection, all clips that are not locked get
-/// it.
+/// Locks the selected clips to the preset. Without a selection, changes the preset of all clips
+/// that are not locked.
 void BatchWindow::changePreset(const Settings& preset) {
   const std::vector<int> rows = view_->selectedRows();
   if (rows.empty())
@@ -474,7 +474,7 @@ void BatchWindow::closeEvent(QCloseEvent* event) {
   event->accept();
 }
 
-/// Escape returns to the settings of all clips.
+/// Escape clears the selection, which shows the settings of all clips.
 void BatchWindow::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape) view_->clearSelection();
   QWidget::keyPressEvent(event);

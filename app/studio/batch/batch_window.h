@@ -26,8 +26,8 @@ QString statusOf(const BatchSession& session);
 /// Text of the button that starts, pauses and resumes.
 QString startText(const BatchSession& session);
 
-/// The window of the batch: its queue, presets, output and progress. The batch goes on when it is
-/// closed.
+/// The window of the batch: its queue, presets, output and progress. Closing the window does not
+/// stop the batch.
 class BatchWindow : public QWidget {
   Q_OBJECT
 

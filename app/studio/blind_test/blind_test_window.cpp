@@ -35,7 +35,7 @@ namespace mocapress {
 namespace {
 
 const std::vector<double> kAskedLevels = {0.5, 0.7, 1, 1.4, 2, 2.8, 4, 5.7, 8};
-constexpr double kNear = 1.05;      // levels nearer than this factor are one
+constexpr double kNear = 1.05;      // levels closer than this factor count as one
 constexpr double kLoopSeconds = 3;  // length of the loop around the worst moment
 constexpr std::size_t kLeastLevels = 3;
 constexpr float kRoom = 1.25;
@@ -141,10 +141,10 @@ QWidget* BlindTestWindow::makeQuestions() {
     Viewport*& view = views_[figure];
     view = new Viewport(page);
     view->setFocusPolicy(Qt::NoFocus);
-    // All are seen as the original would be: a camera that went by the figure would tell which it
-    // is. Feet should not stand on the edge.
+    // The camera frames and follows the original in every view: otherwise its moves would tell
+    // which figure is shown. The room keeps the feet off the edge of the view.
     view->setOptions({.alone = true, .titles = false, .room = kRoom});
-    view->setFollow(true);  // a runner would leave the picture
+    view->setFollow(true);  // a runner would leave the view otherwise
     grid->addWidget(view, 1, figure);
   }
   auto* keys = new QLabel(
@@ -187,7 +187,8 @@ QWidget* BlindTestWindow::makeResult() {
   return page;
 }
 
-/// Returns false, and says why in `trouble`, if the limits cannot be kept.
+/// Makes these limits the user's. If they cannot be saved, shows the reason in `trouble` and
+/// returns false.
 bool BlindTestWindow::use(const SightLimits& limits, QLabel* trouble) {
   try {
     setOwnLimits(limits);
@@ -209,7 +210,7 @@ void BlindTestWindow::showLimits() {
 
 void BlindTestWindow::makeKeys() {
   const auto on = [this](const QKeySequence& key, auto act) {
-    // While the page is shown, also when the 3D view's own window has the focus.
+    // The shortcut works while the page is shown, even when the 3D view's own window has the focus.
     auto* shortcut = new QShortcut(key, pages_->widget(1));
     connect(shortcut, &QShortcut::activated, this, act);
   };
@@ -246,7 +247,7 @@ void BlindTestWindow::prepare() {
 void BlindTestWindow::begin() {
   if (!original_ || !start_->isEnabled()) return;
   start_->setEnabled(false);
-  viewer_->setEnabled(false);  // a key that is pressed too early is no name
+  viewer_->setEnabled(false);  // keys pressed too early must not change the name
   levels_.clear();
   test_.reset();
   progress_->setValue(0);
@@ -255,7 +256,7 @@ void BlindTestWindow::begin() {
   encoder_.start(original_->encoder, options_, kAskedLevels);
 }
 
-/// Keeps the level if it differs from the last one.
+/// Keeps a level if it is clearly above the last one kept.
 void BlindTestWindow::take(const DecodedPtr& decoded) {
   progress_->setValue(progress_->value() + 1);
   if (!decoded->visibility || levelOf(decoded) <= 0) return;
@@ -292,7 +293,7 @@ const DecodedClip& BlindTestWindow::compressed() const {
   return *levels_[static_cast<std::size_t>(test_->question().level)];
 }
 
-/// Loops the time about the worst moment of the level.
+/// Asks the next question and loops the time around the worst moment of its level.
 void BlindTestWindow::ask() {
   if (test_->finished()) return finish();
   const int asked = static_cast<int>(test_->answers().size());
@@ -311,7 +312,8 @@ void BlindTestWindow::ask() {
   for (const Figure figure : {A, X, B}) look(figure);
 }
 
-/// Shows a figure in its own view, or in the one that all share. All look alike.
+/// Shows a figure in its own view, or in the one view that all figures share. Each is drawn as the
+/// compressed figure, so that all look alike.
 void BlindTestWindow::look(Figure figure) {
   if (!test_ || test_->finished()) return;
   const bool is_b = figure == B || (figure == X && test_->question().x_is_b);
@@ -332,7 +334,7 @@ void BlindTestWindow::answer(bool x_is_b) {
 }
 
 BlindTestRecord BlindTestWindow::record() const {
-  // The cue by which most levels are seen.
+  // The cue that is the most visible one at most levels.
   std::array<int, kCues> counts{};
   for (const DecodedPtr& decoded : levels_)
     ++counts[static_cast<std::size_t>(decoded->visibility->worst().cue)];
@@ -380,7 +382,7 @@ void BlindTestWindow::finish() {
   pages_->setCurrentIndex(2);
 }
 
-/// Keeps the answers of a test that runs.
+/// Finishes a running test, so that its answers are kept.
 void BlindTestWindow::closeEvent(QCloseEvent* event) {
   if (running()) finish();
   encoder_.abandon();

@@ -55,14 +55,13 @@ class BlindTestWindow : public QWidget {
   QLabel* verdict() const { return verdict_; }
 
  signals:
-  /// The user took limits from a test, or the built-in ones.
+  /// The user chose the limits that a test found, or the built-in ones.
   void limitsChanged();
 
  protected:
   void closeEvent(QCloseEvent* event) override;
 
  private:
-  /// One of the figures.
   enum Figure { A, X, B };
 
   QWidget* makePreparation();
@@ -84,7 +83,7 @@ class BlindTestWindow : public QWidget {
   QString file_;
   LevelEncoder encoder_;
   OriginalPtr original_;
-  EncodeSettings options_;          // by which levels are compressed and measured
+  EncodeSettings options_;          // for compressing and measuring the levels
   std::vector<DecodedPtr> levels_;  // ascending by visibility
   std::optional<BlindTest> test_;
   Playback* playback_;
@@ -98,7 +97,7 @@ class BlindTestWindow : public QWidget {
   QPushButton* use_built_in_;
   QProgressBar* progress_;
   QPushButton* start_;
-  std::array<Viewport*, 3> views_{};  // by Figure; X alone shows all where they take turns
+  std::array<Viewport*, 3> views_{};  // by Figure; X's shows all in turn if not side by side
   std::array<QLabel*, 3> letters_{};  // above the views
   QLabel* question_;
   QLabel* verdict_;
