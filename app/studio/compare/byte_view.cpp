@@ -15,11 +15,11 @@ namespace mocapress {
 namespace {
 
 constexpr double kSliceSeconds = 0.1;
-constexpr double kRelaxed = 2;  // times the error
-constexpr double kMore = 1.1;   // times the bytes
+constexpr double kRelaxed = 2;  // factor on the error
+constexpr double kMore = 1.1;   // factors on the bytes
 constexpr double kFewer = 0.9;
 
-// Joints outside of body parts that have lines of their own.
+// Number of joints with the most bytes that get lines of their own, beside the body parts.
 constexpr int kDearest = 2;
 
 }  // namespace
@@ -45,7 +45,7 @@ ByteView::ByteView(Session* session, Playback* playback, ByteStrip* strip, ByteC
   });
   connect(panel_, &BytesPanel::measureRequested, this, &ByteView::measure);
   connect(panel_, &BytesPanel::applyRequested, this, [this](int slope) {
-    // A copy, since the new settings remove all lines.
+    // Copied, since the new settings remove all lines.
     const EncodeSettings options = slopes_[static_cast<std::size_t>(slope)].settings;
     session_->setOptions(options);
   });
@@ -60,7 +60,7 @@ void ByteView::divide() {
   const Document& document = session_->document();
   const DecodedPtr& decoded = document.decoded();
   showState();
-  // Drafts follow one another faster than they could be divided.
+  // Skips drafts: they follow one another faster than their bytes could be divided.
   if (decoded == shown_ || (decoded && (!document.final() || decoded->file.empty()))) return;
   shown_ = decoded;
   dividing_.abandon();

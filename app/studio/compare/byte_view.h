@@ -17,8 +17,8 @@ class ByteStrip;
 class Playback;
 class Session;
 
-/// Shows where the bytes of the open clip are, by joint and time, and what other settings would
-/// bring. Bytes are divided in the background, once the clip's answer is final.
+/// Shows how the bytes of the open clip divide by joint and time, and what other settings would
+/// bring. The bytes are divided in the background, once the clip's result is final.
 class ByteView : public QObject {
   Q_OBJECT
 
@@ -43,7 +43,7 @@ class ByteView : public QObject {
   SlopeFinder finder_;
   DecodedPtr shown_;             // the clip whose bytes are shown or being divided
   SlopeTask task_;               // the last one started
-  std::vector<QString> titles_;  // one for each of its changes
+  std::vector<QString> titles_;  // of the changes in task_
   std::vector<Slope> slopes_;
   std::vector<SlopeRow> rows_;
 };

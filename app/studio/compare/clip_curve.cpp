@@ -46,7 +46,7 @@ ClipCurve::ClipCurve(Session* session, QObject* parent) : QObject(parent), sessi
     emit changed();
   });
   connect(&filler_, &CurveFiller::ended, this, [this] {
-    // A ratio without a point is out of this clip's reach and is not tried again.
+    // The clip cannot reach a ratio that has no point; such a ratio is not tried again.
     curve_->done[task_.options.method].insert(task_.ratios.begin(), task_.ratios.end());
     fill();
   });

@@ -15,8 +15,8 @@ namespace mocapress {
 class Session;
 
 /// Rate-distortion curves of the open clip, for standard selection and the chosen method. They are
-/// filled while the studio is idle; points stay while only the target changes, and come back with
-/// their clip.
+/// filled while the studio is idle. Points stay while only the target changes, and return when
+/// their clip is opened again.
 class ClipCurve : public QObject {
   Q_OBJECT
 
@@ -42,7 +42,7 @@ class ClipCurve : public QObject {
   struct Curve {
     std::string key;  // key of the settings that all points share
     std::map<Method, Points> points;
-    std::map<Method, std::set<double>> done;  // ratios that are done
+    std::map<Method, std::set<double>> done;  // ratios that were tried
   };
 
   void takeUp();

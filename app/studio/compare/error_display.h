@@ -11,15 +11,15 @@ class QAction;
 
 namespace mocapress {
 
-/// The scale by which all views colour errors of a quantity: a fixed one, by which clips and
-/// settings can be compared, or one that fits the shown clip. Kept from run to run.
+/// The scale by which all views colour the errors of a quantity: either fixed, so that clips and
+/// settings can be compared, or fitted to the shown clip. The choice is kept from run to run.
 class ErrorScaleChoice : public QActionGroup {
   Q_OBJECT
 
  public:
   explicit ErrorScaleChoice(ErrorQuantity quantity, QObject* parent = nullptr);
 
-  /// The scale for a result; null: nothing is shown.
+  /// The scale for a result. Null: no result is shown.
   ErrorScale scaleFor(const DecodedPtr& decoded) const;
 
  signals:
@@ -30,7 +30,7 @@ class ErrorScaleChoice : public QActionGroup {
 };
 
 /// The display of errors: the scales of distances and angles, the quantity in heat map and graph,
-/// and the heat map's switch to visibility. Kept from run to run.
+/// and the heat map's switch to visibility. The choices are kept from run to run.
 class ErrorDisplay : public QObject {
   Q_OBJECT
 

@@ -12,10 +12,10 @@ namespace mocapress {
 /// Figures of the shown clip: measured if the original is there, else as its file states them.
 std::optional<ResultFigures> figuresOf(const Document& document);
 
-/// A few words on the origin of those figures.
+/// A few words on the origin of figuresOf().
 QString stateOf(const Document& document);
 
-/// Footskate in a line: its amount and the number of contacts.
+/// Footskate in one line: its amount and the number of contacts.
 QString footskateSummary(const Document& document);
 
 }  // namespace mocapress

@@ -46,7 +46,7 @@ FilmRecorder::FilmRecorder(Viewport* viewport, QObject* parent)
     fail(tr("%1: ffmpeg could not write the video (%2)").arg(path_, lines.last().trimmed()));
   });
   connect(&video_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
-    if (stage_ == Stage::Video && error == QProcess::FailedToStart)  // then it does not finish
+    if (stage_ == Stage::Video && error == QProcess::FailedToStart)  // no finished() follows
       fail(tr("%1: ffmpeg could not write the video (%2)").arg(path_, video_.errorString()));
   });
 }
@@ -100,7 +100,7 @@ void FilmRecorder::encodeVideo() {
   emit encoding();
   const QString base = QFileInfo(path_).completeBaseName();
   video_.setWorkingDirectory(folder_->path());
-  // A name with % in it would be taken for the number's place, and one with : for a protocol.
+  // ffmpeg would replace a % in the name by a number, and take a name with : for a protocol.
   const QString pictures = QStringLiteral("./") +
                            QString(base).replace(QLatin1Char('%'), QStringLiteral("%%")) +
                            QStringLiteral("_%04d.png");
@@ -137,7 +137,7 @@ void FilmRecorder::reset() {
   stage_ = Stage::Idle;
   waits_for_picture_ = false;
   writing_.abandon();
-  writing_.finish();  // before the folder goes
+  writing_.finish();  // before its folder is removed
   if (video_.state() != QProcess::NotRunning) {
     video_.kill();
     video_.waitForFinished();

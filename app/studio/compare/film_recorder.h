@@ -22,15 +22,15 @@ struct Film {
 };
 
 /// Takes the pictures of a film and writes them: as numbered PNGs into a folder named after the
-/// path if it ends with .png, else as a video by ffmpeg. All is written beside its place and
-/// renamed at the end, so that nothing half-written is left by a failure or a cancel.
+/// path if it ends with .png, else as a video by ffmpeg. Everything is written beside the final
+/// path and renamed at the end, so that a failure or a cancel leaves nothing half-written.
 class FilmRecorder : public QObject {
   Q_OBJECT
 
  public:
   explicit FilmRecorder(Viewport* viewport, QObject* parent = nullptr);
 
-  /// Starts; ends with finished(), failed() or after cancel().
+  /// Starts recording; finished(), failed() or cancel() ends it.
   void record(const Film& film, const QString& path);
   void cancel();
 

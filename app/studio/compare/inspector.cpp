@@ -33,7 +33,7 @@
 namespace mocapress {
 namespace {
 
-constexpr double kWorstApart = 0.25;  // s between worst frames
+constexpr double kWorstApart = 0.25;  // s, least distance between worst frames
 constexpr int kMostWorst = 20;
 constexpr double kContactSeconds = 0.25;  // length of an added contact
 
@@ -42,7 +42,7 @@ int shownJoint(const Document& document) {
   return std::max(document.currentJoint(), 0);
 }
 
-/// Moves `values` (degrees or cm) by whole turns towards `model`. Whole turns move nothing and
+/// Moves angles (radians) by whole turns towards `model`. Whole turns do not move the joint, but
 /// would hide the real difference.
 void likeOf(const Eigen::VectorXd& model, Eigen::VectorXd& values) {
   constexpr double kTurn = 2 * std::numbers::pi;
@@ -181,7 +181,7 @@ void Inspector::showErrors() {
   showRangeErrors();
 }
 
-/// Figures of the chosen range in place of those of the clip.
+/// Shows the errors in the chosen range instead of those in the whole clip.
 void Inspector::showRangeErrors() {
   const DecodedPtr& decoded = session_->document().decoded();
   const auto& range = playback_->range();
@@ -295,7 +295,7 @@ void Inspector::chooseCell(int frame, int landmark) {
   views_.heat_map->setCurrentLandmark(landmark);
 }
 
-/// A chosen point of the curve becomes the target.
+/// Makes the ratio of a chosen point of the curve the target.
 void Inspector::chooseRatio(int point) {
   const std::vector<double> ratios = curve_->ratios();
   if (point < 0 || point >= static_cast<int>(ratios.size())) return;
@@ -306,8 +306,8 @@ void Inspector::chooseRatio(int point) {
 
 void Inspector::showNextWorst(int step) {
   if (worst_.empty()) return;
-  // At any frame but the one shown last, starts with the worst, even if the playhead stands on one
-  // of them by chance.
+  // Goes on only from the frame that this function showed last. At any other frame it starts with
+  // the worst, even if the playhead is at one of worst_ by chance.
   const bool goes_on = playback_->frame() == shown_worst_;
   const int frame = goes_on ? nextWorst(worst_, shown_worst_, step) : worst_.front();
   shown_worst_ = frame;

@@ -32,7 +32,7 @@ struct InspectionViews {
   FiguresBar* figures = nullptr;
 };
 
-/// Shows the session's document in those views, and passes the user's actions on.
+/// Shows the session's document in InspectionViews, and passes the user's actions on.
 class Inspector : public QObject {
   Q_OBJECT
 
@@ -49,7 +49,8 @@ class Inspector : public QObject {
  private:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
-  /// Runs `show` now if `view` is visible, else once it is, so that hidden plots cost nothing.
+  /// Runs `show` now if `view` is visible, else when it is shown, so that hidden plots cost
+  /// nothing.
   void whenSeen(QWidget* view, std::function<void()> show);
 
   void connectViews();
@@ -77,7 +78,7 @@ class Inspector : public QObject {
   QList<QAction*> map_actions_;
   std::map<QObject*, std::function<void()>> waiting_;
   std::vector<int> worst_;  // frames, worst first
-  int shown_worst_ = -1;    // last one visited
+  int shown_worst_ = -1;    // frame of worst_ that was visited last; -1: none
   int channel_ = 0;         // index among the current joint's channels
 };
 

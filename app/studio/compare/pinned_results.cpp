@@ -29,7 +29,7 @@ bool isOfEngine(const Pin& pin) {
   return pin.settings.preset.method == kEngineMethod;
 }
 
-/// Compresses the clip as a pin says. `options` are those of its settings.
+/// Encodes a pin. `options` are those of its settings; an engine's pin uses key frames instead.
 DecodedPtr made(const Pin& pin, const EncodeSettings& options, const OriginalClip& original,
                 const Job& job) {
   const auto observer = [&job](const EncodeProgress&) { return !job.stopRequested(); };
@@ -56,7 +56,7 @@ PinnedResults::PinnedResults(Session* session, PinnedModel* model, QObject* pare
     recall();
     show();
   });
-  // The same clip in a character's skin.
+  // Only the skin has changed: it is the same clip, and its pins stay.
   connect(document, &Document::skinChanged, this,
           [this] { clip_ = session_->document().original(); });
   connect(session, &Session::recompressing, this, [this] { setFinal(false); });
@@ -83,7 +83,7 @@ bool PinnedResults::canPin() const {
                                    [&](const Result& result) { return result.decoded == decoded; });
 }
 
-/// True for a final, measured result with room for another beside it.
+/// True if the result is final and measured, and one more can be pinned.
 bool PinnedResults::hasRoom() const {
   const Document& document = session_->document();
   return final_ && document.final() && document.original() && document.decoded() &&
@@ -104,7 +104,7 @@ void PinnedResults::pinEngine() {
       [pin, original, options = settingsFor(pin.settings, original->motion()).encode](
           const Job& job) { return made(pin, options, *original, job); },
       [this, pin](const DecodedPtr& decoded) {
-        // Others may have been pinned meanwhile.
+        // Other results may have been pinned meanwhile.
         if (pins_.size() + unmade_.size() >= kMostPinned)
           return emit failed(tr("Four results are pinned already."));
         const Result result{{freeName(methodTitle(kEngineMethod)), freeColour(), pin.settings},
@@ -171,7 +171,7 @@ void PinnedResults::name(const QColor& colour, const QString& name) {
 void PinnedResults::makeCurrent(int row) {
   if (row < 0 || row >= static_cast<int>(pins_.size())) return;
   const Pin& pin = pins_[static_cast<std::size_t>(row)].pin;
-  if (isOfEngine(pin)) return;  // no settings of ours make it
+  if (isOfEngine(pin)) return;  // no settings of the studio make such a clip
   session_->setOptions(settingsFor(pin.settings, session_->document().original()->motion()).encode);
 }
 
@@ -185,7 +185,7 @@ void PinnedResults::recall() {
   makeNext();
 }
 
-/// Makes one pin after the other and leaves out those that can no longer be made.
+/// Encodes one pin after the other and leaves out those that can no longer be encoded.
 void PinnedResults::makeNext() {
   if (unmade_.empty()) return;
   const auto take = [this](const DecodedPtr& decoded) {
@@ -221,7 +221,7 @@ void PinnedResults::setFinal(bool final) {
   showWhetherToPin();
 }
 
-/// Makes a name unique, since equal names would differ by colour only.
+/// Makes a name unique: pins with equal names would differ by colour only.
 QString PinnedResults::freeName(const QString& wanted) const {
   const std::vector<Pin> taken = all();
   QString name = wanted;

@@ -19,15 +19,15 @@ class PinnedPanel;
 class Session;
 class Viewport;
 
-/// Results of the open clip that stay in view while other settings are tried. They leave with the
-/// clip and come back with it, encoded again in the background.
+/// Results of the open clip that stay in view while other settings are tried. When the clip is
+/// closed they disappear; when it is opened again they are encoded again in the background.
 class PinnedResults : public QObject {
   Q_OBJECT
 
  public:
   PinnedResults(Session* session, PinnedModel* model, QObject* parent = nullptr);
 
-  /// Shows them in the views of a window, in place of those of a window before.
+  /// Shows the pins in the views of a window, instead of those of the window before.
   void showIn(PinnedPanel* panel, Viewport* viewport);
 
   /// True if the current result is final, measured and not pinned yet, and there is room for it.
@@ -37,23 +37,23 @@ class PinnedResults : public QObject {
   using Memory = std::function<std::vector<Pin>(const QString& path)>;
   void setMemory(Memory memory) { memory_ = std::move(memory); }
 
-  /// Both functions are steps of the clip's history.
+  /// Pinning, unpinning and renaming are steps of the clip's history.
   void pinCurrent();
 
-  /// Pins what an engine would make of the clip at the bytes of the current result: its tracks by
-  /// themselves, with key frames.
+  /// Pins what an engine would make of the clip with as many bytes as the current result: key
+  /// frames for each track by itself.
   void pinEngine();
   void unpin(int row);
   void rename(int row, const QString& name);
 
-  /// Copies its settings to the document, as a step that can be undone.
+  /// Copies the pin's settings to the document, as a step that can be undone.
   void makeCurrent(int row);
 
  signals:
   void canPinChanged(bool can);
   void failed(const QString& message);
 
-  /// The user changed the pins: these are all pins of the clip now.
+  /// The user changed the pins; `pins` are all pins that the clip has now.
   void edited(const QString& path, const std::vector<Pin>& pins);
 
  private:
@@ -62,7 +62,7 @@ class PinnedResults : public QObject {
     DecodedPtr decoded;
   };
 
-  // A pin keeps its colour however often it is encoded again.
+  // The colour identifies a pin, which keeps it however often it is encoded again.
   void put(const Result& result, std::size_t row);
   void drop(const QColor& colour);
   void name(const QColor& colour, const QString& name);

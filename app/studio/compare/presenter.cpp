@@ -59,7 +59,7 @@ Presenter::Presenter(Session* session, Playback* playback, const Models& models,
 void Presenter::connectDocument() {
   Document* document = &session_->document();
   connect(document, &Document::clipChanged, this, &Presenter::showClip);
-  // A take that could not be read is not the one shown.
+  // If another take cannot be read, the list shows the open one again.
   connect(session_, &Session::openFailed, this, &Presenter::showTakes);
   connect(document, &Document::decodedChanged, this, &Presenter::showDecoded);
   connect(document, &Document::shownChanged, this, &Presenter::showShown);
@@ -137,7 +137,7 @@ void Presenter::showClip() {
   showCurrentJoint();
 }
 
-/// Shows the skeleton and the choices that a character offers.
+/// Shows the skeleton, and offers the choices that need a mesh only if there is one.
 void Presenter::showSkeleton() {
   const Document& document = session_->document();
   const OriginalPtr& original = document.original();
@@ -188,7 +188,7 @@ void Presenter::showErrors() {
   views_.graph->setQuantity(error_display_->quantity());
 }
 
-/// Shows the result of the target beside it.
+/// Shows the values reached beside the target.
 void Presenter::showTarget() {
   const Document& document = session_->document();
   const DecodedPtr& decoded = document.decoded();
@@ -221,7 +221,7 @@ void Presenter::showSkin() {
   views_.viewport->setSkin(session_->document().skin());
 }
 
-/// Moves the playhead to the finding's worst frame and draws the foot's curve.
+/// Goes to a finding: moves the playhead to its worst frame and draws the foot's curve.
 void Presenter::showFinding(int frame, int landmark) {
   playback_->seek(frame);
   const std::vector<Landmark> points = landmarks(*session_->document().skeleton());

@@ -20,7 +20,7 @@ RangeActions::RangeActions(Session* session, Playback* playback, QObject* parent
       care_(new QMenu(tr("More &Care in the Range"))),
       contacts_(new QMenu(tr("C&ontacts in the Range"))),
       loop_(new QMenu(tr("The Clip as a Loo&p"))) {
-  // Menus are filled when they open, with what is checked then; one entry lets them open.
+  // Menus are filled when they open. An empty menu would not open, so each begins with one entry.
   for (QMenu* menu : {care_, contacts_, loop_}) menu->addSeparator();
   connect(care_, &QMenu::aboutToShow, this, &RangeActions::fillCare);
   connect(contacts_, &QMenu::aboutToShow, this, &RangeActions::fillContacts);
@@ -78,7 +78,7 @@ void RangeActions::fillContacts() {
   const Document& document = session_->document();
   const std::vector<ContactSpan> contacts = document.contacts();
   const std::vector<QString> names = document.landmarkNames();
-  std::vector<int> feet;  // feet that stand at any time, as edited or as found
+  std::vector<int> feet;  // feet with a contact at any time, edited or found
   for (const auto* spans : {&contacts, &document.original()->encoder->contacts()})
     for (const ContactSpan& span : *spans) feet.push_back(span.landmark);
   std::sort(feet.begin(), feet.end());

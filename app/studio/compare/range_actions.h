@@ -13,8 +13,8 @@ namespace mocapress {
 class Playback;
 class Session;
 
-/// Actions on the range that is chosen, which is the one that is played: more care, contacts on or
-/// off; and whether the clip is a loop. Each change is a step of the clip's history.
+/// Actions on the chosen range, which is the one that is played: more care, contacts on or off; and
+/// on the clip as a loop. Each change is a step of the clip's history.
 class RangeActions : public QObject {
   Q_OBJECT
 
@@ -22,7 +22,7 @@ class RangeActions : public QObject {
   RangeActions(Session* session, Playback* playback, QObject* parent = nullptr);
   ~RangeActions() override;
 
-  /// The actions of three menus, for any menu.
+  /// The actions that open the three menus, to be put into any menu.
   QList<QAction*> actions() const;
 
   QMenu* care() const { return care_; }

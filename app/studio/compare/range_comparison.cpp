@@ -40,7 +40,7 @@ void RangeComparison::start() {
 }
 
 void RangeComparison::end() {
-  // A way of viewing that was chosen meanwhile stays.
+  // Keeps the way of viewing if the user has changed it meanwhile.
   if (was_overlay_ && switches_.side_by_side->isChecked()) switches_.overlay->trigger();
   if (was_quartered_) switches_.quarters->setChecked(true);
   switches_.loop->setChecked(did_loop_);

@@ -12,13 +12,13 @@ class Playback;
 class Timeline;
 
 /// Compares original and compressed figure within the range that is played: it loops, both figures
-/// stand side by side, and timeline and error graph show the range alone. Ends with the range, and
-/// all is as it was.
+/// stand side by side, and timeline and error graph show the range alone. Ends with the range and
+/// restores the former state.
 class RangeComparison : public QObject {
   Q_OBJECT
 
  public:
-  /// Actions of the window that it sets and sets back.
+  /// Actions of the window that are set at the start and restored at the end.
   struct Switches {
     QAction* overlay = nullptr;  // the one way of viewing that does not show both figures whole
     QAction* side_by_side = nullptr;
@@ -26,7 +26,7 @@ class RangeComparison : public QObject {
     QAction* loop = nullptr;
   };
 
-  /// `toggle` starts and ends it.
+  /// `toggle` starts and ends the comparison.
   RangeComparison(Playback* playback, Timeline* timeline, ErrorGraph* graph, QAction* toggle,
                   const Switches& switches, QObject* parent = nullptr);
 

@@ -68,11 +68,11 @@ ViewPictures::ViewPictures(Session* session, Playback* playback, Viewport* viewp
 
 ViewPictures::~ViewPictures() {
   saving_.finish();
-  if (saving_.busy()) unwritten_.pop_front();  // it is written, though not told of yet
+  if (saving_.busy()) unwritten_.pop_front();  // written, but its job has not reported yet
   for (const auto& [image, path] : unwritten_) try {
       writePicture(image, path);
     } catch (const Error&) {
-      // Nobody is left to be told.
+      // Nobody is left to see an error.
     }
 }
 
@@ -81,7 +81,7 @@ void ViewPictures::take(std::function<void(const QImage&)> then) {
   on_picture_.emplace_back([this, then = std::move(then)](const QImage& image) {
     image.isNull() ? emit failed(tr("The 3D view gave no picture.")) : then(image);
   });
-  if (on_picture_.size() == 1) viewport_->capture();  // the view gives one at a time
+  if (on_picture_.size() == 1) viewport_->capture();  // the view takes one picture at a time
 }
 
 void ViewPictures::copy() {
@@ -163,7 +163,7 @@ void ViewPictures::film(const QString& path) {
   if (playback_->frames() == 0) return;
   const auto [first, last] = playback_->range().value_or(std::pair(0, playback_->frames() - 1));
   const double rate = std::min(kMostPictures, playback_->sampleRate());
-  const double apart = playback_->sampleRate() / rate;  // frames
+  const double apart = playback_->sampleRate() / rate;  // frames from picture to picture
   const int pictures = 1 + static_cast<int>((last - first) / apart);
   const auto show = [this, first = first, apart](int picture) {
     playback_->seek(first + static_cast<int>(std::lround(picture * apart)));
@@ -177,7 +177,7 @@ void ViewPictures::turntable(const QString& path) {
   if (playback_->frames() == 0) return;
   const int pictures = static_cast<int>(kTurnSeconds * kMostPictures);
   playback_->pause();
-  // Turns back instead of setting the camera's place, which would count as the user's.
+  // Turns the camera back. Setting its place would count as the user's choice.
   restore_ = [this, before = viewport_->camera().place()] {
     const float turned = viewport_->camera().place().azimuth - before.azimuth;
     viewport_->turnCamera(-qRadiansToDegrees(static_cast<double>(turned)));
@@ -193,7 +193,7 @@ void ViewPictures::record(const Film& film, const QString& path) {
   progress_ = new QProgressDialog(tr("Taking %Ln picture(s)…", nullptr, film.pictures),
                                   tr("Cancel"), 0, film.pictures, window_);
   progress_->setWindowTitle(QFileInfo(path).fileName());
-  progress_->setWindowModality(Qt::WindowModal);  // nobody changes the view meanwhile
+  progress_->setWindowModality(Qt::WindowModal);  // the user must not change the view
   progress_->setAutoClose(false);
   progress_->setAutoReset(false);
   progress_->setMinimumDuration(0);

@@ -27,7 +27,7 @@ class ViewPictures : public QObject {
  public:
   ViewPictures(Session* session, Playback* playback, Viewport* viewport, QWidget* window);
 
-  /// Writes pictures that still wait.
+  /// Writes the pictures that still wait to be written.
   ~ViewPictures() override;
 
   void copy();
@@ -37,10 +37,10 @@ class ViewPictures : public QObject {
   void chooseFilm();
   void chooseTurntable();
 
-  /// The chosen range, or the clip, at its own pace.
+  /// Films the chosen range, or else the whole clip, at its own pace.
   void film(const QString& path);
 
-  /// The frame that is shown, from all sides.
+  /// Films the shown frame while the camera turns round it once.
   void turntable(const QString& path);
 
  signals:
@@ -62,7 +62,7 @@ class ViewPictures : public QObject {
   FilmRecorder* recorder_;
   QProgressDialog* progress_ = nullptr;
   std::function<void()> restore_;                              // undoes what a film changed
-  std::deque<std::function<void(const QImage&)>> on_picture_;  // wait for single pictures
+  std::deque<std::function<void(const QImage&)>> on_picture_;  // wait for their pictures
   std::deque<std::pair<QImage, QString>> unwritten_;           // the first is being written
   JobRunner saving_{Workers::LongRunning};
 };
