@@ -70,7 +70,7 @@ QString fileName(const QString& path) {
   return QFileInfo(path).fileName();
 }
 
-/// Formats that an open clip can be written in; the first one keeps all of it.
+/// Formats that an open clip can be written in; only the first one keeps the whole clip.
 const QStringList kExtensions = {QStringLiteral("mcpr"), QStringLiteral("bvh"),
                                  QStringLiteral("fbx"),  QStringLiteral("glb"),
                                  QStringLiteral("amc"),  QStringLiteral("csv")};
@@ -134,7 +134,7 @@ void ClipFiles::open(const QString& path, const QString& skeleton) {
 
 void ClipFiles::openRow(const StudyRow& row) {
   const QString path = QString::fromStdString(row.clip);
-  // A row of the open clip only changes settings, as a slider does.
+  // If the row's clip is open, opening the row only changes settings, as a slider does.
   if (session_->isOpen(path) && !find_comparison_method(row.settings.method))
     return session_->openRow(row);
   leave([=, this] { session_->openRow(row, rememberedSkeleton(path)); });
@@ -180,7 +180,7 @@ void ClipFiles::save() {
 }
 
 void ClipFiles::saveAs() {
-  // Before the clip is left, only the format that keeps all of it is offered.
+  // Before the clip is left, offers only the format that keeps the whole clip.
   choosePlace(tr("Save Clip"), QStringLiteral("mcpr"),
               after_saving_ ? QStringList{QStringLiteral("mcpr")} : kExtensions);
 }
@@ -201,7 +201,7 @@ void ClipFiles::choosePlace(const QString& title, const QString& extension, QStr
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   QStringList filters;
   for (const QString& each : extensions) filters << filterOf(each);
-  // Last, the character that the clip wears, as it moves now.
+  // The last choices write the file of the character that the clip wears, with the clip's motion.
   const qsizetype offered = filters.size();
   for (const QString& each : {QStringLiteral("fbx"), QStringLiteral("glb")})
     if (!worn.isEmpty() && can_be_onto("motion." + each.toStdString(), worn.toStdU16String())) {
@@ -212,7 +212,7 @@ void ClipFiles::choosePlace(const QString& title, const QString& extension, QStr
   dialog->selectNameFilter(filterOf(extension));
   dialog->setDefaultSuffix(extension);
   dialog->selectFile(fileName(suggestedPath(extension)));
-  // Gives names the chosen extension, also those that have another one.
+  // Replaces a known extension in the name by that of the chosen format.
   connect(dialog, &QFileDialog::filterSelected, this, [=](const QString& filter) {
     const QString chosen = extensions.value(static_cast<int>(filters.indexOf(filter)));
     dialog->setDefaultSuffix(chosen);
@@ -233,7 +233,8 @@ void ClipFiles::write(const QString& path, const QString& worn) {
   const QFileInfo file(path);
   const QString kind = file.suffix().toLower();
   if (kind == QLatin1String("mcpr")) return session_->save(path);
-  // The name may have been typed in any dialog, and the clip may have changed since.
+  // Any of the dialogs accepts a typed name with this extension, and the clip may have changed
+  // meanwhile.
   if (const OriginalPtr& original = session_->document().original();
       kind == QLatin1String("html") && original)
     return session_->exportReview(path, remarks_(session_->openKey()));
@@ -250,7 +251,7 @@ void ClipFiles::write(const QString& path, const QString& worn) {
   else if (!worn.isEmpty() && QFileInfo(path) == QFileInfo(worn))
     doubt = tr("%1 is the file of the character. Replace it with a file that also has this motion?")
                 .arg(fileName(path));
-  // Another extension may have been typed.
+  // A typed extension may be one that cannot hold the character.
   const QString onto = can_be_onto(path.toStdU16String(), worn.toStdU16String()) ? worn : QString();
   if (doubt.isEmpty()) return session_->exportMotion(path, onto);
   auto* question = new QMessageBox(QMessageBox::Question, tr("Export Motion"), doubt,

@@ -63,7 +63,7 @@ class ClipFiles : public QObject {
   /// all.
   void chooseImportOptions();
 
-  /// Asks for the file whose character the open clip gets.
+  /// Asks for a file whose character the open clip then wears.
   void chooseCharacter();
 
   void chooseOriginal();
@@ -80,7 +80,8 @@ class ClipFiles : public QObject {
   using Remarks = std::function<ReviewRemarks(const QString& key)>;
   void setRemarks(Remarks remarks) { remarks_ = std::move(remarks); }
 
-  /// Runs `then` unless unsaved work would be lost: at once, after saving, or never.
+  /// Runs `then` at once if there is no unsaved work. Otherwise asks, and runs `then` after the
+  /// work is saved or given up; never if the user cancels.
   void leave(std::function<void()> then);
 
   void fillRecentMenu(QMenu* menu);

@@ -15,7 +15,7 @@
 namespace mocapress {
 namespace {
 
-/// Options that would make that clip again.
+/// Options that would make the decoded clip again.
 EncodeSettings optionsOf(const DecodedClip& decoded) {
   const CompressedClip& clip = decoded.compressed;
   EncodeSettings options;
@@ -96,7 +96,9 @@ int Document::currentJoint() const {
   return skeleton() ? skeleton()->find(current_joint_.toStdString()) : -1;
 }
 
-/// A preset's factors for hands apply to every skeleton with hands, even after one without.
+/// Importance for the skeleton of another clip. While the settings are those of the usual preset,
+/// its factors are taken from the preset again: those for hands return even after a clip without
+/// hands.
 Importance Document::importanceIn(const Skeleton& next) const {
   const Settings& usual = usualPreset();
   if (isAsPreset(settings(), usual, skeleton() ? *skeleton() : Skeleton()))
@@ -152,7 +154,7 @@ void Document::announce() {
   emit titleChanged();
 }
 
-/// Leaves a weighting by skin that the clip no longer has.
+/// Replaces a weighting by skin if the clip has no skin any more.
 void Document::leaveMissingSkin() {
   if (!skeleton() || skeleton()->skin()) return;
   for (ClipSettings& each : tuning_.both)
@@ -197,7 +199,7 @@ void Document::setTuning(const Tuning& tuning) {
   const ClipSettings before = settings();
   tuning_ = tuning;
   if (firstDifference(before, settings()) == SettingsField::None) return;
-  // Another distance or other limits judge the same file.
+  // Another viewing distance or other limits change only how the same file is judged.
   touched_ = touched_ || bytesKey(before.encode) != bytesKey(options()) ||
              before.track_error != settings().track_error;
   emit optionsChanged();
@@ -276,7 +278,7 @@ QString Document::wornFile() const {
   return original_ && original_->skin ? original_->path : QString();
 }
 
-/// The root's place on the floor in the first frame.
+/// The root's position in the first frame, projected onto the floor.
 Eigen::Vector3d Document::start() const {
   const Clip& clip = original_ ? original_->motion().clip : decoded_->clip;
   Pose pose;

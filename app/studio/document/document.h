@@ -40,10 +40,10 @@ class Document : public QObject {
   const OriginalPtr& original() const { return original_; }
   const DecodedPtr& decoded() const { return decoded_; }
 
-  /// True when no better answer, and no first one, is on its way.
+  /// True when neither a first nor a better answer is on its way.
   bool final() const { return final_; }
 
-  /// True when nothing answers the options: the shown clip has other settings or is a draft.
+  /// True when the options got no answer: the shown clip has other settings or is a draft.
   bool unanswered() const { return unanswered_; }
 
   /// The last .mcpr opened or saved; empty: none.
@@ -82,7 +82,8 @@ class Document : public QObject {
   /// Contacts of the original; empty without it.
   std::vector<ContactSpan> contacts() const;
 
-  /// Contacts found with other thresholds, as EncodeSettings takes them.
+  /// Contacts found with these thresholds, for EncodeSettings::contacts; unset for the default
+  /// thresholds.
   std::optional<std::vector<ContactSpan>> contactsBy(const ContactSettings& settings) const;
 
   /// True when the user looks at the motion without its IK correction.
@@ -96,22 +97,22 @@ class Document : public QObject {
   /// The skin of the figures: of the character if it fits the joints, else of the clip. Null: none.
   const std::shared_ptr<const Skin>& skin() const { return skin_; }
 
-  /// The file that skin() is from: that of the character, or of the clip. Empty: no skin.
+  /// The file that skin() comes from: that of the character or of the clip. Empty: no skin.
   QString wornFile() const;
 
   const CurveSelection& curves() const { return curves_; }
   int currentJoint() const;  // -1: none, or not in this skeleton
 
-  /// Sets a new clip, or the other half of the open one, and the characters read for it.
+  /// Sets a new clip, or the missing half of the open one. `read`: characters read for it.
   void setClip(OriginalPtr original, DecodedPtr decoded, const QString& saved_path,
                const Characters& read = {});
 
   void setDecoded(DecodedPtr decoded, bool final);
 
-  /// Sets the open clip again, decoded and measured on another character.
+  /// Replaces the open clip by itself with another character, decoded and measured on it.
   void setDressed(OriginalPtr original, DecodedPtr decoded);
 
-  /// Says that these options will get no answer.
+  /// Notes that the current options will get no answer.
   void setUnanswered();
 
   /// Sets options chosen by the user.
@@ -123,12 +124,12 @@ class Document : public QObject {
   void loadSettings(const ClipSettings& settings);
   void loadTuning(const Tuning& tuning);
 
-  /// Gives both slots the current settings.
+  /// Gives both slots, A and B, the active settings, and makes A active.
   void beginSlots();
 
   void setUncorrected(bool uncorrected);
 
-  /// Sets the characters; each is on all present and future clips of its rig.
+  /// Sets the characters; each is shown on all present and future clips of its rig.
   void setCharacters(const Characters& characters);
   const Characters& characters() const { return characters_; }
 
@@ -141,7 +142,7 @@ class Document : public QObject {
   /// Emits all signals, for views that were made after the clip was opened.
   void announce();
 
-  /// Says that `decoded` has been saved to `path`.
+  /// Notes that `decoded` has been saved to `path`.
   void setSaved(const DecodedPtr& decoded, const QString& path);
 
  signals:

@@ -16,9 +16,9 @@ inline constexpr int kOneNoteMs = 1500;  // longest pause within a step made of 
 /// A step of any undo history, made of two functions. redo() is called once when it is pushed.
 class EditStep : public QUndoCommand {
  public:
-  /// `name` gives the step's name in the language of the time when it is called. Steps of the same
-  /// `kind` that follow each other within `pause_ms` merge, as during a drag or
-  /// while typing. An empty kind never merges.
+  /// `name` returns the step's name in the current language. Steps of the same `kind` that follow
+  /// each other within `pause_ms` merge, as during a drag or while typing. Steps with an empty kind
+  /// never merge.
   EditStep(std::function<QString()> name, std::function<void()> redo, std::function<void()> undo,
            QString kind = {}, int pause_ms = kOneStepMs)
       : QUndoCommand(name()),

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kAutomatic = 0;  // the first entry of each chooser
 
-/// A chooser whose last entry is a number that is typed in the field beside it.
+/// A row of a chooser and the field for the number of its last entry.
 QWidget* withField(QComboBox* chooser, QDoubleSpinBox* field) {
   auto* row = new QWidget;
   auto* layout = new QHBoxLayout(row);
@@ -132,7 +132,7 @@ ImportOptionsDialog::ImportOptionsDialog(const OriginalClip& clip, QWidget* pare
   layout->addWidget(summary);
   layout->addLayout(form);
   layout->addWidget(buttons);
-  // Else Tab goes past those between the first in sight and the last that was made.
+  // Without this order, Tab would skip some of the buttons.
   using Box = QDialogButtonBox;
   setTabOrder(buttons->button(Box::RestoreDefaults), buttons->button(Box::Ok));
   setTabOrder(buttons->button(Box::Ok), buttons->button(Box::Cancel));

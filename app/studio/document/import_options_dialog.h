@@ -14,7 +14,7 @@ struct OriginalClip;
 struct ReadOptions;
 
 /// Asks for properties that a motion's file states wrongly or not at all: unit, up axis, rate, and
-/// the use of a BVH root's OFFSET. By default each is as the file states or as the reader guesses.
+/// the use of a BVH root's OFFSET. By default the file's statement or the reader's guess applies.
 class ImportOptionsDialog : public QDialog {
   Q_OBJECT
 

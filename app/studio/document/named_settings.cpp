@@ -17,7 +17,7 @@ namespace mocapress {
 
 namespace {
 
-/// The name in compression_methods() of that method with that basis.
+/// The name in compression_methods() of the method with the options' method and basis.
 std::string methodOf(const EncodeSettings& options) {
   for (const CompressionMethod& compression_method : compression_methods()) {
     EncodeSettings chosen;

@@ -19,18 +19,19 @@ ClipSettings usualSettings(const Skeleton& skeleton = {});
 /// out.
 Settings presetOf(const ClipSettings& settings, const Skeleton& skeleton);
 
-/// The same with the edited contacts and ranges, for this clip only.
+/// Like presetOf(), but with the edited contacts and ranges; for use on this clip only.
 Settings ownPresetOf(const ClipSettings& settings, const Skeleton& skeleton);
 
-/// Replaces the settings by a preset's; contacts, ranges and loop stay unless it has its own.
-/// Throws Error if it names a joint that the skeleton lacks.
+/// Replaces the settings by a preset's. Contacts, ranges and loop stay unless the preset has its
+/// own. Throws Error if the preset names a joint that the skeleton lacks.
 ClipSettings withPreset(const ClipSettings& settings, const Settings& preset,
                         const Skeleton& skeleton);
 
 /// True if the preset would change nothing.
 bool isAsPreset(const ClipSettings& settings, const Settings& preset, const Skeleton& skeleton);
 
-/// True if clips can be edited with it in the studio: a wavelet method with a target of the studio.
+/// True if the studio can edit clips with this preset: its method is a wavelet method, and the
+/// studio has its target.
 bool isTunable(const Settings& preset);
 
 /// A clip's settings as a project keeps them. Joints have names, so that the settings can be read
@@ -45,16 +46,17 @@ NamedSettings namedSettings(const ClipSettings& settings, const Skeleton& skelet
 /// Removes settings for things that the clip lacks, since its file may have changed.
 NamedSettings fitting(NamedSettings settings, const Motion& motion);
 
-/// The settings that fit the motion.
+/// Converts settings for use on the motion, without those that do not fit it.
 ClipSettings settingsFor(const NamedSettings& settings, const Motion& motion);
 
-/// Writes a preset file's form, with "contact_settings" added if they are not the default.
+/// Writes settings in the form of a preset file, with "contact_settings" added if they are not the
+/// default.
 Json toJson(const NamedSettings& settings);
 
 /// Missing keys get defaults. Throws Error that names the wrong key.
 NamedSettings namedSettingsFrom(Json json);
 
-/// A pinned result as it is kept: its settings, not its bytes.
+/// A pinned result as it is stored: its settings, not its bytes.
 struct Pin {
   QString name;
   QColor colour;

@@ -10,19 +10,19 @@ namespace mocapress {
 /// The file with the user's own limits of visibility, among the program's settings.
 QString ownLimitsFile();
 
-/// The limits in it; built-in ones without a file. Read once; `problem`, if there is one, says why
-/// the file is not used.
+/// The limits in ownLimitsFile(), which is read once; the built-in ones if there is no such file.
+/// `problem` is the reason why the file is not used; empty: no problem.
 struct OwnLimits {
   SightLimits limits;
   QString problem;
 };
 const OwnLimits& ownLimits();
 
-/// Writes the file and uses the limits from now on; of built-in limits no file is left. Throws
+/// Writes the limits to the file and uses them from now on. Built-in limits remove the file. Throws
 /// WriteError.
 void setOwnLimits(const SightLimits& limits);
 
-/// The user's limits in place of built-in ones: those that a preset or project brought stay, and so
+/// Replaces built-in limits by the user's own. Limits that a preset or project brought stay, and so
 /// does the viewing distance.
 SightLimits withOwnLimits(SightLimits limits);
 EncodeSettings withOwnLimits(EncodeSettings options);

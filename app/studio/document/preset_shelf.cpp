@@ -121,8 +121,8 @@ void PresetShelf::change(const std::function<QString()>& name, const std::vector
   history_()->push(new EditStep(name, applied(false), applied(true)));
 }
 
-/// Applies edits in place of presets of the same names. Changes made since by another clip's
-/// history stay.
+/// Applies each edit to the preset of its name, unless another clip's history has changed that
+/// preset meanwhile.
 void PresetShelf::apply(const std::vector<Edit>& edits, bool backwards) {
   for (const Edit& edit : edits) {
     const std::optional<Settings>& from = backwards ? edit.after : edit.before;
@@ -145,7 +145,7 @@ void PresetShelf::apply(const std::vector<Edit>& edits, bool backwards) {
   emit changed();
 }
 
-/// Keeps an unreadable file under another name. False: that is impossible. Throws InputError.
+/// Renames an unreadable file, so that it is kept. False: that failed. Throws InputError.
 bool PresetShelf::setAside() {
   if (!unreadable_) return true;
   QString kept = file_ + QStringLiteral(".unreadable");

@@ -26,15 +26,15 @@ class PresetShelf : public QObject {
   /// All presets, built-in ones first.
   std::vector<Settings> all() const;
 
-  /// Returns the undo history for changes; unset: they cannot be undone.
+  /// Sets a function that returns the undo history for changes. Without it they cannot be undone.
   void setHistory(std::function<QUndoStack*()> history) { history_ = std::move(history); }
 
   /// True if one of the user's presets may have this name; otherwise emits noted().
   bool isFree(const std::string& name);
   static bool isBuiltIn(const std::string& name);
 
-  /// Saves a preset in place of the user's own of that name. False, with noted(), for the name of a
-  /// built-in one.
+  /// Saves a preset in place of the user's own of that name. Returns false and emits noted() if a
+  /// built-in preset has that name.
   bool save(const Settings& preset);
   bool rename(const QString& name, const QString& to);
   void remove(const QString& name);

@@ -87,7 +87,7 @@ void PresetViews::save(const Settings& preset) {
   history->endMacro();
 }
 
-/// Offers presets for the studio; the others serve comparisons in a batch.
+/// Offers the presets that the studio can edit clips with; the others serve comparisons in a batch.
 void PresetViews::showPresets() {
   std::vector<Settings> presets = shelf_->all();
   std::erase_if(presets, [](const Settings& preset) { return !isTunable(preset); });

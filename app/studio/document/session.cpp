@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::size_t kFirstCurves = 3;
 
-/// Indices of columns by falling mean.
+/// Indices of columns by descending mean.
 std::vector<int> worstFirst(const Eigen::MatrixXf& distances) {
   const Eigen::RowVectorXf mean = distances.colwise().mean();
   std::vector<int> order(static_cast<std::size_t>(mean.size()));
@@ -63,7 +63,7 @@ Session::Session(QObject* parent) : QObject(parent) {
 
 void Session::open(const QString& path, const QString& skeleton,
                    const std::optional<ReadOptions>& reading) {
-  // Only a .mcpr without its original accepts one.
+  // A .mcpr that is shown without its original accepts one.
   const bool waits = document_.decoded() && !document_.original();
   start({.path = absolute(path),
          .skeleton = skeleton,
@@ -168,8 +168,8 @@ void Session::start(OpenRequest request, std::function<void()> then) {
 
 namespace {
 
-/// Equal only for clips that are compressed to equal results; empty: unknown, as where a character
-/// from a file of its own is on the clip.
+/// A key that is equal only for clips whose compression gives equal results. Empty: unknown, as for
+/// a clip with a character from another file.
 std::string contentOf(const OriginalClip& clip) {
   if (clip.stamp.hash.empty() || !clip.character.isEmpty() || clip.reading.character) return {};
   return clip.stamp.hash + ' ' + settings_hash({}, clip.reading);
@@ -182,7 +182,7 @@ void Session::show(const OpenedClip& opened, const OpenRequest& request) {
   const QString saved_path = isCompressedFile(request.path) ? request.path
                              : together                     ? document_.savedPath()
                                                             : QString();
-  // The open file read with other options: earlier steps can still be undone.
+  // If the open file was read again with other options, earlier steps can still be undone.
   const bool again = opened.original && opened.original != document_.original() &&
                      keyOf(*opened.original) == openKey();
   leave();
@@ -191,7 +191,7 @@ void Session::show(const OpenedClip& opened, const OpenRequest& request) {
   else
     compressor_.setEncoder(nullptr);
   if (request.options) document_.loadOptions(*request.options);
-  // Asked before the document changes, since its settings then count as those of the clip.
+  // Asked before setClip(): after it, the document's settings count as those of the new clip.
   const std::optional<NamedSettings> remembered = rememberedOf(opened, request);
   const Characters before = document_.characters();
   document_.setClip(opened.original, opened.decoded, saved_path, opened.characters);
@@ -227,8 +227,8 @@ void Session::leave() {
   past_->joints = motion.skeleton.joint_count();
 }
 
-/// Restores the settings that the clip had when it was open before. `by_itself`: neither a
-/// compressed form nor options were opened with it. Settings changed elsewhere since come first.
+/// Restores the settings that the clip had when it was open before. `by_itself`: the clip was
+/// opened without a compressed form and without options. Settings changed elsewhere meanwhile win.
 void Session::takeUp(const QString& key, bool by_itself) {
   past_ = &pasts_[key];
   emit historyChanged();
@@ -254,7 +254,7 @@ std::optional<NamedSettings> Session::rememberedOf(const OpenedClip& opened,
                                                    const OpenRequest& request) const {
   if (!memory_ || !opened.original || opened.decoded || request.options) return {};
   const std::optional<NamedSettings> kept = memory_(keyOf(*opened.original));
-  // Settings that were chosen while nothing was open are the first clip's.
+  // Settings that were chosen while nothing was open become those of the first clip.
   return kept || !document_.original() ? kept : NamedSettings{usualPreset(), {}};
 }
 
@@ -324,7 +324,7 @@ void Session::setContacts(const std::vector<ContactSpan>& contacts) {
 }
 
 void Session::change(const ClipSettings& settings) {
-  // Settings that change nothing are no step.
+  // A change without effect is no step of the history.
   if (firstDifference(document_.settings(), settings) == SettingsField::None) return;
   Tuning tuning = document_.tuning();
   tuning.now() = settings;
@@ -366,8 +366,8 @@ void Session::apply(const Tuning& tuning) {
   emit slotsChanged();
   if (!document_.original()) return;
   emit recompressing();
-  // Waits for a take that is being read, since contacts may belong to it, and for a character that
-  // is being put on, since the skin may be its.
+  // Waits while a take is being read, since the contacts may belong to that take, and while a
+  // character is being put on, since the skin may belong to that character.
   if (!opening_.busy() && !wearing_.busy()) compressor_.request(document_.options());
 }
 
@@ -427,7 +427,7 @@ void Session::save(const QString& path) {
 void Session::exportMotion(const QString& path, const QString& onto) {
   const DecodedPtr decoded = document_.decoded();
   if (!decoded) return;
-  // In the clip's own file it is the take that was read.
+  // Writing onto the clip's own file replaces the take that the clip was read from.
   WriteOptions writing;
   if (const OriginalPtr& original = document_.original(); original && original->path == onto)
     writing = original->reading;
@@ -487,8 +487,8 @@ void Session::changeCharacter(const PutCharacter& character) {
   std::optional<PutCharacter> before;
   if (const auto found = document_.characters().find(rig); found != document_.characters().end())
     before = found->second;
-  // Does nothing if a step in the history of another clip of the rig has changed the character
-  // since.
+  // Does nothing if the character has changed meanwhile, by a step in the history of another clip
+  // of the rig.
   const auto change = [this, rig](const std::optional<PutCharacter>& from,
                                   const std::optional<PutCharacter>& to) {
     const auto now = document_.characters().find(rig);
@@ -497,7 +497,7 @@ void Session::changeCharacter(const PutCharacter& character) {
     if (stands) setCharacter(rig, to);
     return stands;
   };
-  // Without a mesh, settings weighted by it change too.
+  // Undo also restores the settings: taking a mesh away changes those that are weighted by it.
   history()->push(new EditStep([] { return tr("Character"); }, [=] { change(before, character); },
                                [=, this, tuning = document_.tuning()] {
                                  if (change(character, before)) apply(tuning);
@@ -530,7 +530,7 @@ void Session::wear() {
   wearing_.abandon();
   const OriginalPtr original = document_.original();
   const PutCharacter character = document_.character();
-  // A clip that is being opened gets its character there, or once it is open.
+  // A clip that is being opened gets its character from openClip() or once it is open.
   if (!original || opening_.busy() || original->wears(character)) return;
   struct Worn {
     OriginalPtr original;
@@ -544,8 +544,8 @@ void Session::wear() {
         return worn;
       },
       [this, original, decoded, key = settingsKey(document_.options())](const Worn& worn) {
-        // A character changes only errors on the skin, unless the clip was compressed by those or
-        // the mesh is the surface somewhere.
+        // A character changes only the errors on the skin, unless the clip was compressed by these
+        // errors or the mesh counts as the surface at some joint.
         const bool is_surface_kept = far_meshes(original->motion().skeleton).empty() &&
                                      far_meshes(worn.original->motion().skeleton).empty();
         const bool stands = decoded && document_.final() && document_.decoded() == decoded &&

@@ -21,14 +21,14 @@
 
 namespace mocapress {
 
-/// Figures of the answer to one of a clip's two settings.
+/// Figures of the last result for settings A or B.
 struct SlotFigures {
   double ratio = 0;
   double eps_cm = 0;
   Weighting weighting{};
 };
 
-/// Carries out the user's wishes for the document by jobs. Uses no widgets.
+/// Carries out what the user wants done with the document, by jobs. Uses no widgets.
 class Session : public QObject {
   Q_OBJECT
 
@@ -89,10 +89,10 @@ class Session : public QObject {
   /// Sets the settings as part of another object's step.
   void takeSettings(const ClipSettings& settings);
 
-  /// Names the preset that the settings come from.
+  /// Stores the name of the preset that the settings come from.
   void namePreset(const QString& name);
 
-  /// History of the open clip. Each clip has its own, kept until it is opened again.
+  /// History of the open clip. Each clip has its own, which is kept while other clips are open.
   QUndoStack* history() { return &past_->steps; }
 
   /// Forgets the histories of all clips when the project changes.
@@ -102,15 +102,15 @@ class Session : public QObject {
   void switchSlot();
   void copyToOtherSlot();
 
-  /// Figures of the last encoding by settings A (0) or B (1); unset: there is none.
+  /// Figures of the last result for settings A (0) or B (1); unset: there is none.
   std::optional<SlotFigures> slotFigures(int slot) const;
 
-  /// Returns the earlier settings of a clip by its clipKey(); unset: it has the usual ones, as in a
-  /// batch, whatever the clip before it was tuned to.
+  /// A function that returns the earlier settings of a clip by its clipKey(). Unset: the clip gets
+  /// the usual settings, as in a batch, whatever the settings of the clip before.
   using Memory = std::function<std::optional<NamedSettings>(const QString& key)>;
   void setMemory(Memory memory) { memory_ = std::move(memory); }
 
-  /// Returns the options that a file was read with before.
+  /// A function that returns the options that a file was read with before.
   using ReadingMemory = std::function<ReadOptions(const QString& path)>;
   void setReadingMemory(ReadingMemory memory) { reading_memory_ = std::move(memory); }
 
@@ -119,8 +119,8 @@ class Session : public QObject {
   /// Saves the shown clip.
   void save(const QString& path);
 
-  /// Writes the motion as it comes out of the compressed clip, by the extension of `path`, in the
-  /// unit and axes of its source; with `onto`, as that character with this motion.
+  /// Writes the decoded motion in the format of the extension of `path`, in the unit and axes of
+  /// its source. With `onto`, writes a copy of that character's file with this motion in it.
   void exportMotion(const QString& path, const QString& onto = {});
 
   /// Writes a page that shows the clip and its original in a browser, with remarks.
@@ -132,8 +132,8 @@ class Session : public QObject {
   /// Removes the character from clips of the rig. Can be undone.
   void takeCharacterOff();
 
-  /// Sets the characters of these rigs, as part of another object's step. Unset: clips of the rig
-  /// have their own.
+  /// Sets the characters of these rigs, as part of another object's step. Unset: the rig's clips
+  /// keep their own.
   using CharacterChanges = std::map<std::string, std::optional<PutCharacter>>;
   void putCharacters(const CharacterChanges& by_rig);
 
@@ -194,7 +194,8 @@ class Session : public QObject {
   void setCharacter(const std::string& rig, const std::optional<PutCharacter>& character);
   void changeCharacter(const PutCharacter& character);
 
-  /// Measures the open clip on the document's character, and no other clip.
+  /// Puts the document's character on the open clip and measures it on that; leaves other clips
+  /// alone.
   void wear();
 
   /// `then` runs once the clip is open.

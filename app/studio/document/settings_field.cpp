@@ -12,7 +12,7 @@ struct FieldTexts {
   Q_DECLARE_TR_FUNCTIONS(mocapress::SettingsField)
 };
 
-/// True if two settings differ only in fields that `copy` transfers.
+/// True if `a` and `b` differ, but become equal when `copy` transfers its fields.
 template <typename Copy>
 bool differIn(const EncodeSettings& a, EncodeSettings b, const Copy& copy) {
   if (settingsKey(a) == settingsKey(b)) return false;
