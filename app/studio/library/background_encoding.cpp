@@ -15,13 +15,13 @@ namespace {
 
 constexpr auto kWatchInterval = std::chrono::milliseconds(100);
 
-/// Clips of a part: enough for all processors, and not so many that clips which come into sight
-/// wait long.
+/// Number of clips in a part: enough for all processors, and so few that clips which come into
+/// sight start soon.
 std::size_t part() {
   return 2 * static_cast<std::size_t>(std::max(QThread::idealThreadCount(), 2));
 }
 
-/// Reads the clips whose settings name joints.
+/// Makes a batch of the clips. Those whose settings name joints are read for that.
 Batch batchOf(const std::vector<TunedClip>& clips) {
   Batch batch{.formats = {}};
   for (std::size_t i = 0; i < clips.size(); ++i) {
@@ -97,7 +97,7 @@ void BackgroundEncoding::take(const std::vector<BatchStep>& steps) {
       library_->noteEncoded(under_way_[step.index], step);
 }
 
-/// Drops results that still arrive: their clips are gone.
+/// Stops, and drops results that still arrive: the project with these clips is left.
 void BackgroundEncoding::leave() {
   preparing_.abandon();
   runner_.cancel();

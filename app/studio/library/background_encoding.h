@@ -18,8 +18,8 @@ class Library;
 class Session;
 
 /// Compresses the clips of the library by their settings, as a batch would, and keeps only the
-/// measurements. Takes the clips of Library::unencoded() in small parts, those in sight first: if a
-/// clip's settings change meanwhile, its result is dropped and the clip is in a later part again.
+/// measurements. Takes the clips of Library::unencoded() in small parts, those in sight first. If a
+/// clip's settings change meanwhile, its result is dropped and a later part has the clip again.
 /// Waits while the session works on the open clip.
 class BackgroundEncoding : public QObject {
   Q_OBJECT
@@ -50,7 +50,7 @@ class BackgroundEncoding : public QObject {
   InSight in_sight_ = [] { return std::vector<int>(); };
   bool active_ = false;
   QTimer watch_;          // looks for waiting clips, and for the end of the session's work
-  QTemporaryDir folder_;  // holds the batch's journal, no clips
+  QTemporaryDir folder_;  // holds the batch's journal, but no clips
   std::vector<TunedClip> under_way_;  // by their index in the batch
   JobRunner preparing_{Workers::LongRunning};
   BatchRunner runner_;

@@ -25,14 +25,14 @@ class ClipLinks : public QObject {
 
   static bool isLink(const QString& text);
 
-  /// Goes where a link leads. If its file is not on this computer, a clip of the library with that
-  /// file name takes its place.
+  /// Opens the clip of a link and goes to its frame, joint and camera. If the file is not on this
+  /// computer, a clip of the library with that file name takes its place.
   void open(const QString& text);
 
   /// The link to what is shown; empty: no motion is open.
   QString toHere() const;
 
-  /// Puts that link on the clipboard.
+  /// Copies toHere() to the clipboard.
   void copy();
 
  signals:
@@ -46,7 +46,7 @@ class ClipLinks : public QObject {
   Library* library_;
   Playback* playback_;
   Viewport* viewport_;
-  std::optional<ClipLink> under_way_;  // its clip is being opened
+  std::optional<ClipLink> under_way_;  // link whose clip is being opened
 };
 
 }  // namespace mocapress

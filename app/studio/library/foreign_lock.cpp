@@ -51,8 +51,8 @@ QString removeForeignLock(const QString& project, const ForeignLock& lock) {
                "mocapress::ForeignLock",
                "%1 was opened by another Mocapress meanwhile, so it was not taken over.")
         .arg(QDir::toNativeSeparators(project));
-  // QLockFile must write a lock to see whether it is in use. The lock of another user often cannot
-  // be written, but removed by anyone who may write in the folder.
+  // QLockFile finds out whether a lock is in use by writing it. The lock of another user can often
+  // not be written, but anyone who may write in its folder can remove it.
   const bool removed =
       QFileInfo(file).isWritable() ? QLockFile(file).removeStaleLockFile() : QFile::remove(file);
   if (removed) return {};

@@ -7,8 +7,8 @@
 
 namespace mocapress {
 
-/// The lock of a project that a studio on another computer holds, or left behind when that computer
-/// went away. It cannot be told from here which of the two.
+/// The lock of a project that was opened on another computer. The studio there may still be
+/// running, or the computer may have gone away: this computer cannot tell.
 struct ForeignLock {
   QString host;
   QString user;  // empty: a user that this computer does not know
@@ -20,12 +20,12 @@ struct ForeignLock {
 /// Unset if no studio on another computer has locked the project.
 std::optional<ForeignLock> foreignLock(const QString& project);
 
-/// Says where a project that is in use is open: "walks.mocapress is open in another window of
-/// Mocapress", or on which computer, by whom and since when; without a full stop. `name` is what to
-/// call it; empty: its path.
+/// Describes where a project in use is open, without a full stop: "walks.mocapress is open in
+/// another window of Mocapress", or on which computer, by whom and since when. `name` stands for
+/// the project in the text; empty: its path.
 QString whereOpen(const QString& project, const QString& name = {});
 
-/// Removes this lock, and no other. Returns the reason why it is still there; empty: it is gone.
+/// Removes this lock, and no other. Returns the reason for a failure; empty: the lock is gone.
 QString removeForeignLock(const QString& project, const ForeignLock& lock);
 
 }  // namespace mocapress

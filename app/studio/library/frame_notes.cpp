@@ -17,7 +17,7 @@
 namespace mocapress {
 namespace {
 
-constexpr int kNoteWidth = 420;  // a sentence
+constexpr int kNoteWidth = 420;  // px, width of a sentence
 
 QString placeOf(const FrameNote& note) {
   const QString frame =
@@ -158,8 +158,8 @@ void FrameNotes::ask(const FrameNote& note, int index) {
            is_new = index < 0](const QString& text) {
             FrameNote written = note;
             written.text = text.trimmed().toStdString();
-            // Clip and note may have other places by now. A note that is gone or was written by
-            // others meanwhile becomes another one.
+            // Clip and note may have moved meanwhile. If the note is gone or was changed by others,
+            // the text becomes a new note.
             const int row = library->project().rows().value(key, -1);
             const std::vector<FrameNote> notes = library->frameNotes(row);
             const auto found = is_new ? notes.end() : std::find(notes.begin(), notes.end(), note);

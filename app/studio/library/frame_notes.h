@@ -30,10 +30,10 @@ class FrameNotes : public QObject {
   /// Asks for a note on the frame that is shown, and the joint that is chosen.
   void addHere();
 
-  /// The same for the range that is chosen.
+  /// Asks for a note on the chosen range.
   void addOnRange();
 
-  /// Goes to the next note after the frame that is shown, from the last to the first.
+  /// Goes to the next note after the shown frame, and from the last note to the first.
   void showNext();
 
  private:

@@ -18,9 +18,9 @@ namespace mocapress {
 
 namespace {
 
-constexpr int kHalfMade = 1000;  // ms after which a lock without an owner counts as abandoned
+constexpr int kHalfMade = 1000;  // ms until a lock file that names no owner counts as abandoned
 
-/// True if the file certainly does not exist. If the system cannot tell, opening the file will.
+/// True if the file certainly does not exist. If the system cannot tell, opening it will show.
 bool isAbsent(const QString& path) {
   try {
     return !is_there(path.toStdU16String());
@@ -49,20 +49,20 @@ ProjectLock::ProjectLock(const QString& project)
 
 ProjectLock::~ProjectLock() {
   if (!held() || content() == own_) return;
-  // QLockFile would remove the other studio's lock when it is destroyed, so it never is.
+  // QLockFile's destructor would remove the other studio's lock, so it must never run.
   static auto* const abandoned = new std::vector<std::unique_ptr<QLockFile>>;
   abandoned->push_back(std::move(lock_));
 }
 
 bool ProjectLock::lost() const {
   if (!held() || own_.isEmpty()) return false;
-  // Without its folder, as when a network is away, the lock may still be there.
+  // If the folder is absent, too, as when a network is away, the lock may still exist.
   if (isAbsent(file_)) return QFileInfo(file_).dir().exists();
   const QByteArray now = content();
   return !now.isNull() && now != own_;
 }
 
-/// Null if the file cannot be read.
+/// The content of the lock file; null if it cannot be read.
 QByteArray ProjectLock::content() const {
   QFile file(file_);
   if (!file.open(QIODevice::ReadOnly)) return {};
@@ -137,7 +137,7 @@ QString KeptProject::name() const {
   return unnamed ? QString() : QFileInfo(path_).completeBaseName();
 }
 
-/// The shelf learns of the project once something is in it.
+/// The shelf does not list the project before it is first written.
 void KeptProject::beginEmpty(const QString& folder) {
   shelf_.emplace(folder);
   path_ = shelf_->unnamedPath();
@@ -232,7 +232,7 @@ bool KeptProject::startNew() {
   return enter(path, std::make_unique<ProjectLock>(path), {});
 }
 
-/// The previous project is in its file by now.
+/// Replaces the previous project, which must be in its file by now.
 bool KeptProject::enter(const QString& path, std::unique_ptr<ProjectLock> lock, Project project) {
   try {
     if (shelf_) shelf_->use(path);
@@ -294,7 +294,7 @@ std::vector<FormerProject> KeptProject::formerProjects() const {
     try {
       one.clips = static_cast<int>(readProject(path).clips.size());
     } catch (const Error&) {
-      // The project is in its file all the same.
+      // A project that cannot be read is listed all the same.
     }
     former.push_back(one);
   }
@@ -314,13 +314,13 @@ void KeptProject::writeSoon() {
   write_later_.start(std::max(kWriteInterval - passed, std::chrono::milliseconds(0)));
 }
 
-/// Writes on a thread of normal priority, unlike a JobRunner's: it works little and may be waited
-/// for.
+/// Writes on a thread of normal priority, unlike those of JobRunner: writing takes little work, and
+/// the user may wait for it.
 void KeptProject::write() {
   if (path_.isEmpty() || !changed_ || writing_.valid()) return;
   changed_ = false;
   since_write_.start();
-  // The lock stays until finishWriting().
+  // The pointer stays valid: lock_ is kept until finishWriting().
   writing_ = std::async(std::launch::async, [this, project = project_, path = path_, shelf = shelf_,
                                              lock = lock_.get()] {
     const QString trouble = keep(project, path, shelf, lock);
@@ -330,7 +330,7 @@ void KeptProject::write() {
 }
 
 void KeptProject::noteWritten() {
-  if (!writing_.valid()) return;  // flush() has handled it
+  if (!writing_.valid()) return;  // flush() has taken the result
   const QString trouble = writing_.get();
   setTrouble(trouble);
   if (!trouble.isEmpty()) {

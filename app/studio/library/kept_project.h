@@ -20,9 +20,9 @@
 namespace mocapress {
 
 /// Reserves a project for one studio, since two would overwrite each other's work. The lock is a
-/// hidden file beside the project with the id of its process, so that a lock left by a crash is
-/// recognised. It also works in network folders without file locks. Someone on another computer can
-/// take such a lock over, so it is looked at again before each write.
+/// hidden file beside the project with the process id of the studio, so that a lock left by a crash
+/// is recognised. It also works in network folders without file locks. Someone on another computer
+/// can take such a lock over, so each write first checks whether the lock is still this studio's.
 class ProjectLock {
  public:
   explicit ProjectLock(const QString& project);
@@ -40,7 +40,7 @@ class ProjectLock {
   /// cannot be written.
   bool inUse() const { return !held() && lock_->error() == QLockFile::LockFailedError; }
 
-  /// True if this lock is held after a studio that ended without releasing it.
+  /// True if this lock is held, and an earlier studio ended without releasing its own.
   bool wasLeftBehind() const { return held() && existed_; }
 
   /// The path of the lock for `project`.
@@ -63,7 +63,7 @@ struct FormerProject {
   std::optional<int> clips;  // unset: its file cannot be read
 };
 
-/// A project in its file: its path, its lock and its writing. Every change is in the file within
+/// A project and its file: its path, its lock and its writing. Every change is in the file within
 /// two seconds, also in a project without a name: a crash loses no more than that, and nobody is
 /// asked to save.
 class KeptProject : public QObject {
@@ -98,8 +98,8 @@ class KeptProject : public QObject {
   /// started.
   bool begin(const QString& folder);
 
-  /// Writes everything and marks a regular end; nothing is saved afterwards. False, here and below:
-  /// it was impossible, failed() gave the reason, and nothing has changed.
+  /// Writes everything and marks a regular end; nothing is saved afterwards. False, here and for
+  /// the functions below: the call failed, failed() gave the reason, and nothing has changed.
   bool end();
 
   /// Opens another project after writing this one.
@@ -108,7 +108,7 @@ class KeptProject : public QObject {
   /// Opens an unnamed copy of a project that another studio has open.
   bool openCopy(const QString& path);
 
-  /// Continues in this file. A named project also stays in its old file; an unnamed one now has a
+  /// Continues in this file. The old file of a named project stays; an unnamed project now has a
   /// name.
   bool saveAs(const QString& path);
 

@@ -100,7 +100,7 @@ void Library::add(const QStringList& paths) {
   QSet<QString> known;
   known.reserve(std::ssize(project_.clips) + paths.size());  // thousands are added at once
   for (const ProjectClip& clip : project_.clips) known.insert(clip.path);
-  auto clips = std::make_shared<ClipsByRow>();  // the clips as they are when undo removes them
+  auto clips = std::make_shared<ClipsByRow>();  // undo stores the removed clips here for redo
   const auto end = static_cast<int>(project_.clips.size());
   for (const QString& each : paths) {
     const QString path = QFileInfo(each).absoluteFilePath();
@@ -162,8 +162,8 @@ Library::ClipsByRow Library::takeOut(const IsOut& is_out) {
   return clips;
 }
 
-/// Inserts removed clips again at their old rows, with their settings and reviews, the first row
-/// first.
+/// Inserts removed clips again at their old rows, with their settings and reviews, in the order of
+/// rows.
 void Library::putBack(const ClipsByRow& clips) {
   std::vector<LibraryEntry> all = entries();
   const QHash<QString, int> known = project_.rows();
@@ -176,7 +176,7 @@ void Library::putBack(const ClipsByRow& clips) {
     all.insert(all.begin() + place, entryOf(clip, {}));
     outlines_.add(clip.key());
   }
-  if (findEarlier())  // another batch may be compared since they were taken out
+  if (findEarlier())  // the batch to compare with may have changed meanwhile
     for (std::size_t row = 0; row < all.size(); ++row)
       all[row].since = differenceSince(project_.clips[row]);
   model_->setEntries(std::move(all));
@@ -283,7 +283,8 @@ void Library::noteOpened(const QString& path, const QString& skeleton) {
   emit currentChanged();
 }
 
-/// Tells the clip of a file that was not read before which take it is.
+/// Called when a file is read for the first time: notes which take its clip is, and adds the
+/// others.
 void Library::noteTakes(const QString& path, const Takes& takes) {
   ProjectClip* clip = project_.find(path);
   if (!clip || takes.keys.size() < 2) return;
@@ -293,7 +294,7 @@ void Library::noteTakes(const QString& path, const Takes& takes) {
   if (row >= 0) addTakes(row, takes);
 }
 
-/// Adds rows for the other takes of the file in that row, below it.
+/// Adds the other takes of a row's file as rows below it.
 void Library::addTakes(int row, const Takes& takes) {
   if (takes.keys.size() < 2) return;
   const QHash<QString, int> known = project_.rows();

@@ -36,7 +36,7 @@ class Library : public KeptProject {
  public:
   Library(Session* session, LibraryModel* model, QObject* parent = nullptr);
 
-  /// Shows all rows again, in the language of today, and emits the signals that tell of the list.
+  /// Shows all rows again, in the current language, and emits the signals that tell of the list.
   void announce();
 
   /// History of the list and its reviews; changes to a clip are in its document's history.
@@ -52,17 +52,17 @@ class Library : public KeptProject {
   void openClip(int row);
   void setNote(int row, const QString& note);
 
-  /// The notes on frames of a clip, in the order of frames; of row -1: none.
+  /// The notes on frames of a row's clip, in the order of frames; none for row -1.
   std::vector<FrameNote> frameNotes(int row) const;
 
-  /// Replaces the note of that index; -1 adds one, and a note without a text is removed. The
-  /// reviewer and the time are those of now.
+  /// Replaces the note with this index; -1 adds one, and a note without a text is removed. Reviewer
+  /// and time are set to the current ones.
   void setFrameNote(int row, int index, const FrameNote& note);
 
-  /// Writes the notes on frames to files beside the clips: notes_file.h.
+  /// Writes the notes on frames to files beside the clips; see notes_file.h.
   void writeNotes();
 
-  /// Adds the notes in such files that the library lacks, in one step.
+  /// Reads these files and adds the notes that the library lacks, in one step.
   void readNotes();
 
   /// Sets a verdict for all these rows in one step. It applies to the files and settings of the
@@ -71,10 +71,10 @@ class Library : public KeptProject {
   void setVerdict(const std::vector<int>& rows, Verdict verdict);
   void setPreset(const std::vector<int>& rows, const Settings& preset);
 
-  /// Has all clips judged by the user's limits of visibility, which they keep among their settings.
+  /// Judges all clips by the user's own limits of visibility; each clip's settings keep them.
   void takeOwnLimits();
 
-  /// Keeps the settings of a clip until another's are copied.
+  /// Copies the settings of a clip for pasteSettings(), until another clip's are copied.
   void copySettings(int row);
   bool hasCopy() const { return copied_.has_value(); }
 
@@ -97,13 +97,13 @@ class Library : public KeptProject {
   /// Searches a folder for missing clips and continues with the files found, in one step.
   void findMissing(const QString& folder);
 
-  /// Compares the clips with those of an earlier batch, by one of the files in its folder, or of an
-  /// earlier project: see LibraryEntry::since. Clips are found by path and take, else by file name
-  /// if only one has it.
+  /// Compares the clips with those of an earlier batch, given by any file in its folder, or of an
+  /// earlier project; see LibraryEntry::since. Clips are matched by path and take, or else by file
+  /// name if only one clip has it.
   void compareWith(const QString& path);
 
   /// Takes over the outcome of a batch that compressed a clip of that file by these settings,
-  /// unless the clip has other settings of its own.
+  /// unless the clip in the library has other settings of its own.
   void noteExported(const QString& path, const Settings& settings, const ReadOptions& reading,
                     const BatchStep& step);
 
@@ -146,7 +146,7 @@ class Library : public KeptProject {
   /// New clips were added, starting at this row.
   void added(int row);
 
-  /// Clips have an earlier batch to compare with.
+  /// Emitted once the clips have an earlier batch to compare with.
   void compared();
 
   /// A check of the files has ended.
@@ -234,7 +234,7 @@ class Library : public KeptProject {
   JobRunner reading_new_notes_{Workers::LongRunning};
   std::vector<QString> new_;  // files whose notes will be read next
   std::optional<NamedSettings> copied_;
-  EarlierClips earlier_;  // the batch that is compared; empty: none is
+  EarlierClips earlier_;  // clips of the batch to compare with; empty: none
 };
 
 }  // namespace mocapress

@@ -12,12 +12,12 @@
 namespace mocapress {
 namespace {
 
-constexpr double kSame = 0.01;  // share: the usual one of `mocapress diff`
+constexpr double kSame = 0.01;  // smaller changes are ignored, as by `mocapress diff`
 
-/// Unset: nobody tried to compress the clip.
+/// Measurements of the clip; unset: nobody tried to compress it.
 std::optional<ClipFigures> figuresOf(const ProjectClip& clip) {
   if (!clip.failure.isEmpty()) return ClipFigures{.reason = clip.failure.toStdString()};
-  // Figures by older settings would be taken for those of today's weighting.
+  // Figures by older settings are left out: they would be taken for those of the present weighting.
   if (!clip.outcome || outdated(clip) == Staleness::Settings) return {};
   ClipFigures figures{.done = true,
                       .bytes = clip.outcome->motion_bytes,
@@ -45,13 +45,13 @@ QHash<QString, ClipFigures> earlierClips(const QString& path) {
   return clips;
 }
 
-/// File name and take.
+/// The file name and take in a key.
 QString nameIn(const QString& key) {
-  const auto take = key.indexOf(QLatin1Char('\n'));  // its name may have a slash; -1: none
+  const auto take = key.indexOf(QLatin1Char('\n'));  // a take's name may have a slash; -1: no take
   return key.mid(key.lastIndexOf(QLatin1Char('/'), take) + 1);
 }
 
-/// Keys by nameIn() them; an empty one where several have the name.
+/// Keys by their nameIn(). Empty: several keys have this name.
 QHash<QString, QString> byName(const QStringList& keys) {
   QHash<QString, QString> names;
   for (const QString& key : keys) {
@@ -81,7 +81,7 @@ void Library::compareWith(const QString& path) {
       [this](const QString& message) { emit failed(message); });
 }
 
-/// Gives each clip what it was in the batch that is compared. Returns false if none is.
+/// Looks each clip up in the batch to compare with. Returns false if there is no such batch.
 bool Library::findEarlier() {
   if (earlier_.isEmpty()) return false;
   const QHash<QString, QString> earlier_by_name = byName(earlier_.keys());

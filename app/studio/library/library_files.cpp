@@ -93,7 +93,7 @@ void Library::findMissing(const QString& folder) {
         std::erase_if(moved, [this](const auto& one) {
           return !project_.findFile(one.first) || project_.findFile(one.second.path);
         });
-        int found_again = 0;  // several takes may be of a file
+        int found_again = 0;  // counts takes, of which a file may have several
         std::map<QString, ClipSource> back;
         for (const ClipSource& clip : missing)
           if (const auto found = moved.find(clip.path); found != moved.end()) {
@@ -110,7 +110,7 @@ void Library::findMissing(const QString& folder) {
       [this](const QString& message) { emit failed(message); });
 }
 
-/// Sets new places of files; everything else about the clips stays.
+/// Gives clips the new paths of their files; everything else stays.
 void Library::move(const std::map<QString, ClipSource>& to) {
   std::vector<LibraryEntry> all = entries();
   bool current_moves = false;
@@ -136,8 +136,8 @@ void Library::move(const std::map<QString, ClipSource>& to) {
   if (current_moves) openClip(currentRow());
 }
 
-/// Notes the failure and closes the clip before: what is shown would otherwise seem to be about the
-/// chosen clip.
+/// Notes the failure and closes the clip that was open, which would otherwise seem to be the chosen
+/// one.
 void Library::noteOpenFailed(const OpenRequest& request, const QString& message) {
   const QString key = clipKey(request.path, request.reading.value_or(ReadOptions()).take);
   const int row = model_->rowOf(key);

@@ -67,8 +67,8 @@ NotesBeside notesBeside(const std::vector<QString>& paths, const Job& job) {
 
 }  // namespace
 
-/// Other people's notes that the library lacks stay in the files; the user's own do not, if the
-/// library had them.
+/// Other people's notes stay in the files even if the library lacks them. The user's own notes in a
+/// file are replaced by those in the library.
 void Library::writeNotes() {
   std::map<QString, NotesByTake> by_file;
   for (const ProjectClip& clip : project_.clips)
@@ -118,13 +118,13 @@ void Library::readNotes() {
       [this](const QString& message) { emit failed(message); });
 }
 
-/// New clips have their notes from the start, and no step for that.
+/// Notes of new clips are read at once, and not as a step of history().
 void Library::readNotesOfNew(const QString& path) {
   new_.push_back(path);
   readNewNotes();
 }
 
-/// Reads the notes of all files that are new by now, unless it is reading.
+/// Reads the notes of all new files, unless such a reading is under way.
 void Library::readNewNotes() {
   if (reading_new_notes_.busy() || new_.empty()) return;
   reading_new_notes_.start(

@@ -101,7 +101,7 @@ void Library::recallOutcome(ProjectClip& clip) {
 
 std::vector<TunedClip> Library::unencoded(std::size_t most, const std::vector<int>& first) const {
   const QString open = session_->openKey();
-  // Turns of the clips that wait: the place among the first, the length, the row.
+  // Order of the waiting clips: by place in `first`, then by length, then by row.
   std::vector<std::tuple<std::ptrdiff_t, int, int>> waiting;
   for (int row = 0; row < model_->rowCount(); ++row)
     if (const LibraryEntry& entry = model_->entry(row);
@@ -145,7 +145,7 @@ void Library::noteOutcome() {
   ProjectClip* clip = openNow();
   const DecodedPtr& decoded = session_->document().decoded();
   if (!clip || !decoded || !decoded->distortion) return;
-  if (!clip->settings) {  // opened without settings: the outcome belongs to these
+  if (!clip->settings) {  // opened without settings: the outcome is by the current ones
     clip->settings = settingsNow();
     touch();
   }

@@ -22,7 +22,7 @@ std::string Library::timeNow() {
   return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
 }
 
-/// Makes a review of the result that the row shows, by the present user and time.
+/// Makes a review of the result in the row, by the current user and at the current time.
 ClipReview Library::reviewNow(const ProjectClip& clip, Verdict verdict) const {
   ClipReview review{.verdict = verdict, .note = clip.review.note, .notes = clip.review.notes};
   if (verdict == Verdict::None) return review;

@@ -143,7 +143,7 @@ bool Library::isAsNow(const NamedSettings& settings) const {
 NamedSettings Library::settingsNow() const {
   const Document& document = session_->document();
   NamedSettings settings = namedSettings(document.settings(), *document.skeleton());
-  // A built-in preset is kept as a batch has it, not in the names of this clip's joints.
+  // Keeps a built-in preset as a batch has it, without the names of this clip's joints.
   for (const Settings& preset : built_in_presets()) {
     if (preset.name != settings.preset.name ||
         !isAsPreset(document.settings(), preset, *document.skeleton()))
@@ -152,7 +152,7 @@ NamedSettings Library::settingsNow() const {
     settings.preset.contacts = own.contacts;
     settings.preset.ranges = own.ranges;
     settings.preset.loop = own.loop;
-    settings.preset.limits = own.limits;  // the user's, which no batch adds
+    settings.preset.limits = own.limits;  // a batch would not add the user's limits
   }
   return settings;
 }

@@ -134,7 +134,7 @@ void LibraryViews::showNextToReview() {
 void LibraryViews::judge(Verdict verdict) {
   const int row = library_->currentRow();
   if (row < 0) return;
-  const int next = panel_->nextToReview();  // before the clip may leave the list that is shown
+  const int next = panel_->nextToReview();  // the verdict may remove the clip from the list
   library_->setVerdict({row}, verdict);
   if (next >= 0)
     library_->openClip(next);

@@ -17,7 +17,7 @@ class PresetShelf;
 class Session;
 class SlotControl;
 
-/// Shows the library and both settings in their panels, and passes the user's actions on.
+/// Shows the library, and the settings A and B, in their panels, and passes the user's actions on.
 class LibraryViews : public QObject {
   Q_OBJECT
 
@@ -42,7 +42,7 @@ class LibraryViews : public QObject {
   void addFolder();
   void findMissing();
 
-  /// Whether clips are compressed in the background.
+  /// True if clips are compressed in the background.
   bool encodes() const;
   void setEncodes(bool encodes);
 

@@ -19,15 +19,15 @@ class OutlineReader : public QObject {
  public:
   explicit OutlineReader(Project* project) : project_(project) {}
 
-  /// Queues the clip of that ProjectClip::key(). It is read as the project has it when its turn
-  /// comes, and left out if the project has it no more.
+  /// Queues the clip with that ProjectClip::key(). When its turn comes, it is read by the project's
+  /// present settings, or left out if the project no longer has it.
   void add(const QString& key);
 
   /// Empties the queue; the clip that is being read is still delivered.
   void clear() { unread_.clear(); }
 
  signals:
-  /// `trouble` is the reason why the clip could not be read; empty: it could.
+  /// `trouble`: the reason why the clip could not be read; empty: it was read.
   void read(const QString& key, const ClipOutline& outline, const QString& trouble);
 
  private:

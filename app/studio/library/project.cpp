@@ -85,8 +85,8 @@ InputStamp stampFrom(const Json& json) {
           hash};
 }
 
-/// Leaves out settings that no clip can be compressed with, such as an impossible target: they
-/// could not be read again.
+/// Leaves out settings that no clip can be compressed with, such as an impossible target: reading
+/// them back would fail.
 void put(Json& json, const NamedSettings& settings) {
   try {
     check(settings.preset);
@@ -192,7 +192,7 @@ Staleness outdated(const ProjectClip& clip) {
   if (clip.missing) return Staleness::Missing;
   const Staleness files_and_settings = staleness(clip.outcome->source, clip.outcome->settings,
                                                  clip.stamp.source, settingsHash(clip));
-  // The hash leaves limits out that change no bytes.
+  // The hash does not cover limits that change no bytes.
   const bool judged_otherwise =
       clip.settings && clip.outcome->sight &&
       clip.outcome->limits.of_cues != clip.settings->preset.limits.of_cues;

@@ -25,34 +25,36 @@ struct ProjectClip {
   std::optional<NamedSettings> settings;  // unset: no settings of its own
   std::optional<Outcome> outcome;
   ClipReview review;
-  bool notes_beside = false;  // notes of it were read from the file beside it, or written there
+  bool notes_beside = false;  // the notes file beside the clip has notes on it
   std::vector<Pin> pins;
-  std::string rig;   // rig_of() its joints when last read; empty: never read
+  std::string rig;   // rig_of() the skeleton when last read; empty: never read
   InputStamp stamp;  // stamp of its files when last examined; no hash: never examined
   std::optional<std::size_t> bytes_before;  // see LibraryEntry; not saved
-  std::optional<ClipFigures> earlier;       // in the batch that is compared; not saved
+  std::optional<ClipFigures> earlier;       // in the batch to compare with; not saved
   bool missing = false;                     // its files were gone when last looked for; not saved
-  QString failure;  // why its settings cannot compress it; empty: unknown; not saved
+  QString failure;  // why the settings cannot compress the clip; empty: unknown; not saved
 
-  /// clipKey() of path and take. A file with several takes has a clip for each once it was read.
+  /// clipKey() of path and take. A file with several takes gets a clip for each once it has been
+  /// read.
   QString key() const { return clipKey(path, reading.take); }
 };
 
 /// Hash of the clip's current settings and reading options; empty: no settings of its own.
 std::string settingsHash(const ProjectClip& clip);
 
-/// Why the verdict or the outcome does not apply to the clip today. None if there is none.
+/// The reason why the verdict, or the outcome, does not apply to the clip today. None: it applies,
+/// or there is none.
 Staleness staleVerdict(const ProjectClip& clip);
 Staleness outdated(const ProjectClip& clip);
 
-/// The clip's changes since the batch that is compared. Unset: there is nothing to compare.
+/// The clip's changes since the batch to compare with. Unset: there is nothing to compare.
 std::optional<ClipDifference> differenceSince(const ProjectClip& clip);
 
-/// Why a note on the clip does not apply to it today, in English. Unset: it does.
+/// The reason, in English, why a note does not apply to the clip today. Unset: it applies.
 std::optional<std::string> staleNote(const ProjectClip& clip, const FrameNote& note);
 
-/// Gives a verdict the hash of the clip's files if it has none, because the clip was not compressed
-/// or examined at the time, and if the files have not been written since.
+/// Gives a verdict the hash of the clip's files if it has none, because the clip was neither
+/// compressed nor examined at the time. Does nothing if the files were written after the verdict.
 void bindVerdict(ProjectClip& clip);
 
 /// A list of clips with their common data.

@@ -62,7 +62,7 @@ bool ProjectFiles::saveAs() {
   return library_->saveAs(path);
 }
 
-/// A project with a name is in its file already.
+/// Asks about a project without a name before it is left. A named one is always in its file.
 void ProjectFiles::leave(std::function<void()> then) {
   if (!library_->needsName()) return then();
   auto* question =
@@ -123,7 +123,7 @@ void ProjectFiles::fillRecentMenu(QMenu* menu) {
     if (!project.named)
       text = tr("Unnamed, %1").arg(QLocale().toString(project.written, QLocale::ShortFormat));
     if (project.clips) text = tr("%1, %Ln clip(s)", nullptr, *project.clips).arg(text);
-    // Shows each & instead of making it a shortcut.
+    // Shows each & as a letter: a single & would mark a shortcut.
     QAction* action = menu->addAction(text.replace(QLatin1Char('&'), QLatin1String("&&")));
     action->setToolTip(QDir::toNativeSeparators(project.path));
     connect(action, &QAction::triggered, this, [this, path = project.path] { open(path); });

@@ -32,7 +32,7 @@ class ProjectFiles : public QObject {
 
   void fillRecentMenu(QMenu* menu);
 
-  /// Asks when the project cannot be written; runs `then` if the user quits regardless.
+  /// Asks what to do if the project cannot be written; runs `then` if the user quits regardless.
   void askToQuit(std::function<void()> then);
 
  private:

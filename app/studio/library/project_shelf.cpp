@@ -42,7 +42,7 @@ QStringList readList(const QString& file) {
 
 ProjectShelf::ProjectShelf(const QString& folder) {
   QDir().mkpath(folder);
-  // Canonical paths match those of opened files.
+  // Canonical, to be equal to the paths of opened files.
   const QString canonical = QDir(folder).canonicalPath();
   folder_ = canonical.isEmpty() ? QDir(folder).absolutePath() : canonical;
 }

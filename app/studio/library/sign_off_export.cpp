@@ -50,12 +50,12 @@ SignOffFigures figuresIn(const ProjectClip& clip) {
                          .worst_point = outcome.worst_point,
                          .sight = outcome.sight,
                          .limits = outcome.limits};
-  // Figures are stale as a verdict on that outcome would be.
+  // Figures are stale when a verdict on that outcome would be stale.
   figures.stale = stale_reason({.verdict = Verdict::Approved,
                                 .source_hash = outcome.source,
                                 .settings_hash = outcome.settings},
                                clip.stamp.source, settingsHash(clip));
-  // Other limits of visibility are no part of that hash.
+  // That hash does not cover the limits of visibility.
   if (!figures.stale && outdated(clip) == Staleness::Settings)
     figures.stale = "the settings changed";
   return figures;
