@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The plan behind an opened study, as far as pictures need it.
+/// The parts of an opened study's plan that pictures need.
 StudyPlan planOfRows(const std::vector<StudyRow>& rows) {
   StudyPlan plan;
   if (rows.empty()) return plan;
@@ -27,7 +27,7 @@ StudyPlan planOfRows(const std::vector<StudyRow>& rows) {
   return plan;
 }
 
-/// Reads the newest weighting's rows only: the folder may hold others, which do not compare.
+/// Reads only rows of the newest weighting: the folder may hold others, which do not compare.
 std::vector<StudyRow> readStudy(const fs::path& folder) {
   if (!is_there(folder / kRowsSoFar)) return {};
   std::vector<StudyRow> rows = read_rows(folder / kRowsSoFar);
@@ -168,7 +168,7 @@ std::set<std::string> StudySession::completeClips() const {
   return complete;
 }
 
-/// `make(job)` returns the text of the file, or nothing if it was stopped.
+/// Writes the text that `make(job)` returns; it returns none if the job was stopped.
 template <typename Make>
 void StudySession::exportMade(const QString& path, Make make) {
   exporting_.start(
@@ -185,8 +185,8 @@ void StudySession::exportMade(const QString& path, Make make) {
 
 namespace {
 
-/// A verdict on other bytes is dropped, and the note says so. Settings are not compared: a study
-/// has many, and the review concerns its clips.
+/// The review without a verdict on other bytes; the note then tells of it. Settings are not
+/// compared: a study has many, and the review concerns its clips.
 ClipReview present(const LibraryReview& said) {
   ClipReview review = said.review;
   if (review.verdict == Verdict::None ||
@@ -204,8 +204,8 @@ ClipReview present(const LibraryReview& said) {
 
 }  // namespace
 
-/// The review of a file with several takes has the verdict that all of them have, and says which
-/// take each note is on.
+/// The review of a clip. For a file with several takes, it has the verdict that all takes share,
+/// and says which take each note is on.
 std::optional<ClipReview> StudySession::reviewOf(const QString& path) const {
   if (const auto found = reviews_.find(path); found != reviews_.end()) return present(*found);
   std::map<QString, ClipReview> takes;

@@ -37,8 +37,8 @@ class StudySession : public QObject {
   /// Sets the library's reviews, which appear in tables and reports.
   void setReviews(const ClipReviews& reviews) { reviews_ = reviews; }
 
-  /// Sets the folder for rows, and for tables and report once all rows are there; shows the rows in
-  /// it. Empty: the cache.
+  /// Sets the folder for rows, and for tables and report once all rows are there. Shows the rows
+  /// that the folder already has. Empty: the cache.
   void setFolder(const QString& folder);
   const QString& folder() const { return folder_; }
 
@@ -63,7 +63,7 @@ class StudySession : public QObject {
   /// The weighting of the rows' eps_x.
   Weighting weighting() const { return plan_.settings.weighting; }
 
-  /// Paths of the clips with all their rows.
+  /// Paths of the clips that have all their rows.
   std::set<std::string> completeClips() const;
 
   bool exporting() const { return exporting_.busy(); }
