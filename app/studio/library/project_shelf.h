@@ -8,7 +8,7 @@ namespace mocapress {
 
 /// The list of projects: the one in use and earlier ones. A named project lies where the user saved
 /// it. An unnamed one has a file in the shelf's own folder: it is as safe as a named one, and its
-/// name is the date.
+/// file name begins with the date.
 class ProjectShelf {
  public:
   /// `folder` holds the studio's data.
