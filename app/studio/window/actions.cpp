@@ -400,7 +400,8 @@ bool editsText(const QKeyEvent& key) {
 
 }  // namespace
 
-/// A widget that ignores a ShortcutOverride still gets the key if no shortcut has it.
+/// Ignores the ShortcutOverride of keys that belong to shortcuts. The widget still gets such a key
+/// if no shortcut has it.
 bool ShortcutsFirst::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::ShortcutOverride) return false;
   const bool is_number = qobject_cast<QAbstractSpinBox*>(watched);

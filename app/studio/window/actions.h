@@ -55,7 +55,7 @@ struct Actions {
   QAction* note_here = nullptr;
   QAction* note_on_range = nullptr;
   QAction* next_note = nullptr;
-  QAction* write_notes = nullptr;  // to files beside the clips
+  QAction* write_notes = nullptr;  // writes notes to files beside the clips
   QAction* read_notes = nullptr;
   QAction* copy_link = nullptr;
   QAction* compare_range = nullptr;
@@ -76,8 +76,8 @@ struct Actions {
   QActionGroup* languages = nullptr;     // data(): language code, empty: the system's
   QActionGroup* error_scales = nullptr;  // scales of distances
   QActionGroup* angle_scales = nullptr;
-  QAction* in_degrees = nullptr;  // in heat map and graph
-  QAction* as_seen = nullptr;     // in the heat map
+  QAction* in_degrees = nullptr;  // switches heat map and graph to angles
+  QAction* as_seen = nullptr;     // switches the heat map to visibility
   ViewActions view;
   TransportActions transport;
 };

@@ -54,7 +54,8 @@ CommandPalette::CommandPalette(std::vector<Command> commands, QWidget* parent)
   find({});
 }
 
-/// Commands with the words in their own name come before those with words in their menus'.
+/// Lists the commands that have all words: first those with the words in their own name, then those
+/// with some of them in their menus' names.
 void CommandPalette::find(const QString& text) {
   list_->clear();
   const QStringList words = text.split(QLatin1Char(' '), Qt::SkipEmptyParts);
@@ -89,7 +90,7 @@ void CommandPalette::run(const QTreeWidgetItem* item) {
   QAction* const action =
       commands_[static_cast<std::size_t>(item->data(0, Qt::UserRole).toInt())].action;
   close();
-  // Later, when the window has the focus again.
+  // Runs the command later, when the window has the focus again.
   QMetaObject::invokeMethod(action, &QAction::trigger, Qt::QueuedConnection);
 }
 

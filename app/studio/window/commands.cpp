@@ -25,7 +25,7 @@ void collect(const QMenu& menu, const QString& menus, std::vector<Command>& comm
   }
 }
 
-/// The end of a tool tip that names the key.
+/// The end of a tool tip, which shows the key.
 QString ending(const QKeySequence& key) {
   return key.isEmpty() ? QString()
                        : QStringLiteral(" (%1)").arg(key.toString(QKeySequence::NativeText));
@@ -34,7 +34,7 @@ QString ending(const QKeySequence& key) {
 }  // namespace
 
 QString plainText(QString text) {
-  // Japanese has the letter in parentheses behind the words.
+  // Japanese texts have the shortcut letter in parentheses at the end.
   static const QRegularExpression letter(QStringLiteral(R"(\(&.\)|&|…)"));
   return text.remove(letter);
 }

@@ -20,16 +20,17 @@ struct Command {
 /// All commands of the menus, in their order. Menus that are filled when they open are left out.
 std::vector<Command> commandsOf(const QMenuBar& menus);
 
-/// The lasting name of a command whose text names what it is about to do, such as a step to undo.
+/// Name of a property: the constant name of an action whose text changes, such as one that names
+/// the step to undo.
 inline constexpr const char* kLastingName = "name";  // property of its action
 
 /// The name of a command in lists of keys.
 QString nameOf(const QAction& action);
 
-/// A text of a menu or action without the & before its letter and the dots after it.
+/// A text of a menu or action without the & before its shortcut letter and without dots.
 QString plainText(QString text);
 
-/// Sets the key of a command, also where its tool tip names it.
+/// Sets the key of a command, and names it in the tool tip if that named the former key.
 void setKey(QAction* action, const QKeySequence& key);
 
 /// Gives commands the keys that the user chose in earlier runs. Commands are known by objectName(),

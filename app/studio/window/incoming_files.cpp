@@ -84,7 +84,7 @@ void IncomingFiles::openClips(const QStringList& paths, const QString& skeleton,
   if (!others.isEmpty())
     notices_->say(
         tr("Left out; the library takes only motions: %1").arg(others.join(QStringLiteral(", "))));
-  if (clips.size() == 1 && folders.isEmpty())  // may come with a skeleton
+  if (clips.size() == 1 && folders.isEmpty())  // a single clip may come with a skeleton
     return files_->open(clips[0], skeletons.size() == 1 && clips[0].endsWith(QLatin1String(".amc"),
                                                                              Qt::CaseInsensitive)
                                       ? skeletons[0]

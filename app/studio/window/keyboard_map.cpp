@@ -47,7 +47,7 @@ KeyboardMap::KeyboardMap(std::vector<Command> commands, QWidget* parent)
   list_->setAlternatingRowColors(true);
   list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   key_->setAccessibleName(tr("New key"));
-  // Its inner field is what gets the focus.
+  // The inner field of key_ is what gets the focus.
   for (QLineEdit* field : key_->findChildren<QLineEdit*>()) field->setAccessibleName(tr("New key"));
   conflict_->setWordWrap(true);
   conflict_->setMinimumHeight(2 * fontMetrics().lineSpacing());
@@ -130,7 +130,7 @@ void KeyboardMap::showChosen() {
 void KeyboardMap::showConflict() {
   const Command* command = chosen();
   const QKeySequence key = key_->keySequence();
-  // Commands have one key each, not several in a row: the last one counts.
+  // A command has a single key, not a sequence of keys: the last one counts.
   if (key.count() > 1)
     return key_->setKeySequence(QKeySequence(key[static_cast<uint>(key.count() - 1)]));
   assign_->setEnabled(command && !key.isEmpty() && key != command->action->shortcut());

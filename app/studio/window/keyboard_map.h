@@ -15,7 +15,7 @@ class QTreeWidget;
 namespace mocapress {
 
 /// Lists all commands with their keys and changes them. A key that is given to a second command is
-/// taken from the first, after it was said. Changes apply at once and are remembered.
+/// taken from the first, after a warning. Changes apply at once and are remembered.
 class KeyboardMap : public QDialog {
   Q_OBJECT
 

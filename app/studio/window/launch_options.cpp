@@ -57,7 +57,7 @@ LaunchOptions parseLaunchOptions(const QCoreApplication& application) {
   parser.addOptions({skeleton, ratio, ik, trace, screenshot});
   parser.process(application);
   LaunchOptions options;
-  for (const QString& file : parser.positionalArguments())  // a desktop may give addresses
+  for (const QString& file : parser.positionalArguments())  // a desktop may give file: addresses
     options.files << (file.startsWith(QLatin1String("file:")) ? QUrl(file).toLocalFile() : file);
   options.skeleton = parser.value(skeleton);
   options.ratio = positive(parser.value(ratio));

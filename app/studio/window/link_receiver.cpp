@@ -14,7 +14,8 @@ constexpr qint64 kLongestLink = 1 << 16;  // bytes
 
 }  // namespace
 
-/// Studios that keep their projects in different folders do not meet.
+/// The address depends on the folder with the user's projects: studios with different folders do
+/// not pass links to each other.
 QString LinkReceiver::ownAddress() {
   const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
   const QByteArray hash = QCryptographicHash::hash(data.toUtf8(), QCryptographicHash::Sha1);
@@ -28,7 +29,7 @@ LinkReceiver::LinkReceiver(QObject* parent, const QString& address)
   connect(server_, &QLocalServer::newConnection, this, &LinkReceiver::receive);
   QLocalSocket other;
   other.connectToServer(address);
-  if (other.waitForConnected(kPatienceMs)) return;  // another studio receives them
+  if (other.waitForConnected(kPatienceMs)) return;  // another studio receives the links
   QLocalServer::removeServer(address);              // left by a studio that was killed
   server_->listen(address);
 }

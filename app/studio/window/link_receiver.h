@@ -8,9 +8,9 @@ class QLocalServer;
 
 namespace mocapress {
 
-/// Receives links (mocapress://) that this program was started with while a studio runs already:
+/// Receives the links (mocapress://) for which the program is started while a studio runs already:
 /// the clip is in that studio's project, with its settings and verdict. Only the first studio of a
-/// user receives them.
+/// user receives links.
 class LinkReceiver : public QObject {
   Q_OBJECT
 

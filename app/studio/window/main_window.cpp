@@ -69,7 +69,7 @@ bool Leaving::mayClose() {
     return false;
   }
   if (!may_lose_project_ && !library_->end()) {
-    may_lose_clip_ = false;  // the window may stay
+    may_lose_clip_ = false;  // the window may stay: ask again next time
     projects_->askToQuit([this] {
       may_lose_clip_ = may_lose_project_ = true;
       window_->close();
@@ -104,8 +104,8 @@ MainWindow::MainWindow(Work* work) : work_(work ? work : new Work(this)) {
   undo->setLibraryPanel(panels_.library);
   recent_ = addMenus(this, actions_, layout_.docks());
   layout_.restore(panels_.views.viewport);
-  // The parts below depend on others by their constructors alone: what each shows follows from the
-  // document and the playback, in whatever order their signals reach the parts.
+  // The order of the parts below is fixed only by their constructors' arguments: what each shows
+  // follows from the document and the playback, in whatever order their signals reach the parts.
   new Presenter(session_, playback_, models, panels_.views, error_display_, this);
   library_views_ =
       new LibraryViews(session_, library_, panels_.library, panels_.slot_control, this);
@@ -117,7 +117,7 @@ MainWindow::MainWindow(Work* work) : work_(work ? work : new Work(this)) {
   new ByteView(session_, playback_, panels_.inspection.timeline->bytes(), byte_model, panels_.bytes,
                this);
   recent_.play->addActions(inspector_->rangeActions()->actions());
-  recent_.play->setToolTipsVisible(true);  // they say why an entry is grey
+  recent_.play->setToolTipsVisible(true);  // tool tips say why an entry is grey
   new RangeComparison(playback_, panels_.inspection.timeline, panels_.views.graph,
                       actions_.compare_range,
                       {.overlay = actions_.view.mode[0],
@@ -253,7 +253,7 @@ void MainWindow::connectWindowActions() {
   connect(library_, &Library::entered, actions_.view.skin,
           [this] { actions_.view.skin->setChecked(library_->showsSkin()); });
   connect(actions_.reset_layout, &QAction::triggered, this, [this] { layout_.reset(); });
-  // A clip brings rows of the timeline with it.
+  // A new clip may change the rows, and so the height, of the timeline.
   connect(&session_->document(), &Document::clipChanged, layout_.below(), &PanelsBelow::fit,
           Qt::QueuedConnection);
   connect(actions_.panels_below, &QAction::triggered, layout_.below(), &PanelsBelow::toggle);
@@ -271,8 +271,8 @@ void MainWindow::connectWindowActions() {
   connect(actions_.export_library, &QAction::triggered, tools_,
           [this] { tools_->exportClips({}); });
   connect(panels_.library, &LibraryPanel::exportRequested, tools_, &ToolWindows::exportClips);
-  // Raises the panel that a shortcut changes. One behind another tab is visible to Qt, which puts
-  // it outside the window.
+  // Raises the panel that a shortcut changes. A panel behind another tab counts as visible in Qt,
+  // but lies outside the window.
   const auto is_in_sight = [this](const QWidget* panel) {
     return panel->isVisible() && panel->height() > PanelsBelow::kFolded &&
            rect().contains(panel->mapTo(this, panel->rect().center()));
@@ -296,7 +296,7 @@ void MainWindow::connectChoices() {
           [this](const QAction* action) { changeLanguage(action->data().toString()); });
 }
 
-/// Menus on the views hold commands of the menu bar, with their keys.
+/// Adds context menus to the views. They hold commands of the menu bar, with their keys.
 void MainWindow::addContextMenus() {
   const ViewActions& view = actions_.view;
   connect(panels_.views.viewport, &Viewport::menuRequested, this, [this, view](const QPoint& at) {
@@ -326,7 +326,7 @@ void MainWindow::changeLanguage(const QString& code) {
     return notices_->say(tr("The language changes when Mocapress is started again."));
   changes_language_ = true;
   leaving_->expectReturn();
-  // The menu that was chosen from is still open.
+  // Closes later, since the menu with the chosen entry is still open.
   QMetaObject::invokeMethod(this, &QWidget::close, Qt::QueuedConnection);
 }
 

@@ -53,7 +53,7 @@ class Leaving : public QObject {
   /// it.
   bool mayClose();
 
-  /// Another window will show the same work: nothing is left.
+  /// Another window will show the same work, so that closing this one loses nothing.
   void expectReturn() { returns_ = true; }
 
  private:
@@ -72,7 +72,7 @@ class MainWindow : public QMainWindow {
   Q_OBJECT
 
  public:
-  /// Shows this work, which must outlive the window; null: work of its own.
+  /// Shows this work, which must outlive the window. Null: the window makes its own.
   explicit MainWindow(Work* work = nullptr);
 
   Work& work() { return *work_; }
@@ -93,10 +93,11 @@ class MainWindow : public QMainWindow {
   Trace& trace() { return *trace_; }
   ViewPictures& pictures() { return *pictures_; }
 
-  /// The part of this window that one in another language takes over, beside the work.
+  /// The part of this window's state that a window in another language takes over, besides the
+  /// work.
   WindowState state() const;
 
-  /// Shows the work as far as it has come, as the window before did.
+  /// Shows the present state of the work as the window before showed it.
   void takeOver(const WindowState& state);
 
   /// See IncomingFiles::open().

@@ -15,7 +15,7 @@
 namespace mocapress {
 namespace {
 
-constexpr std::chrono::milliseconds kSlowOpening{400};  // delay before it is mentioned
+constexpr std::chrono::milliseconds kSlowOpening{400};  // delay before the message
 
 }  // namespace
 
@@ -62,7 +62,7 @@ void Notices::tellOfSession() {
   });
   connect(session_, &Session::compressFailed, bar_,
           [this](const QString& message, bool out_of_reach) {
-            if (!out_of_reach) bar_->showError(message);  // else the target shows it
+            if (!out_of_reach) bar_->showError(message);  // else the panel's target shows it
           });
   connect(session_, &Session::characterPut, bar_, &MessageBar::hide);
   connect(session_, &Session::characterFailed, this, [this](const QString& message) {

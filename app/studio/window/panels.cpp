@@ -47,8 +47,8 @@ constexpr int kLayoutVersion = 8;
 const QString kGeometry = QStringLiteral("window/geometry");
 const QString kState = QStringLiteral("window/state");
 
-/// A plain title for a dock: drag it to move the dock, double-click to float it. Docks leave room
-/// for hidden titles, unless these have no size.
+/// A plain title for a dock: drag it to move the dock, double-click to float it. Its size is 0
+/// while it is hidden, since docks leave room even for hidden titles.
 class DockTitle : public QLabel {
  public:
   DockTitle(const QString& title, QWidget* parent) : QLabel(title, parent) {
@@ -74,7 +74,7 @@ KeptWidth::KeptWidth(QDockWidget* dock, QMainWindow* window)
 
 bool KeptWidth::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::Resize) return false;
-  // The docks of a resized window are laid out before this event.
+  // Qt lays out the docks of a resized window before it sends this event.
   if (watched == dock_ && window_->width() == window_width_) {
     const bool is_dragged = QGuiApplication::mouseButtons() != Qt::NoButton;
     width_ = is_dragged ? dock_->width() : std::max(width_, dock_->width());
@@ -97,7 +97,7 @@ QDockWidget* WindowLayout::addRight(QWidget* panel, const QString& id, const QSt
 }
 
 QDockWidget* WindowLayout::addBelow(QWidget* panel, const QString& id, const QString& title) {
-  panel->setMinimumHeight(PanelsBelow::kFolded);  // else its contents decide
+  panel->setMinimumHeight(PanelsBelow::kFolded);  // else the panel's contents decide
   return add(Qt::BottomDockWidgetArea, panel, id, title);
 }
 
@@ -224,7 +224,7 @@ QDockWidget* addRight(Panels& panels, WindowLayout* layout, QMainWindow* window)
   return sidebar;
 }
 
-/// Returns the dock of the first tab, which is in front.
+/// Adds panels below as tabs of one place. Returns the dock of the first tab, which is in front.
 QDockWidget* addTabs(const std::vector<std::tuple<QWidget*, const char*, QString>>& panels,
                      WindowLayout* layout, QMainWindow* window) {
   QDockWidget* first = nullptr;

@@ -88,7 +88,7 @@ struct Panels {
   MessageBar* messages = nullptr;
 };
 
-/// Data of their lists and tables.
+/// Data of the lists and tables in Panels.
 struct PanelModels {
   Models clip;
   LibraryModel* library = nullptr;

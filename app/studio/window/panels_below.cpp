@@ -39,7 +39,7 @@ void PanelsBelow::watch(QObject* child) {
   auto* dock = qobject_cast<QDockWidget*>(child);
   if (!dock) return;
   dock->installEventFilter(this);
-  // A floating dock is moved by its title.
+  // A floating dock needs its title to be moved by.
   connect(dock, &QDockWidget::topLevelChanged, dock->titleBarWidget(), &QWidget::show);
 }
 
@@ -51,7 +51,7 @@ QList<QDockWidget*> PanelsBelow::docks() const {
   return docks;
 }
 
-/// The docks that are seen: those behind other tabs are outside the window.
+/// The docks in front. Docks behind other tabs are outside the window.
 QList<QDockWidget*> PanelsBelow::inFront() const {
   QList<QDockWidget*> seen;
   for (QDockWidget* dock : docks())
@@ -64,14 +64,14 @@ int PanelsBelow::height() const {
   return docks.isEmpty() ? 0 : docks.front()->height();
 }
 
-/// The tabs name the docks while they are folded.
+/// Shows or hides the docks' titles. Folded docks need none, since the tabs name them.
 void PanelsBelow::showTitles(bool shown) {
   for (const QDockWidget* dock : docks()) dock->titleBarWidget()->setVisible(shown);
 }
 
 void PanelsBelow::resize(int height) {
   showTitles(height > kFolded);
-  int tabs = 0;  // belong to the height of docks that are side by side
+  int tabs = 0;  // counts as part of the height of docks side by side
   for (const QTabBar* bar : tabBarsBelow(window_)) tabs = std::max(tabs, bar->height());
   const QList<QDockWidget*> docks = inFront();
   window_->resizeDocks(docks, QList<int>(docks.size(), height + tabs), Qt::Vertical);

@@ -11,7 +11,7 @@ class QTabBar;
 namespace mocapress {
 
 /// Folds the docks below the timeline to their tabs where the 3D view would become too low
-/// otherwise. A click on a tab unfolds them; one on the tab in front folds them.
+/// otherwise. A click on a tab unfolds the docks; a click on the tab in front folds them.
 class PanelsBelow : public QObject {
   Q_OBJECT
 
@@ -26,8 +26,8 @@ class PanelsBelow : public QObject {
   void unfold();
   void toggle();
 
-  /// Gives the docks the height that was chosen for a window of this height, in another one no more
-  /// than the view leaves.
+  /// Gives the docks the height that the user chose in a window of this height. In a window of
+  /// another height they get at most what the 3D view leaves.
   void fit();
 
   /// Keeps the height that the user chose, from run to run.
@@ -48,9 +48,9 @@ class PanelsBelow : public QObject {
 
   QMainWindow* window_;
   const QWidget* view_;
-  int chosen_;            // height, by the user if they have chosen one
-  int chosen_at_ = 0;     // height of the window then
-  int unfolded_height_;   // the last one chosen that is of use
+  int chosen_;            // height, initially a usual one, then the user's choice
+  int chosen_at_ = 0;     // height of the window at that choice
+  int unfolded_height_;   // last chosen height of at least kLeastHeight
   int pressed_tab_ = -1;  // tab that the mouse is pressed on; -1: none
   bool pressed_in_front_ = false;
 };

@@ -12,9 +12,9 @@
 namespace mocapress {
 namespace {
 
-/// Its own name, the text of its label or, in dialogs of Qt, the chosen entry. A screen reader on
-/// Linux reads the chosen entry as the name of a chooser, and learns its purpose from a label
-/// beside it or from the description.
+/// A name for the purpose of a chooser: its accessible name, the text of its label or, in dialogs
+/// of Qt, the chosen entry. A screen reader on Linux reads the chosen entry as the name of a
+/// chooser, and learns its purpose from a label beside it or from the description.
 QString purposeOf(QComboBox* box) {
   if (!box->accessibleName().isEmpty()) return box->accessibleName();
   const auto labels = QAccessible::queryAccessibleInterface(box)->relations(QAccessible::Label);
@@ -23,7 +23,8 @@ QString purposeOf(QComboBox* box) {
 
 }  // namespace
 
-/// A widget is polished once, before it is shown first, with all that was set in its constructor.
+/// Acts on the Polish event: a widget gets it once, before it is first shown and after its
+/// constructor.
 bool PartNames::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::Polish || !watched->isWidgetType()) return false;
   auto* const widget = static_cast<QWidget*>(watched);

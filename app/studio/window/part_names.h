@@ -5,9 +5,10 @@
 
 namespace mocapress {
 
-/// Names parts of controls that Qt makes without a name, for screen readers: the list in a combo
-/// box, the field in a number box, the button that clears a field. Says what choosers
-/// are for. Tab goes past scroll areas to what is in them. Filters events of the application.
+/// For screen readers, names parts of controls that Qt makes without a name: the list in a combo
+/// box, the field in a number box, the button that clears a field. Also describes the purpose of
+/// choosers, and lets Tab go past scroll areas to their contents. Filters events of the
+/// application.
 class PartNames : public QObject {
   Q_OBJECT
 

@@ -15,8 +15,8 @@ QList<QTabBar*> tabBarsBelow(const QMainWindow* window);
 /// True if no tab of a visible bar is cut off.
 bool tabsFit(const QList<QTabBar*>& bars);
 
-/// Makes room for the tabs below: they get the corner below the library if they need it, and the
-/// docks in front that stand side by side get widths by their tabs.
+/// Makes room for the tabs below: they get the corner below the library if they need it, and docks
+/// in front that stand side by side get widths that fit their tabs.
 void fitTabs(QMainWindow* window, const QList<QDockWidget*>& in_front);
 
 }  // namespace mocapress

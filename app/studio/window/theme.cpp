@@ -20,7 +20,7 @@ void StudioStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
                                 QPainter* painter, const QWidget* widget) const {
   QProxyStyle::drawPrimitive(element, option, painter, widget);
   if (element == PE_PanelButtonTool && option->state & State_On) {
-    // Fusion's own pressed button hardly differs on dark ground.
+    // On dark ground, Fusion draws a pressed button hardly different from others.
     QColor colour = option->palette.color(QPalette::Highlight);
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
@@ -42,7 +42,7 @@ void StudioStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
 
 void StudioStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
                                      QPainter* painter, const QWidget* widget) const {
-  constexpr double kDisabled = 0.35;  // share of the opacity
+  constexpr double kDisabled = 0.35;  // opacity of a disabled slider
   painter->save();
   if (control == CC_Slider && !(option->state & State_Enabled)) painter->setOpacity(kDisabled);
   QProxyStyle::drawComplexControl(control, option, painter, widget);
@@ -144,7 +144,7 @@ void Theme::setSystemDark(bool dark) {
   apply();
 }
 
-/// Asks the settings portal; without one, Qt's own palette has decided.
+/// Asks the desktop's settings portal. Without a portal, Qt's own palette has decided.
 void Theme::askDesktop() {
   QDBusConnection bus = QDBusConnection::sessionBus();
   if (!bus.isConnected()) return;

@@ -29,8 +29,9 @@ enum class ThemeChoice { System, Light, Dark };
 QPalette lightPalette();
 QPalette darkPalette();
 
-/// Sets the application's palette: the chosen one, or the desktop's, which the settings portal
-/// reports along with changes. Kept from run to run.
+/// Sets the application's palette: the one that the user chose, or the desktop's. The desktop's
+/// settings portal reports its preference and each change of it. The user's choice is kept from run
+/// to run.
 class Theme : public QObject {
   Q_OBJECT
 

@@ -63,7 +63,7 @@ void Trace::beat() {
   longest_block_ = std::max(longest_block_, passed);
   longest_work_ = std::max(longest_work_, worked);
   if (passed <= kWorthIt) return;
-  // On a busy machine a thread may wait longer than it works.
+  // Shows both times: on a busy machine a thread may wait longer than it works.
   write("gui-blocked", passed);
   write("  of them at work", worked);
 }

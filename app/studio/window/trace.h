@@ -20,7 +20,7 @@ class Trace : public QObject {
  public:
   Trace(Session* session, Viewport* viewport, QObject* parent = nullptr);
 
-  /// While writing, it also measures how long the GUI thread is blocked.
+  /// While writing is on, Trace also measures how long the GUI thread is blocked.
   void setWriting(bool writing);
 
   /// The longest pause of the GUI thread and its longest work without a pause, in ms, since writing
@@ -32,7 +32,8 @@ class Trace : public QObject {
   Block takeLongestBlock();
 
  signals:
-  /// Time from the first slider movement without a picture to the picture of its answer.
+  /// Time from a slider's movement to the picture of its answer. Counts from the first movement
+  /// since the last such picture.
   void sliderToPicture(double milliseconds);
 
  private:

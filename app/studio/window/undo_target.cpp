@@ -13,7 +13,7 @@
 namespace mocapress {
 namespace {
 
-/// True for widgets that users pass through on their way back.
+/// True for menu and tool bars: users only pass through them on their way back.
 bool isPassedThrough(const QWidget* widget) {
   return qobject_cast<const QMenuBar*>(widget) ||
          qobject_cast<const QToolBar*>(widget->parentWidget());
@@ -45,8 +45,8 @@ void UndoTarget::takeClip() {
     histories_.setActiveStack(history);
 }
 
-/// Steps may come from a window in another language. A shortcut may change a clip while the library
-/// has the focus.
+/// Renames the steps, since a window in another language may have made them. From now on, a new
+/// step makes its history current: a shortcut may change a clip while the library has the focus.
 void UndoTarget::add(QUndoStack* history) {
   renameSteps(*history);
   histories_.addStack(history);

@@ -12,8 +12,8 @@ class Library;
 class Session;
 
 /// Decides if Edit > Undo acts on the library or on the open clip: on the one that last had the
-/// focus, had a step, or was opened with steps. When its steps are used up, nothing else is undone
-/// instead.
+/// focus, had a step, or was opened with steps. When its steps are used up, Undo does not go on
+/// with the other's.
 class UndoTarget : public QObject {
   Q_OBJECT
 

@@ -185,7 +185,7 @@ void connectViewActions(const ViewActions& actions, Viewport* viewport) {
   const auto choose = [=] { viewport->setOptions(chosen(actions, viewport->options())); };
   QObject::connect(actions.modes, &QActionGroup::triggered, viewport, choose);
   QObject::connect(actions.trail_poses, &QActionGroup::triggered, viewport, choose);
-  // Who chooses a factor wants to see it.
+  // A user who chooses a factor wants to see its effect.
   QObject::connect(actions.exaggeration, &QActionGroup::triggered, viewport, [=] {
     actions.exaggerate->setChecked(true);
     choose();

@@ -9,7 +9,7 @@
 
 namespace mocapress {
 
-/// A window's view of the work, for the next window, which is made in another language.
+/// A window's view of the work, handed to the window in another language that replaces it.
 struct WindowState {
   int frame = 0;
   std::optional<std::pair<int, int>> range;

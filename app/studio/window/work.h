@@ -12,8 +12,8 @@
 
 namespace mocapress {
 
-/// The user's work, with its undo histories. A window shows it; the window that replaces it
-/// in another language shows the same.
+/// The user's work, with its undo histories. A window shows it. When the language changes, another
+/// window replaces that one and shows the same work.
 class Work : public QObject {
  public:
   explicit Work(QObject* parent = nullptr) : QObject(parent) {
@@ -22,7 +22,7 @@ class Work : public QObject {
     connect(&pinned, &PinnedResults::edited, &library, &Library::setPins);
   }
 
-  /// Emits all signals that tell of changes, for a window that was made after them.
+  /// Emits the signals of all changes, for a window that was made after them.
   void announce() {
     library.announce();
     session.announce();
