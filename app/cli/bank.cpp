@@ -209,7 +209,7 @@ Json to_json(const BankClip& clip, std::uint32_t skeleton) {
           {"tags", clip.tags}};
 }
 
-/// 16 hexadecimal digits.
+/// Formats a hash as 16 hexadecimal digits.
 std::string hash_text(std::uint64_t hash) {
   char text[17];
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));

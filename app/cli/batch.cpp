@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kQueueFile = "queue.json";
 
-/// Validator for CLI11: empty when `text` can be parsed, else the error.
+/// Validator for CLI11 that returns an empty text if `text` can be parsed, else the error.
 template <typename Parse>
 CLI::Validator parsed_by(Parse parse) {
   return CLI::Validator(

@@ -70,7 +70,7 @@ Json describe_bvh_names(const Skeleton& skeleton) {
   return renamed;
 }
 
-/// Every track by its owner and name.
+/// Lists the tracks by their owners and names.
 Json describe_tracks(const ScalarTracks& tracks) {
   Json described = Json::array();
   for (const ScalarTrack& track : tracks)

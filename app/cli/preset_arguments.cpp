@@ -14,7 +14,8 @@ namespace {
 
 constexpr const char* kFound = "auto";
 
-/// Validator for CLI11: empty when `text` is a number above 0 or "auto", else the error.
+/// Validator for CLI11 that returns an empty text if `text` is a number above 0 or "auto", else the
+/// error.
 std::string check_ratio(const std::string& text) {
   const bool fits = text == kFound || number_in(text).value_or(0) > 0;
   return fits ? "" : text + " is neither a number above 0 nor " + kFound;

@@ -32,7 +32,7 @@ struct ImportanceArguments {
 
   void add_options(CLI::App& command);
 
-  /// Throws CLI::ValidationError when a factor is no number of 0 or more.
+  /// Throws CLI::ValidationError if a factor is negative or not a number.
   NamedImportance named() const;
 
   /// Throws like named(), and when a name is neither a body part, a joint nor "contacts".

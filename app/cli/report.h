@@ -40,7 +40,7 @@ struct Report {
   Visibility visibility;
   std::size_t contacts = 0;                     // number of contacts measured
   std::optional<std::size_t> correction_bytes;  // unset: no correction
-  std::optional<CorrectionResult> correction;   // set when compress knows it
+  std::optional<CorrectionResult> correction;   // unset: none, or unknown to this command
   std::optional<double> coefficient_ratio;      // unset: unknown to this command
   std::optional<int> iterations;
   std::optional<double> encode_seconds;

@@ -63,7 +63,7 @@ class BatchReporter {
 
 BatchRunner::BatchRunner(QObject* parent) : QObject(parent) {}
 
-/// Resumes first, since a paused batch would never end.
+/// cancel() also resumes a paused batch, which would never end otherwise.
 BatchRunner::~BatchRunner() {
   cancel();
 }

@@ -73,9 +73,9 @@ struct DecodedClip {
   double ratio = 0;  // raw bytes / motion bytes
   double bits_per_joint_sample = 0;
   std::optional<Distortion> distortion;       // unset: no original to compare with
-  std::optional<Footskate> footskate;         // unset likewise
-  std::optional<Visibility> visibility;       // unset likewise
-  std::vector<Glitch> glitches;               // empty likewise
+  std::optional<Footskate> footskate;         // unset: no original
+  std::optional<Visibility> visibility;       // unset: no original
+  std::vector<Glitch> glitches;               // empty: none, or no original
   std::shared_ptr<const Motion> uncorrected;  // null: no correction
   Tracks uncorrected_tracks;                  // tracks of `uncorrected`
   std::optional<Footskate> uncorrected_footskate;
@@ -90,7 +90,7 @@ struct DecodedClip {
 using OriginalPtr = std::shared_ptr<const OriginalClip>;
 using DecodedPtr = std::shared_ptr<const DecodedClip>;
 
-/// The same clip with its bytes; for a draft whose size is only estimated.
+/// Codes the bytes of a draft that has only an estimated size.
 DecodedPtr coded(const DecodedClip& decoded);
 
 /// The .mcpr that saving writes. `tracks` come from the original.
@@ -112,7 +112,7 @@ DecodedPtr decodedClip(Encoding encoding, const Encoder& encoder, const EncodeSe
 DecodedPtr decodedClip(OpenedMcpr opened, const OriginalClip* original, const SightLimits& limits,
                        const SourceFormat& source = {});
 
-/// The same clip, measured against its original.
+/// Returns the clip, measured against its original.
 DecodedPtr measured(const DecodedClip& decoded, const OriginalClip& original,
                     const SightLimits& limits);
 
@@ -121,14 +121,14 @@ DecodedPtr measured(const DecodedClip& decoded, const OriginalClip& original,
 DecodedPtr judged(const DecodedClip& decoded, const Encoder& encoder,
                   const EncodeSettings& options);
 
-/// The same clip with errors on the skin measured again, on the original's current skin.
+/// Returns the clip with errors on the skin measured again, on the original's current skin.
 DecodedPtr measuredAgain(const DecodedClip& decoded, const OriginalClip& original);
 
 /// Attaches to the joints the skin on which Weighting::Skin measures errors: the character's if it
 /// fits, else the clip's own. Returns warnings about the character.
 Warnings dress(Skeleton& skeleton, const PutCharacter& character, const Skin* own);
 
-/// The same clip with another character.
+/// Returns the clip with another character.
 OriginalPtr dressed(const OriginalClip& original, const PutCharacter& character);
 
 /// Writes a page that shows a clip and its original in a browser; `remarks` are what reviewers

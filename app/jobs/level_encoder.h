@@ -24,7 +24,7 @@ class LevelEncoder : public QObject {
   void abandon() { runner_.abandon(); }
 
  signals:
-  /// Emitted once for each level that the clip can reach, in their order.
+  /// Emitted once for each level that the clip can reach, in the order of levels.
   void made(const DecodedPtr& decoded);
   void ended();
 

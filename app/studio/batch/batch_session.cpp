@@ -297,7 +297,7 @@ std::vector<int> BatchSession::includedRows() const {
   return rows;
 }
 
-/// The common preset comes first, then those of locked clips.
+/// The batch's presets are the common one, then those of locked clips.
 Batch BatchSession::batch() const {
   Batch batch{.presets = {queue_.common()},
               .formats = settings_.formats,

@@ -250,7 +250,7 @@ QWidget* BatchWindow::makeSettings() {
   column->addWidget(makeHeading(tr("Output"), this));
   column->addWidget(output_);
   column->addStretch(1);
-  auto* scroll = new QScrollArea(this);  // for low screens
+  auto* scroll = new QScrollArea(this);  // scrolls if the screen is low
   scroll->setWidget(settings_);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);

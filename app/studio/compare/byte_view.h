@@ -42,7 +42,7 @@ class ByteView : public QObject {
   JobRunner dividing_{Workers::Idle};
   SlopeFinder finder_;
   DecodedPtr shown_;             // the clip whose bytes are shown or being divided
-  SlopeTask task_;               // the last one started
+  SlopeTask task_;               // task that was started last
   std::vector<QString> titles_;  // of the changes in task_
   std::vector<Slope> slopes_;
   std::vector<SlopeRow> rows_;

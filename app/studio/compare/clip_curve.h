@@ -51,7 +51,7 @@ class ClipCurve : public QObject {
 
   Session* session_;
   CurveFiller filler_;
-  CurveTask task_;                       // the last one started
+  CurveTask task_;                       // task that was started last
   std::map<std::string, Curve> curves_;  // by clip
   Curve* curve_ = nullptr;               // curve of the open clip
 };

@@ -14,7 +14,7 @@ namespace mocapress {
 
 class Viewport;
 
-/// Pictures of the 3D view one after the other.
+/// A sequence of pictures of the 3D view.
 struct Film {
   int pictures = 0;
   double rate_hz = 30;

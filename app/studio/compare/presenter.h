@@ -34,7 +34,7 @@ struct Views {
   TransportBar* transport = nullptr;
 };
 
-/// Data of lists and tables.
+/// Data of the lists and tables in Views.
 struct Models {
   JointErrorModel* joints = nullptr;
   SlideModel* slides = nullptr;

@@ -79,7 +79,7 @@ class Document : public QObject {
   const ClipSettings& settings() const { return tuning_.now(); }
   const EncodeSettings& options() const { return settings().encode; }
 
-  /// Contacts of the original; empty without it.
+  /// Contacts of the original; empty without an original.
   std::vector<ContactSpan> contacts() const;
 
   /// Contacts found with these thresholds, for EncodeSettings::contacts; unset for the default

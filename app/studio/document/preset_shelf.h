@@ -48,7 +48,7 @@ class PresetShelf : public QObject {
   void noted(const QString& message);
 
  private:
-  /// A change of one preset; unset means absent.
+  /// A preset before and after a change; unset: absent.
   struct Edit {
     std::optional<Settings> before, after;
   };

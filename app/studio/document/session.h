@@ -156,7 +156,7 @@ class Session : public QObject {
   void exported(const QString& path);
   void saveFailed(const QString& message);
 
-  /// The character is on the clip, or has a warning.
+  /// The character fits the clip and was set for the clip's rig.
   void characterPut(const QString& path);
   void characterFailed(const QString& message);
 

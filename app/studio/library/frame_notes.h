@@ -24,7 +24,7 @@ class FrameNotes : public QObject {
   FrameNotes(Session* session, Library* library, Playback* playback, NoteStrip* strip,
              QWidget* window);
 
-  /// Shows notes in the picture too, where a click with Ctrl adds one.
+  /// Shows notes in the 3D view, too, where a click with Ctrl adds one.
   void showIn(Viewport* viewport);
 
   /// Asks for a note on the frame that is shown, and the joint that is chosen.

@@ -94,7 +94,7 @@ class Library : public KeptProject {
   /// Calls checkFiles() unless a check is running.
   void lookAgain();
 
-  /// Searches a folder for missing clips and continues with the files found, in one step.
+  /// Searches a folder for missing clips, and uses the files found instead, in one step.
   void findMissing(const QString& folder);
 
   /// Compares the clips with those of an earlier batch, given by any file in its folder, or of an
@@ -163,7 +163,7 @@ class Library : public KeptProject {
   void move(const std::map<QString, ClipSource>& to);
   ClipReview reviewNow(const ProjectClip& clip, Verdict verdict) const;
 
-  /// Hashes of what the reviewer sees of a clip.
+  /// Hashes of the clip's files and settings that a review applies to.
   struct Reviewed {
     std::string source, settings;
   };

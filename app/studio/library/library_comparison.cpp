@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A library's clips beside those of an earlier batch or project.
+// Comparison of a library's clips with an earlier batch or project.
 #include <QDir>
 #include <QFileInfo>
 #include <QLocale>

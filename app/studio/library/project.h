@@ -73,7 +73,7 @@ struct Project {
   /// The row of each clip by its key.
   QHash<QString, int> rows() const;
 
-  /// True if nothing would be lost without it.
+  /// True if the project has neither clips nor a queue.
   bool isEmpty() const { return clips.empty() && (!batch || batch->clips.empty()); }
 };
 

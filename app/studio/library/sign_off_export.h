@@ -13,7 +13,7 @@ namespace mocapress {
 class Library;
 class LibraryModel;
 
-/// The library as a sign-off shows it.
+/// The contents of the library's sign-off.
 SignOff signOffOf(const Library& library, const LibraryModel& rows);
 
 /// Writes the sign-off of the library as a web page, a table or a PDF, by the extension of the

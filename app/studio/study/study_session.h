@@ -45,7 +45,7 @@ class StudySession : public QObject {
   /// The number of compressions in the plan.
   int jobs() const;
 
-  /// Measures the missing rows. Does nothing without jobs().
+  /// Measures the missing rows. Does nothing if jobs() is 0.
   void run();
 
   /// Keeps finished rows; the next run continues from there.

@@ -182,7 +182,7 @@ StudyWindow::StudyWindow(StudySession* session, QWidget* parent)
   column->setSpacing(0);
   column->addWidget(results_, 1);
   column->addWidget(note_);
-  auto* left = new QScrollArea(this);  // for low screens
+  auto* left = new QScrollArea(this);  // scrolls if the screen is low
   left->setWidget(panel_);
   left->setWidgetResizable(true);
   left->setFrameShape(QFrame::NoFrame);

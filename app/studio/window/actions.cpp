@@ -36,7 +36,7 @@ QAction* make(QObject* parent, const QString& text, const QKeySequence& shortcut
   return action;
 }
 
-/// A group of exclusive choices, starting with the first.
+/// Makes exclusive choices and checks the first.
 QActionGroup* makeChoices(QObject* parent, const QList<std::pair<QString, QVariant>>& choices) {
   auto* group = new QActionGroup(parent);
   for (const auto& [text, value] : choices) {
@@ -199,7 +199,7 @@ Actions makeActions(Playback* playback, QUndoGroup* history, QMainWindow* window
   actions.themes = makeChoices(
       window,
       {{Texts::tr("Like the &System"), 0}, {Texts::tr("&Light"), 1}, {Texts::tr("&Dark"), 2}});
-  // Each language has its own name in itself, which its speakers can read.
+  // Each language is named in itself, so that its speakers can read the name.
   actions.languages = makeChoices(window, {{Texts::tr("Like the &System"), QString()},
                                            {QStringLiteral("English"), QStringLiteral("en")},
                                            {QStringLiteral("Español"), QStringLiteral("es")},

@@ -46,7 +46,7 @@ struct Actions {
   QAction* switch_slot = nullptr;  // switches between A and B
   QAction* copy_slot = nullptr;
   QAction* pin = nullptr;         // pins the current result
-  QAction* pin_engine = nullptr;  // pins what an engine would do at the same bytes
+  QAction* pin_engine = nullptr;  // pins an engine's result with as many bytes
   QAction* undo = nullptr;
   QAction* redo = nullptr;
   QAction* next_review = nullptr;  // the next clip that waits for a verdict

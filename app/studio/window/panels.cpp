@@ -197,7 +197,7 @@ QWidget* makeSidebar(Panels& panels, QWidget* window) {
   column->addWidget(panels.views.result);
   column->addWidget(makeRule(sidebar));
   column->addWidget(panels.views.annealing, 1);
-  auto* scroll = new QScrollArea(window);  // for low screens
+  auto* scroll = new QScrollArea(window);  // scrolls if the screen is low
   scroll->setWidget(sidebar);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);

@@ -14,7 +14,7 @@
 namespace mocapress {
 namespace {
 
-constexpr double kBeat = 5;      // ms between beats
+constexpr double kBeat = 5;      // ms between timer events that detect blocks
 constexpr double kWorthIt = 50;  // ms; shorter blocks are not written
 
 /// Processor time of this thread in ms; 0 if the system does not tell.

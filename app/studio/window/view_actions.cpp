@@ -37,7 +37,7 @@ QAction* makePlain(QObject* parent, const QString& text, const QKeySequence& sho
   return action;
 }
 
-/// Exclusive choices, of which the one at `first` is checked.
+/// Makes exclusive choices and checks the one at index `first`.
 QActionGroup* makeNumberChoices(QObject* parent, const QList<std::pair<QString, int>>& choices,
                                 int first) {
   auto* group = new QActionGroup(parent);
