@@ -43,7 +43,7 @@ struct Diff {
                    counted(difference.judged_otherwise, "clip").c_str());
     refuse(difference);
     if (waiting > 0)
-      throw EndedWith{kSomeFailed};  // counts clips of the later batch, which was read last
+      throw EndedWith{kSomeFailed};  // `waiting` counts the later batch, which was read last
   }
 
   /// Throws EndedWith if a clip changed in a way that --fail-on names, or if --fail-on names a

@@ -27,7 +27,7 @@ class PresetViews : public QObject {
  public:
   PresetViews(Session* session, PresetShelf* shelf, PresetChooser* chooser, QWidget* window);
 
-  /// Saves the clip's settings as a preset, whose name they then bear.
+  /// Saves the clip's settings as a preset and gives them its name.
   void save(const Settings& preset);
 
  private:

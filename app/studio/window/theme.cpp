@@ -20,7 +20,7 @@ void StudioStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
                                 QPainter* painter, const QWidget* widget) const {
   QProxyStyle::drawPrimitive(element, option, painter, widget);
   if (element == PE_PanelButtonTool && option->state & State_On) {
-    // On dark ground, Fusion draws a pressed button hardly different from others.
+    // Fusion's own checked button hardly differs from others on dark ground.
     QColor colour = option->palette.color(QPalette::Highlight);
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
