@@ -12,7 +12,7 @@
 namespace mocapress {
 namespace {
 
-constexpr double kSame = 0.01;  // smaller changes are ignored, as by `mocapress diff`
+constexpr double kSame = 0.01;  // smaller relative changes are ignored, as by `mocapress diff`
 
 /// Measurements of the clip; unset: nobody tried to compress it.
 std::optional<ClipFigures> figuresOf(const ProjectClip& clip) {

@@ -55,7 +55,7 @@ SignOffFigures figuresIn(const ProjectClip& clip) {
                                 .source_hash = outcome.source,
                                 .settings_hash = outcome.settings},
                                clip.stamp.source, settingsHash(clip));
-  // settingsHash() does not cover the limits of visibility.
+  // settingsHash() does not cover limits of visibility that change no bytes.
   if (!figures.stale && outdated(clip) == Staleness::Settings)
     figures.stale = "the settings changed";
   return figures;
