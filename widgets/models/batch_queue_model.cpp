@@ -30,7 +30,7 @@ QString stageName(ClipProgress::Stage stage) {
   return {};
 }
 
-/// The error without the clip's path, which the row shows already, but with the place in the file.
+/// The error without the clip's path, line and column at its start; the row already shows the path.
 QString shortError(const QueuedClip& clip) {
   const QString path = QRegularExpression::escape(QString::fromStdString(clip.source.path));
   const QRegularExpression place(QStringLiteral("^%1(:\\d+)*:? ").arg(path));
@@ -226,7 +226,8 @@ int BatchQueueModel::columnCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : Columns;
 }
 
-/// Looks a sentence up once: hundreds of patterns are tried for it, and rows are painted often.
+/// Translates a sentence once and keeps the result: the translation tries hundreds of patterns, and
+/// rows are painted often.
 QString BatchQueueModel::translated(const QString& sentence) const {
   auto found = translated_.find(sentence);
   if (found == translated_.end())
@@ -398,7 +399,8 @@ Qt::ItemFlags BatchQueueModel::flags(const QModelIndex& index) const {
   return index.isValid() && index.column() == Clip ? usual | Qt::ItemIsUserCheckable : usual;
 }
 
-/// The owner of the undo history answers includeToggled() and changes the model.
+/// Only asks for the change: the owner of the undo history answers includeToggled() and changes the
+/// model.
 bool BatchQueueModel::setData(const QModelIndex& index, const QVariant& value, int role) {
   if (!index.isValid() || index.column() != Clip || role != Qt::CheckStateRole) return false;
   emit includeToggled(index.row(), value.toInt() == Qt::Checked);

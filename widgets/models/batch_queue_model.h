@@ -24,7 +24,7 @@ struct BatchSettings {
   QString names = QString::fromUtf8(kUsualNames);
   std::vector<OutputFormat> formats = {OutputFormat::Mcpr};
   std::optional<runtime::BankForm> bank;
-  bool learn = false;  // only for a packed bank; other formats keep the choice
+  bool learn = false;  // whether a packed bank learns its coding; kept but unused for other formats
   bool overwrite = false;
 
   bool learns() const { return learn && bank == runtime::BankForm::Packed; }
@@ -39,7 +39,7 @@ struct QueuedClip {
   SourceClip source;
   std::string skeleton;         // .asf; empty: beside the .amc
   ReadOptions reading = {};     // the library's import options
-  std::optional<Settings> own;  // a locked clip's own settings
+  std::optional<Settings> own;  // settings of a locked clip; unset: common()
   ClipReview review = {};       // the library's review
   std::string files = {};       // hash of its files as the library knows them; empty: unknown
   bool missing = false;         // the files are gone
@@ -53,7 +53,7 @@ struct QueuedClip {
   QString key() const { return clipKey(QString::fromStdString(source.path), reading.take); }
 };
 
-/// The clips of a batch, their common preset, and the result of each.
+/// The clips of a batch, the preset they share unless locked, and the result of each.
 class BatchQueueModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -88,18 +88,18 @@ class BatchQueueModel : public QAbstractTableModel {
   /// Adds the clips that are not in the queue yet.
   void add(const std::vector<QueuedClip>& clips);
 
-  /// Inserts each clip at its row, as remove() took them.
+  /// Inserts each clip so that it ends up at its row; undoes remove().
   void insert(const std::map<int, QueuedClip>& clips);
   void remove(std::vector<int> rows);
 
-  /// Shows the progress of a running batch, whose clip indices are rows.
+  /// Shows the progress of the clip in `row`. A running batch numbers its clips by row.
   void setProgress(int row, const ClipProgress& progress);
   void setEnded(int row, const std::optional<Measurement>& measured, const std::string& error,
                 const std::vector<std::string>& warnings = {});
 
-  /// Clips that were being worked on wait again.
+  /// Sets clips that were being worked on back to waiting.
   void stopWorking();
-  /// All clips wait again, since folder or file names have changed.
+  /// Sets all clips back to waiting, because the folder or file names have changed.
   void waitAgain();
 
   /// Counts the clips in a state, without those that are left out.
@@ -117,7 +117,7 @@ class BatchQueueModel : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  signals:
-  /// Clips or settings changed, which are worth saving; progress is not.
+  /// Clips or settings changed and should be saved. Progress and results do not emit this.
   void edited();
 
   /// The user ticked or unticked a clip.
@@ -136,8 +136,8 @@ class BatchQueueModel : public QAbstractTableModel {
 
   Settings common_ = built_in_presets()[1];
   std::vector<QueuedClip> clips_;
-  mutable QHash<QString, QString> translated_;           // by English sentence
-  mutable QHash<QString, QSet<QString>> files_of_name_;  // paths; empty: not gathered yet
+  mutable QHash<QString, QString> translated_;           // key: English sentence
+  mutable QHash<QString, QSet<QString>> files_of_name_;  // paths by name; empty: not gathered
 };
 
 /// Formats a target as "eps_x 0.5 cm", in the user's language and with its decimal sign.

@@ -9,7 +9,7 @@
 
 namespace mocapress {
 
-/// A table of a compressed file's bytes: a row for each joint, then for what else is in it.
+/// A table of a compressed file's bytes: one row for each joint, then one for each other part.
 class ByteCostModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -19,10 +19,10 @@ class ByteCostModel : public QAbstractTableModel {
 
   using QAbstractTableModel::QAbstractTableModel;
 
-  /// Null: unknown. `joints` has the names of all joints.
+  /// Null costs: unknown. `joints` has the names of all joints.
   void setCosts(const std::shared_ptr<const ByteCosts>& costs, std::vector<QString> joints);
 
-  /// The joint of a row; -1: it is about something else in the file.
+  /// The joint of a row; -1: the row is about another part of the file.
   int jointOf(int row) const;
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -37,7 +37,7 @@ class ByteCostModel : public QAbstractTableModel {
   };
 
   std::vector<Row> rows_;
-  int joints_ = 0;  // the first rows
+  int joints_ = 0;  // number of joint rows, which come first
   double all_ = 1;
 };
 

@@ -7,12 +7,12 @@
 
 namespace mocapress {
 
-/// Gives these frames a factor in place of what they had; 1: none. Ranges of one factor that touch
-/// become one. The result is in the order of time.
+/// Sets the factor of these frames; 1 removes it. Adjacent ranges with equal factors become one.
+/// The result is sorted by time.
 std::vector<ImportantRange> withCareOver(const std::vector<ImportantRange>& ranges, int first_frame,
                                          int last_frame, double factor);
 
-/// The factor that one range gives to all of these frames; 1: no range has them all.
+/// The largest factor among the ranges that contain all of these frames; 1: no range does.
 double careOver(const std::vector<ImportantRange>& ranges, int first_frame, int last_frame);
 
 }  // namespace mocapress

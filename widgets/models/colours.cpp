@@ -13,7 +13,8 @@ SeriesStyle seriesStyle(std::string_view method, bool feet_held) {
   const CompressionMethod* compression_method = find_compression_method(method);
   const auto place =
       compression_method ? static_cast<std::size_t>(compression_method - all.data()) : all.size();
-  // The second round of colours begins at the third: the usual methods of a study all differ.
+  // Methods beyond the seventh reuse the colours, starting at the third one, so that the methods
+  // that a study usually compares all differ.
   const std::size_t round = place / kCurveColours.size();
   return {QColor(kCurveColours[(place + 2 * round) % kCurveColours.size()]),
           static_cast<int>(place) % kSeriesShapes, feet_held || round > 0, feet_held};

@@ -11,12 +11,12 @@
 
 namespace mocapress {
 
-/// Okabe and Ito's colours that can be seen on white and on black. They differ in all kinds of
-/// colour vision.
+/// Those of Okabe and Ito's colours that can be seen on white and on black. All kinds of colour
+/// vision can tell them apart.
 inline constexpr std::array<QRgb, 7> kCurveColours = {
     0xff0072b2, 0xffd55e00, 0xff009e73, 0xffcc79a7, 0xffe69f00, 0xff56b4e9, 0xff999999};
 
-/// Marks a note on a frame, on the timeline and in the picture: one of them.
+/// Marks a note on a frame, on the timeline and in the picture; one of kCurveColours.
 inline constexpr QRgb kFrameNoteColour = 0xffe69f00;
 
 /// Distinguishes a series of a study in every plot and table: colour, point shape and line style,
@@ -30,22 +30,22 @@ struct SeriesStyle {
 
 inline constexpr int kSeriesShapes = 5;
 
-/// Picks the style by the method's place in compression_methods().
+/// Picks the style by the method's position in compression_methods().
 SeriesStyle seriesStyle(std::string_view method, bool feet_held);
 
-/// Returns slate, amber or vermilion: they differ in all kinds of colour vision and in lightness.
+/// Returns slate, amber or vermilion. They differ in lightness, and all kinds of colour vision can
+/// tell them apart.
 QColor sightColour(Sight sight);
 
-/// The same for an error given as a multiple of the noticeable threshold. Errors below the
+/// Returns the colour of an error given as a multiple of the noticeable threshold. Errors below the
 /// threshold are darker the smaller they are.
 QColor sightColour(double times_noticed);
 
-/// Grades a slide from 0 to 1: up to a millimetre cannot be seen, and two centimetres are the
-/// worst.
+/// Grades a slide from 0 (a millimetre or less, invisible) to 1 (two centimetres or more).
 float slideSeverity(double slid_cm);
 
-/// Runs from teal for a foot that stands to violet for one that slides. Both differ for people who
-/// confuse red and green, and from the red figure.
+/// Goes from teal for a foot that stands to violet for one that slides. People who confuse red and
+/// green can tell both colours from each other and from the red figure.
 QColor slideColour(double slid_cm);
 
 /// Colours of the scene. The figures can be recognised on a light and on a dark background.
@@ -61,7 +61,7 @@ struct SceneColours {
   QColor text;
 };
 
-/// Light or dark colours, as the palette's window is.
+/// Light or dark colours, to match the palette's window.
 SceneColours sceneColours(const QPalette& palette);
 
 }  // namespace mocapress

@@ -6,7 +6,7 @@
 namespace mocapress {
 namespace {
 
-/// The free frames around a frame, between the landmark's other contacts.
+/// The free frames around a frame, up to the landmark's neighbouring contacts.
 struct Room {
   int first;
   int last;
@@ -24,7 +24,7 @@ Room roomAround(const std::vector<ContactSpan>& contacts, int landmark, int fram
   return room;
 }
 
-/// Keeps the order by landmark and time.
+/// Inserts a contact in the order by landmark, then time.
 void insert(const ContactSpan& added, std::vector<ContactSpan>& contacts) {
   // The place before the landmark's next contact, else after its last one, else before those of
   // later landmarks.

@@ -16,17 +16,17 @@ std::vector<ContactSpan> withEndAt(std::vector<ContactSpan> contacts, int index,
 
 std::vector<ContactSpan> withoutContact(std::vector<ContactSpan> contacts, int index);
 
-/// Adds a contact of `landmark` around a frame, up to `length` frames long where there is room. A
-/// frame that already has one changes nothing. The order by landmark and time is kept.
+/// Adds a contact of `landmark` around a frame, up to `length` frames long where there is room.
+/// Nothing changes if the frame already has one. The contacts stay in order by landmark, then time.
 std::vector<ContactSpan> withContactAt(std::vector<ContactSpan> contacts, int landmark, int frame,
                                        int length, int frames);
 
-/// Lets a landmark stand over a range of frames; contacts of it that touch the range become one
-/// with it.
+/// Adds a contact of a landmark over a range of frames, merged with its contacts that touch the
+/// range.
 std::vector<ContactSpan> withContactOver(std::vector<ContactSpan> contacts, int landmark,
                                          int first_frame, int last_frame);
 
-/// Takes the contacts of a landmark out of a range of frames; what lies outside stays.
+/// Removes a landmark's contacts from a range of frames; their parts outside the range stay.
 std::vector<ContactSpan> withoutContactOver(const std::vector<ContactSpan>& contacts, int landmark,
                                             int first_frame, int last_frame);
 

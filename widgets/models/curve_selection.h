@@ -16,7 +16,7 @@ class CurveSelection {
   void add(const QString& name);
   void remove(const QString& name);
 
-  /// Invalid for a landmark that is not selected.
+  /// The landmark's colour; invalid if the landmark is not selected.
   QColor colour(const QString& name) const;
 
   QStringList names() const;

@@ -15,7 +15,8 @@ struct Methods {
   Q_DECLARE_TR_FUNCTIONS(mocapress::Methods)
 };
 
-// The titles come from core and are repeated here for lupdate. A test fails when one is missing.
+// The titles come from core and are repeated here so that lupdate finds them. A test fails when one
+// is missing.
 [[maybe_unused]] constexpr const char* kTitles[] = {
     QT_TRANSLATE_NOOP("mocapress::Methods", "Closed-loop wavelets"),
     QT_TRANSLATE_NOOP("mocapress::Methods", "Annealed wavelets"),

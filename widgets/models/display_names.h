@@ -29,18 +29,18 @@ QString displayName(const Settings& preset);
 /// The purpose of a built-in preset; empty for any other.
 QString purposeOf(const Settings& preset);
 
-/// Settings of a preset that nothing else shows: "Feet × 4, contacts × 20; effort: best". May be
-/// empty.
+/// The preset's settings that nothing else shows, as "Importance: Feet × 4, contacts × 20. Effort:
+/// Best." Empty if they are the usual ones.
 QString detailsOf(const Settings& preset);
 
 QString displayName(BodyPart part);
 QString displayName(Effort effort);
 QString displayName(Ends ends);
 
-/// "Feet × 4, contacts × 20"; empty when all importances are equal.
+/// Formats importances as "Feet × 4, contacts × 20"; empty when all are equal.
 QString importanceText(const NamedImportance& importance);
 
-/// Names shown for the values of the file format.
+/// Names shown for settings that the file format stores.
 QString displayName(Method method);
 QString displayName(Coding coding);
 QString displayName(Weighting weighting);
@@ -49,10 +49,10 @@ QString displayName(CorrectAt at);
 /// Visibility of a clip's errors, shared by several views; null: unknown.
 using SightPtr = std::shared_ptr<const SightTable>;
 
-/// Returns "not visible", "borderline" or "visible".
+/// Returns "not visible", "borderline" or "visible" in the user's language.
 QString displayName(Sight sight);
 
-/// Returns "not visible from 15 m".
+/// Returns a text such as "not visible from 15 m".
 QString sightText(Sight sight, double distance_m);
 
 /// Names a cue, such as "sliding foot".

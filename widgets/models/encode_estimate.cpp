@@ -19,7 +19,7 @@ double usualSweeps(const EncodeSettings& options) {
   return options.effort == Effort::Best ? 6 : 5;
 }
 
-/// Unchanged up to 0.8, then approaches 1 without reaching it.
+/// Returns shares up to 0.8 unchanged; larger ones approach 1 without reaching it.
 double neverQuiteOne(double share) {
   constexpr double kStraight = 0.8;
   if (share <= kStraight) return share;
@@ -38,7 +38,8 @@ EncodeEstimate::EncodeEstimate(const EncodeSettings& options)
 
 void EncodeEstimate::add(const EncodeProgress& state, double seconds) {
   if (state.pass != pass_) {
-    // A clip in segments makes a sweep for each: earlier passes tell how many iterations to expect.
+    // A clip in segments makes a sweep for each segment: expect as many iterations as the longest
+    // earlier pass had.
     pass_length_ = std::max<double>(pass_length_, iterations_);
     pass_ = state.pass;
     iterations_ = 0;

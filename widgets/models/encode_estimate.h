@@ -8,7 +8,7 @@
 namespace mocapress {
 
 /// Estimates the share done and the remaining time of a running encode. The number of passes is not
-/// known beforehand: beyond the usual number the share grows ever slower, and it never falls.
+/// known beforehand: beyond the usual number, the share grows ever more slowly. It never falls.
 class EncodeEstimate {
  public:
   explicit EncodeEstimate(const EncodeSettings& options);
@@ -23,14 +23,15 @@ class EncodeEstimate {
 
  private:
   double usual_passes_;
-  double pass_length_;  // iterations in a pass
+  double pass_length_;  // expected iterations in a pass
   int pass_ = 0;
   int iterations_ = 0;  // iterations done in this pass
   double share_ = 0;
   double seconds_ = 0;
 };
 
-/// Share of an annealing that is done, 0 to 1: the step halves from first_step down to 0.
+/// Share of an annealing pass that is done, 0 to 1, on a logarithmic scale: the step halves from
+/// first_step down to 0.
 double passProgress(const EncodeProgress& state);
 
 }  // namespace mocapress

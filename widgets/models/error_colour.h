@@ -44,15 +44,15 @@ struct ErrorScale {
   bool operator==(const ErrorScale&) const = default;
 };
 
-/// Scales to choose from, in cm or degrees. They are the same for every clip, and so is the meaning
-/// of a colour.
+/// Scales to choose from, in cm or degrees. They are the same for every clip, so a colour always
+/// means the same error.
 constexpr std::array<double, 4> errorScales(ErrorQuantity quantity) {
   if (quantity == ErrorQuantity::Angle) return {1, 2.5, 5, 15};
   return {0.1, 0.5, 1, 5};
 }
 
-/// The smallest scale that reaches `error`, of 1, 2 and 5 times powers of ten. The steps are wide,
-/// so that the scale stays while settings are tuned.
+/// The smallest scale that reaches `error`; its top is 1, 2 or 5 times a power of ten. These steps
+/// are coarse, so that the scale rarely changes while settings are tuned.
 ErrorScale errorScaleFor(double error, ErrorQuantity quantity = ErrorQuantity::Distance);
 
 }  // namespace mocapress

@@ -23,18 +23,18 @@ struct RangeErrors {
   double p95 = 0;
   double max = 0;
   int frame = 0;     // where the maximum is
-  int landmark = 0;  // likewise
+  int landmark = 0;  // landmark that has the maximum
 };
 
-/// Requires that the range is within the clip.
+/// Errors of the frames `first` to `last`, which must lie within the clip.
 RangeErrors rangeErrors(const Eigen::MatrixXf& distances, int first, int last);
 
-/// Frames at which the maximum has a peak, worst first: at most `most`, and each at least `apart`
+/// Frames at which `max` has a peak, worst first: at most `most` frames, each at least `apart`
 /// frames away from any worse one.
 std::vector<int> worstFrames(const Eigen::VectorXf& max, int apart, int most);
 
-/// The next frame of `worst`, or the one before for `step` -1. A frame outside the list leads to
-/// the worst.
+/// The entry of `worst` after `frame`, or the one before it if `step` is -1. A frame that is not in
+/// the list leads to the worst.
 int nextWorst(const std::vector<int>& worst, int frame, int step);
 
 }  // namespace mocapress

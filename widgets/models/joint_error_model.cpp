@@ -73,7 +73,7 @@ QVariant JointErrorModel::nameData(int row, int role) const {
     case Qt::ToolTipRole:  // the full name
       return name;
     case kSortRole:
-      return row;  // orders by the skeleton
+      return row;  // keeps the skeleton's order
     case Qt::CheckStateRole:
       return selection_.contains(name) ? Qt::Checked : Qt::Unchecked;
     case Qt::DecorationRole:

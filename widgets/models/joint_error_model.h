@@ -25,10 +25,11 @@ class JointErrorModel : public QAbstractTableModel {
 
   using QAbstractTableModel::QAbstractTableModel;
 
-  /// Makes a row for each of `points`, without errors. The start that all names share is not shown.
+  /// Makes a row for each of `points`, without errors. Names are shown without the prefix
+  /// `shared_namespace`.
   void setLandmarks(std::vector<Landmark> points, const std::string& shared_namespace = {});
 
-  /// Sets the errors of those landmarks; null: unknown.
+  /// Sets the errors of the landmarks given to setLandmarks(); null: unknown.
   void setErrors(const Distortion* errors, const SightTable* sight);
 
   /// True when there are errors of a skin.
@@ -57,7 +58,7 @@ class JointErrorModel : public QAbstractTableModel {
   std::optional<double> errorAt(int row, int column) const;
 
   std::vector<Landmark> points_;
-  qsizetype unshown_ = 0;          // characters that each name begins with
+  qsizetype unshown_ = 0;          // length of the prefix that is not shown
   Eigen::MatrixX2f distances_;     // cm, columns mean and max; no rows: unknown
   Eigen::VectorXd joint_degrees_;  // RMS angle of each joint
   Eigen::VectorXf times_noticed_;  // worst of each joint, in noticeable thresholds; empty: unknown

@@ -8,7 +8,7 @@
 
 namespace mocapress {
 
-/// The coefficients kept in one scale.
+/// The number of coefficients kept in one scale of the wavelet transform.
 struct KeptBand {
   int kept = 0;
   int all = 0;

@@ -32,14 +32,16 @@ QStringView nameIn(const QString& path) {
   return QStringView(path).mid(path.lastIndexOf(QLatin1Char('/')) + 1);
 }
 
-/// The bytes that a clip has more than it had, as a share of these. Unset: it was or is not done.
+/// The relative growth of the clip's bytes since the earlier batch. Unset if either compression
+/// failed or is missing.
 std::optional<double> moreBytes(const LibraryEntry& entry) {
   const std::optional<ClipDifference>& since = entry.since;
   if (!since || !since->before->done || !since->after->done || since->before->bytes == 0) return {};
   return static_cast<double>(since->after->bytes) / static_cast<double>(since->before->bytes) - 1;
 }
 
-/// In centimetres; unset also where the errors are weighted differently.
+/// The growth of the clip's error since the earlier batch, in cm. Also unset if the two errors have
+/// different weightings.
 std::optional<double> moreError(const LibraryEntry& entry) {
   const std::optional<ClipDifference>& since = entry.since;
   if (!since || !since->before->done || !since->after->done ||
@@ -48,13 +50,13 @@ std::optional<double> moreError(const LibraryEntry& entry) {
   return since->after->eps_cm - since->before->eps_cm;
 }
 
-/// The gravest change has the largest number; unset: none.
+/// Ranks the clip's gravest change: the graver, the larger the number. Unset: no change.
 std::optional<double> gravity(const LibraryEntry& entry) {
   if (!entry.since || entry.since->changes.empty()) return {};
   return -static_cast<double>(entry.since->changes.front());
 }
 
-/// The amount with a sign; 0 where nobody would call it a change.
+/// Formats the value with a sign, or 0 if it is smaller than `least`.
 template <typename Text>
 QString signedText(double value, double least, const Text& text) {
   if (std::abs(value) < least) return text(0.0);

@@ -7,7 +7,7 @@
 
 namespace mocapress {
 
-/// The columns of LibraryModel, in the order they stand in.
+/// The columns of LibraryModel, in their default order.
 enum class LibraryColumn {
   Clip,
   Ratio,
@@ -21,7 +21,7 @@ enum class LibraryColumn {
   Looping,
   Length,
   FromPreset,
-  // Since the batch that is compared.
+  // The change since the earlier batch that clips are compared with.
   Since,
   BytesSince,
   ErrorSince
@@ -31,10 +31,10 @@ inline constexpr int kLibraryColumns = static_cast<int>(LibraryColumn::ErrorSinc
 
 QString titleOf(LibraryColumn column);
 
-/// Explains the column, in the head's tool tip.
+/// Explains the column, in its header's tool tip.
 QString purposeOf(LibraryColumn column);
 
-/// Empty: not known, or nothing to say.
+/// The text of the clip in the column. Empty: not known, or nothing to say.
 QString textOf(const LibraryEntry& entry, LibraryColumn column);
 
 bool isNumber(LibraryColumn column);
@@ -42,15 +42,15 @@ bool isNumber(LibraryColumn column);
 /// True for columns that are empty unless clips are compared with an earlier batch.
 bool isOfComparison(LibraryColumn column);
 
-/// "newly visible", "larger".
+/// Names a change, such as "newly visible" or "larger".
 QString displayName(ClipChange change);
 
-/// The number in the column that rows are sorted by: lengths in cm, times in seconds, changes as
-/// shares, kinds by their order. Unset: not known, or the column has texts.
+/// The number by which the column is sorted: lengths in cm, times in seconds, changes as shares,
+/// kinds by their order. Unset: not known, or the column has texts.
 std::optional<double> numberOf(const LibraryEntry& entry, LibraryColumn column);
 
-/// Whether `a` stands before `b` where rows are sorted by the column, smallest first. An entry
-/// without a value stands before those that have one.
+/// True if `a` comes before `b` when rows are sorted by the column, smallest first. An entry
+/// without a value comes before those that have one.
 bool isBefore(const LibraryEntry& a, const LibraryEntry& b, LibraryColumn column);
 
 }  // namespace mocapress

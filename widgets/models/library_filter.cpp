@@ -37,7 +37,7 @@ bool isOf(const LibraryEntry& entry, LibraryShow show) {
   return true;
 }
 
-/// The first column of numbers whose title begins so.
+/// The first numeric column whose title begins with `title`.
 std::optional<LibraryColumn> columnTitled(const QString& title) {
   for (int i = 0; i < kLibraryColumns; ++i) {
     const auto column = static_cast<LibraryColumn>(i);
@@ -46,17 +46,17 @@ std::optional<LibraryColumn> columnTitled(const QString& title) {
   return {};
 }
 
-/// A number of the filter in the user's language, or with a decimal point or comma.
+/// Parses a number in the user's notation, or with a decimal point or comma.
 std::optional<double> numberIn(QString text) {
   bool is_number = false;
-  // "0.500" has no separator of thousands in any language.
+  // The separator in "0.500" cannot be one of thousands, even where the language uses it so.
   const double local = QLocale().toDouble(text, &is_number);
   if (is_number && !text.startsWith(QLatin1Char('0'))) return local;
   const double plain = text.replace(QLatin1Char(','), QLatin1Char('.')).toDouble(&is_number);
   return is_number ? std::optional(plain) : std::nullopt;
 }
 
-/// Units by what they are worth in those of numberOf().
+/// Each unit's size in the units of numberOf().
 const QMap<QString, double>& units() {
   static const QMap<QString, double> kUnits = {
       {QStringLiteral("mm"), 0.1},  {QStringLiteral("cm"), 1},   {QStringLiteral("m"), 100},
@@ -109,7 +109,8 @@ bool ColumnBound::matches(const LibraryEntry& entry) const {
 }
 
 void LibraryFilter::setWords(const QString& words) {
-  // Up to three words, of which the last ones may be a title; a sign; a number and its unit.
+  // Up to three words, whose last ones may be a column's title; then a comparison sign, a number
+  // and its unit.
   static const QRegularExpression kBound(
       QStringLiteral(
           R"(((?:[^\s<>≤≥]+ ){0,2}[^\s<>≤≥]+) ?([<>≤≥]=?) ?(?:(-?\d[\d.,]*) ?(%1|)(?!\S))?)")
@@ -133,9 +134,9 @@ void LibraryFilter::setWords(const QString& words) {
     const bool is_above = sign[0] == QLatin1Char('>') || sign[0] == QChar(u'≥');
     const bool has_equals = sign.size() > 1 || sign[0] == QChar(u'≥') || sign[0] == QChar(u'≤');
     const std::optional<double> number = numberIn(match.captured(3));
-    if (!number) continue;  // while it is typed
+    if (!number) continue;  // the number is not typed yet
     const double worth = *column == LibraryColumn::BytesSince
-                             ? 0.01  // shown in %
+                             ? 0.01  // the column is shown in %
                              : units().value(match.captured(4).toLower(), 1);
     bounds_.push_back({*column, is_above, has_equals, *number * worth});
   }
@@ -154,7 +155,7 @@ bool LibraryFilter::filterAcceptsRow(int clip, const QModelIndex&) const {
   for (const ColumnBound& bound : bounds_)
     if (!bound.matches(entry)) return false;
   if (words_.isEmpty()) return true;
-  // Most words are in the path; a state takes longer to put together.
+  // The path is searched first: most words match there, and the state's text takes longer to build.
   QString state;
   return std::all_of(words_.begin(), words_.end(), [&](const QString& word) {
     if (entry.path.contains(word, Qt::CaseInsensitive)) return true;

@@ -10,19 +10,19 @@
 
 namespace mocapress {
 
-/// Kinds of clips that a library can show alone.
+/// Choices of the clips that a library shows.
 enum class LibraryShow {
   All,
   NotReviewed,
-  ToReview,  // not reviewed, or stale
+  ToReview,  // not reviewed, or the verdict is stale
   Approved,
   Rejected,
-  Stale,  // the verdict, or the outcome
+  Stale,  // the verdict or the outcome is stale
   WithNotes,
   WithWarnings,
   Visible,     // visible or borderline errors
-  Unfinished,  // not compressed yet by their settings
-  Missed       // no target met, or not to be read or compressed
+  Unfinished,  // not compressed yet with their present settings
+  Missed       // target missed, or the clip cannot be read or compressed
 };
 
 QString displayName(LibraryShow show);
@@ -37,16 +37,18 @@ struct ColumnBound {
   bool matches(const LibraryEntry& entry) const;
 };
 
-/// The clips of a library that match, sorted by a column; with column -1, in the library's order.
+/// The clips of a library that match the filter, sorted by a column, or in the library's order for
+/// column -1.
 class LibraryFilter : public QSortFilterProxyModel {
   Q_OBJECT
 
  public:
   explicit LibraryFilter(LibraryModel* clips, QObject* parent = nullptr);
 
-  /// Words that name, folder, state, loop or preset must all have; empty: no matter. A word such as
-  /// "error>0.5" or "bytes since >= 5 %" bounds the number in the column whose title begins so.
-  /// Without a unit lengths are in cm, times in seconds, and changes of the bytes in %.
+  /// Sets the words that must each occur in a clip's path, take, state, loop or preset; empty: any
+  /// clip. A word such as "error>0.5" or "bytes since >= 5 %" bounds the number in the column whose
+  /// title begins with that text. Numbers without a unit are lengths in cm, times in seconds, or
+  /// changes of the bytes in %.
   void setWords(const QString& words);
   void setShow(LibraryShow show);
 

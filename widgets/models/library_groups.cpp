@@ -52,10 +52,10 @@ bool isLength(LibraryColumn column) {
 QString textOf(double value, LibraryColumn column) {
   if (column == LibraryColumn::Length) return Groups::tr("%1 s").arg(shown(value, 0));
   if (!isLength(column)) return shown(value, 0);
-  return value < 1000 ? roundLengthText(value) : lengthText(value);  // the former has three digits
+  return value < 1000 ? roundLengthText(value) : lengthText(value);  // roundLengthText(): 3 digits
 }
 
-/// The numbers from one of 1, 2, 5, 10, 20 and on to the next. `least` is the first bound.
+/// The group of a value: from one of 1, 2, 5, 10, 20 ... to the next. `least` is the first bound.
 LibraryGroup bandOf(double value, LibraryColumn column, double least) {
   if (value < least) return {Groups::tr("below %1").arg(textOf(least, column)), 0};
   const double decade = std::pow(10, std::floor(std::log10(value)));

@@ -7,7 +7,7 @@
 
 namespace mocapress {
 
-/// Kinds of groups of a library's clips. Those after `None` are columns.
+/// Criteria by which a library's clips are grouped. Those after `None` are columns.
 enum class Grouping {
   Folder,
   Verdict,
@@ -30,8 +30,8 @@ QString displayName(Grouping grouping);
 
 /// A group of clips. Numbers are grouped by their size, as in "20 to 50".
 struct LibraryGroup {
-  QString name;     // Grouping::Folder: the path of the folder; empty: clips have no groups
-  double rank = 0;  // groups stand in this order, and by name where it is the same
+  QString name;     // for Grouping::Folder the folder's path; empty: clips have no groups
+  double rank = 0;  // groups are sorted by rank, then by name
 };
 
 LibraryGroup groupOf(const LibraryEntry& entry, Grouping grouping);

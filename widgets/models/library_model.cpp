@@ -39,7 +39,7 @@ QStringList notesOf(const LibraryEntry& entry) {
 }
 
 QString outcomeText(const LibraryEntry& entry) {
-  // A missing clip keeps its figures, and its state says that it is missing.
+  // A missing clip still shows its numbers; its state says that it is missing.
   if (!entry.trouble.isEmpty() && !entry.missing) return LibraryModel::tr("Cannot be read");
   if (!entry.outcome && entry.missing && entry.frames == 0) return {};
   if (!entry.outcome)
@@ -92,7 +92,7 @@ namespace {
 QString withSight(const QString& state, const LibraryEntry& entry) {
   if (!entry.outcome || !entry.outcome->sight || entry.outdated != Staleness::None) return state;
   const QString sight = sightText(*entry.outcome->sight, entry.outcome->limits.distance_m);
-  // A narrow list cuts the end off: a target that is met is the least of the news.
+  // A narrow list cuts the end off, so a met target, the least important fact, comes last.
   const bool is_news = entry.review.verdict != Verdict::None || !entry.outcome->met;
   return (is_news ? QStringList{state, sight} : QStringList{sight, state})
       .join(LibraryModel::tr(", "));

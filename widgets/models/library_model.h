@@ -39,12 +39,12 @@ struct Outcome {
   std::size_t motion_bytes = 0;
   bool met = true;                 // the result met its target
   std::optional<Sight> sight;      // unset: not judged
-  std::optional<double> slide_cm;  // the feet's, over all contacts; unset: there are none
-  QStringList warnings;            // the reader's, and on its character
+  std::optional<double> slide_cm;  // total slide of the feet in all contacts; unset: no contacts
+  QStringList warnings;            // from the reader, and about the character
   std::string source;              // hash of the bytes it was made from
   std::string settings;            // settings_hash() of the settings it was made with
-  std::optional<int> worst_frame;  // where max_cm is; unset: an older project does not say
-  std::string worst_point;         // likewise
+  std::optional<int> worst_frame;  // frame of max_cm; unset: the project is older and does not say
+  std::string worst_point;         // landmark of max_cm
   SightLimits limits;              // limits by which `sight` was judged
 
   bool operator==(const Outcome&) const = default;
@@ -56,13 +56,13 @@ QString clipKey(const QString& path, const std::optional<std::string>& take);
 /// A clip as the library lists it.
 struct LibraryEntry {
   QString path;
-  std::optional<std::string> take;  // in a file with several animations: this one
+  std::optional<std::string> take;  // set: the animation of a file with several
   bool is_compressed = false;       // a .mcpr
   int frames = 0;                   // 0: not read yet
   double sample_rate_hz = 0;
   QList<QLineF> outline;  // a pose in a square from 0 to 1, y down
   QImage skin;            // the same pose, where the clip has a skin
-  QString trouble;        // why it could not be read; empty: it could, or was not tried
+  QString trouble;        // why it could not be read; empty: it could, or nobody tried
   QStringList notes;      // repairs and guesses of its reader
   bool missing = false;   // its file is gone
   Loop loop = Loop::None;
@@ -71,14 +71,14 @@ struct LibraryEntry {
       failure;  // why it could not be compressed by its settings; empty: it could, or nobody tried
   std::optional<Outcome> outcome;
   std::optional<std::size_t> bytes_before;  // bytes with its earlier settings
-  std::optional<ClipDifference> since;      // from an earlier batch; unset: nothing to compare
+  std::optional<ClipDifference> since;      // since an earlier batch; unset: nothing to compare
   Staleness outdated = Staleness::None;     // why the outcome no longer applies to the clip
   ClipReview review;
   Staleness stale = Staleness::None;  // why the verdict no longer applies to the clip
 
   QString key() const { return clipKey(path, take); }
 
-  /// "walk.bvh", "moves.fbx: Run".
+  /// The name shown for the clip: "walk.bvh", "moves.fbx: Run".
   QString name() const;
 
   /// True if the clip could be compressed and its result is not known.
@@ -88,8 +88,8 @@ struct LibraryEntry {
   }
 };
 
-/// The clips of a project, one row each, with the columns of LibraryColumn. The text of a row's
-/// first column says all that its picture does.
+/// The clips of a project, one row each, with the columns of LibraryColumn. The accessible text of
+/// the first column says everything that its picture shows.
 class LibraryModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -98,12 +98,12 @@ class LibraryModel : public QAbstractTableModel {
 
   void setEntries(std::vector<LibraryEntry> entries);
 
-  /// Replaces the entry with that key, or adds a row at the end.
+  /// Replaces the entry with the same key, or adds a row at the end.
   void setEntry(const LibraryEntry& entry);
-  /// Replaces these rows in one change.
+  /// Replaces several rows and emits one change.
   void replace(const std::map<int, LibraryEntry>& entries);
 
-  /// Inserts rows before that row.
+  /// Inserts rows before `row`.
   void insert(int row, const std::vector<LibraryEntry>& entries);
 
   const LibraryEntry& entry(int row) const { return entries_[static_cast<std::size_t>(row)]; }
@@ -118,14 +118,14 @@ class LibraryModel : public QAbstractTableModel {
   void tellOf(int first, int last);
 
   std::vector<LibraryEntry> entries_;
-  mutable QHash<QString, int> rows_;  // by key; empty: made anew when it is next asked
+  mutable QHash<QString, int> rows_;  // key to row; empty: rebuilt by the next rowOf()
 };
 
-/// The notes on a clip: the reader's, and those of its last compression, such as on its character,
-/// unless its file changed since.
+/// The notes on a clip: those of its reader, and those of its last compression, such as on its
+/// character, unless its file has changed since.
 QStringList notesOf(const LibraryEntry& entry);
 
-/// "25.0 : 1, 0.09 cm", or the reason why there are no figures yet.
+/// The result as "25.0 : 1, 0.09 cm", or the reason why there is none yet.
 QString outcomeText(const LibraryEntry& entry);
 
 /// The most important fact about a row, which decides the colour of its state.
@@ -133,30 +133,30 @@ enum class RowState { Plain, Good, Bad, Doubtful };
 
 RowState stateOf(const LibraryEntry& entry);
 
-/// Dark enough on white, bright enough on black.
+/// The colour of a state: dark enough on white, bright enough on black.
 QColor colourOf(RowState state, const QPalette& palette);
 
 /// True if the clip has no verdict or a stale one, and its file is there to be reviewed.
 bool wantsReview(const LibraryEntry& entry);
 
-/// True if its target was not met, or it cannot be read or compressed.
+/// True if the clip missed its target, or cannot be read or compressed.
 bool isMissed(const LibraryEntry& entry);
 
-/// "approved", "✓ stale: file changed", "target missed" ...; empty where there is
-/// nothing to report.
+/// The clip's state, as "approved", "✓ stale: file changed" or "target missed"; empty where there
+/// is nothing to report.
 QString stateText(const LibraryEntry& entry);
 
 /// Names a staleness, such as "file changed"; empty for None.
 QString displayName(Staleness staleness);
 
-/// "✓ approved", "✕ stale: file changed"; empty without a verdict.
+/// The verdict as "✓ approved" or "✕ stale: file changed"; empty without a verdict.
 QString verdictText(Verdict verdict, Staleness stale);
 
-/// "Ann, 27.11.26 01:39"; empty when the reviewer is unknown.
+/// The reviewer and time as "Ann, 27.11.26 01:39"; empty when the reviewer is unknown.
 QString reviewerText(const ClipReview& review);
 
-/// "12 clips: 41,200 bytes, 51,800 before": total sizes of clips with their present and earlier
-/// settings.
+/// Sums up sizes with the present and the earlier settings: "12 clips: 41,200 bytes, 51,800
+/// before".
 QString sumText(const LibraryModel& model, const std::vector<int>& rows);
 
 /// The library's review of a clip.

@@ -10,7 +10,7 @@
 
 namespace mocapress {
 
-/// A node of the tree; its rows are folders, then clips.
+/// A node of the tree. Its rows are its folders, then its clips.
 struct LibraryTree::Folder {
   QString name;
   QString path;
@@ -58,7 +58,8 @@ struct LibraryTree::Folder {
   }
 };
 
-/// Connected after the filter, so that the filter has followed a change when the tree hears of it.
+/// Connects to the clips after filter_ did, so that the filter is already up to date when the tree
+/// receives a change.
 LibraryTree::LibraryTree(LibraryModel* clips, QObject* parent)
     : QAbstractItemModel(parent), clips_(clips), filter_(clips) {
   connect(clips, &LibraryModel::modelReset, this, &LibraryTree::build);
@@ -93,7 +94,8 @@ void LibraryTree::build() {
     folder->clips.push_back(clip);
     places_[static_cast<std::size_t>(clip)] = {row, nullptr, group};
   }
-  // A single group other than a folder stays, since it says something about the clips.
+  // Grouped by anything but folders, a single group is still shown, since it says something about
+  // the clips.
   root_->arrange(grouping_ == Grouping::Folder);
   const auto note = [this](auto&& self, Folder& folder) -> void {
     QStringList names;
@@ -131,7 +133,8 @@ void LibraryTree::sort(int column, Qt::SortOrder order) {
 }
 
 void LibraryTree::clipsChanged(int first, int last) {
-  // A view looks for the place of every row that changed, from the top: reading all is faster.
+  // For each changed row, views search from the top for its place: beyond this many rows a reset is
+  // faster.
   constexpr int kMany = 1000;
   if (last - first >= kMany) return build();
   for (int clip = first; clip <= last; ++clip) {
@@ -140,8 +143,8 @@ void LibraryTree::clipsChanged(int first, int last) {
         (place.folder && place.group != groupOf(clips_->entry(clip), grouping_).name))
       return build();
   }
-  // One signal for the clips of a folder: views look for the row of every signal.
-  std::map<Folder*, std::pair<int, int>> rows;  // the first and last that changed
+  // Emits one signal for all changed clips of a folder: views search for the row of every signal.
+  std::map<Folder*, std::pair<int, int>> rows;  // first and last changed row
   for (int clip = first; clip <= last; ++clip)
     if (const QModelIndex at = indexOf(clip); at.isValid()) {
       const auto [of_folder, is_new] =

@@ -13,9 +13,9 @@
 
 namespace mocapress {
 
-/// The clips of a library below their folders or other groups, as far as they match a filter, and
-/// in its order. Folders of the disk that all clips share are left out, and so are those between
-/// with nothing but one folder in them.
+/// The clips of a library that match a filter, in the filter's order, as a tree of folders or other
+/// groups. Folders that all clips share are left out. A folder that holds only one folder is joined
+/// with it.
 class LibraryTree : public QAbstractItemModel {
   Q_OBJECT
 
@@ -59,7 +59,7 @@ class LibraryTree : public QAbstractItemModel {
   struct Folder;
 
   void build();
-  Folder* holderOf(const QModelIndex& index) const;  // the folder the index is a row of
+  Folder* holderOf(const QModelIndex& index) const;  // the folder that has the index as a row
   Folder* folderAt(const QModelIndex& index) const;  // null: a clip
   void clipsChanged(int first, int last);
 
@@ -68,12 +68,12 @@ class LibraryTree : public QAbstractItemModel {
   Grouping grouping_ = Grouping::Folder;
   std::unique_ptr<Folder> root_;
 
-  /// A clip's row in the filter and in its folder, when the tree was built.
+  /// A clip's place in the filter and in its folder, as of the last build().
   struct Place {
     int row = -1;  // -1: filtered out
     Folder* folder = nullptr;
     QString group;      // name of its group
-    int in_folder = 0;  // among its clips
+    int in_folder = 0;  // index among the folder's clips
   };
   std::vector<Place> places_;  // one for each clip
 };

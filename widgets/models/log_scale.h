@@ -9,12 +9,13 @@ namespace mocapress {
 /// Rounds a positive value to three significant digits.
 inline double in_three_digits(double value) {
   const double exponent = std::floor(std::log10(value)) - 2;
-  // Powers of ten below 1 are not exact doubles: dividing by their exact inverse adds no error.
+  // Negative powers of ten are not exact doubles. Dividing by the positive power, which is exact,
+  // adds no error.
   return exponent < 0 ? std::round(value * std::pow(10.0, -exponent)) / std::pow(10.0, -exponent)
                       : std::round(value / std::pow(10.0, exponent)) * std::pow(10.0, exponent);
 }
 
-/// Maps slider positions 0..steps to lowest..highest in equal factors: 2 to 4 takes as much room as
+/// Maps slider positions 0..steps logarithmically to lowest..highest: 2 to 4 takes as much room as
 /// 100 to 200.
 struct LogScale {
   double lowest = 1;
@@ -28,8 +29,8 @@ struct LogScale {
   /// The number chosen by a slider position, rounded to three digits for people.
   double chosen(int position) const { return in_three_digits(value(position)); }
 
-  /// The position for a value when the slider stands at `here`. It stays there if that position
-  /// already means the value, since neighbours may round to the same three digits.
+  /// The slider position for a value. Stays at the present position `here` if that already means
+  /// the value, since neighbouring positions may round to the same three digits.
   int position(double value, int here) const {
     return chosen(here) == value ? here : position(value);
   }

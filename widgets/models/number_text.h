@@ -13,12 +13,12 @@ inline QString shown(double value, int decimals) {
   return QLocale().toString(value, 'f', decimals);
 }
 
-/// The same with at most three digits and two decimals: "1.95", "29.7", "176".
+/// Formats a number with at most three digits and two decimals: "1.95", "29.7", "176".
 inline QString shownShort(double value) {
   return shown(value, value < 9.995 ? 2 : value < 99.95 ? 1 : 0);
 }
 
-/// The same with three significant digits.
+/// Formats a number with three significant digits.
 inline QString shownFigure(double value) {
   return shown(value, value >= 100 ? 0 : value >= 10 ? 1 : value >= 1 ? 2 : 3);
 }
@@ -33,7 +33,7 @@ QString sizeText(double bytes);
 /// "0.04 mm". Never "0.00 cm".
 QString lengthText(double cm);
 
-/// A distance beyond another: "+1.51 cm"; "0 mm" where it is not.
+/// Formats the amount by which one distance exceeds another: "+1.51 cm"; "0 mm" if it does not.
 QString surplusText(double cm);
 
 /// A round distance, as on a scale: "5 mm", "1 cm".
@@ -51,8 +51,9 @@ QString clockText(double seconds);
 /// Lists numbers in the locale's notation: "0.1 0.26 0.5".
 QString numbersText(const std::vector<double>& numbers, const QLocale& locale = {});
 
-/// Parses a list of positive numbers and removes repetitions. Spaces and semicolons separate, and
-/// commas too unless the locale uses them in numbers. Unset when any part is no positive number.
+/// Parses a list of positive numbers and removes repetitions. Numbers are separated by spaces,
+/// semicolons, and, unless the locale uses them in numbers, commas. Unset if any part is not a
+/// positive number.
 std::optional<std::vector<double>> parseNumbers(const QString& text, const QLocale& locale = {});
 
 }  // namespace mocapress

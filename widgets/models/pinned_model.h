@@ -9,7 +9,7 @@
 
 namespace mocapress {
 
-/// A pinned result as it is listed.
+/// A row of the list of pinned results.
 struct PinnedEntry {
   QString name;
   QColor colour;
@@ -20,7 +20,7 @@ struct PinnedEntry {
   std::optional<double> drift_cm;
 };
 
-/// A table with one row for each pinned result: its name, which can be edited, and its figures.
+/// A table with one row for each pinned result: its editable name and its measurements.
 class PinnedModel : public QAbstractTableModel {
   Q_OBJECT
 

@@ -18,7 +18,7 @@ std::vector<Series> inOrder(std::vector<Series> series) {
   return series;
 }
 
-/// Results made of some clips' rows only.
+/// The results of some clips only.
 Results resultsOf(const std::vector<StudyRow>& rows, const std::set<std::string>& clips) {
   std::vector<StudyRow> chosen;
   for (const StudyRow& row : rows)

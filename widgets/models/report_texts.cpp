@@ -16,7 +16,7 @@
 namespace mocapress {
 namespace {
 
-/// The texts of reports that core writes.
+/// Translates the texts of the reports that core writes.
 struct ReportTexts {
   Q_DECLARE_TR_FUNCTIONS(mocapress::Report)
  public:
@@ -181,7 +181,7 @@ struct ReportTexts {
       QT_TR_NOOP("Number of places that were repaired or guessed when the clip was read; they are "
                  "listed above."),
       QT_TR_NOOP("How clips were measured"),
-      // The script of these reports.
+      // Texts that the reports' script shows.
       QT_TR_NOOP("any visibility"),
       QT_TR_NOOP("any verdict"),
       QT_TR_NOOP("none"),
@@ -332,7 +332,7 @@ QString translatedAmount(QString english) {
   return english.replace(QLatin1String(" degrees"), QStringLiteral("°"));
 }
 
-/// The reason of a verdict on visibility, as core's reason() writes it.
+/// Translates the reason of a verdict on visibility, in the form that core's reason() writes.
 std::optional<QString> translatedReason(const QString& english) {
   static const QRegularExpression kReason(
       QStringLiteral("^(.+?) of (.+) at frame (\\d+): (.+), noticed from (.+)$"));
@@ -344,7 +344,7 @@ std::optional<QString> translatedReason(const QString& english) {
            translatedAmount(match.captured(5)));
 }
 
-/// Own limits, as core's limits_text() writes them.
+/// Translates the user's own limits, in the form that core's limits_text() writes.
 std::optional<QString> translatedLimits(const QString& english) {
   static const QRegularExpression kOwn(QStringLiteral("^own limits: (.+)$"));
   static const QRegularExpression kLimit(QStringLiteral("^(.+?) ([\\d.]+ \\S+)(?: or (.+))?$"));
@@ -363,13 +363,13 @@ std::optional<QString> translatedLimits(const QString& english) {
   return ReportTexts::tr("own limits: %1").arg(limits.join(QStringLiteral(", ")));
 }
 
-/// The name of a choice within a sentence. Acronyms in it stay.
+/// Makes a name's first letter small, for use within a sentence.
 QString withinSentence(QString name) {
   name[0] = name[0].toLower();
   return name;
 }
 
-/// A weighting or coding by its name in tables and settings.
+/// Translates the name of a weighting or coding.
 std::optional<QString> translatedChoice(const std::string& english) {
   for (const Weighting weighting : kWeightings)
     if (name(weighting) == english) return withinSentence(displayName(weighting));

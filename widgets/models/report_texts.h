@@ -5,7 +5,7 @@
 
 namespace mocapress {
 
-/// The program's language, for reports. Messages of core in them are translated, too.
+/// Translations for reports into the program's language, including core's messages in them.
 ReportLanguage reportLanguage();
 
 }  // namespace mocapress

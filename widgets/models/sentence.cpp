@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* kContext = "mocapress::Sentence";
 
-/// The sentences of readers and encoder, with %1 and on for what differs.
+/// The sentences of the readers and the encoder; %1, %2 and so on stand for the parts that vary.
 constexpr const char* kSentences[] = {
     // Warnings of all formats.
     QT_TRANSLATE_NOOP("mocapress::Sentence",
@@ -293,7 +293,7 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("mocapress::Sentence", "has %1 for %2"),
 };
 
-/// Counts within them.
+/// Counted nouns that occur within the sentences.
 constexpr const char* kCounts[] = {
     QT_TRANSLATE_N_NOOP("mocapress::Sentence", "%n value(s)"),
     QT_TRANSLATE_N_NOOP("mocapress::Sentence", "%n joint(s)"),
@@ -308,7 +308,7 @@ constexpr const char* kCounts[] = {
     QT_TRANSLATE_N_NOOP("mocapress::Sentence", "%n End Site(s)"),
 };
 
-/// A sentence with %1 and on, and an expression that matches it.
+/// A sentence with placeholders, and a regular expression that matches it.
 struct Pattern {
   const char* source;
   QRegularExpression fits;
@@ -317,7 +317,7 @@ struct Pattern {
 QRegularExpression expressionOf(const char* source) {
   QString text = QRegularExpression::escape(QString::fromUtf8(source));
   static const QRegularExpression kPlace(QStringLiteral("\\\\%\\d"));
-  // A place at the beginning takes no file or line along.
+  // A placeholder at the beginning must not match a "file:line: " before the sentence.
   if (text.startsWith(QLatin1String("\\%1"))) text.replace(0, 3, QStringLiteral("((?:(?!: ).)+?)"));
   text.replace(kPlace, QStringLiteral("(.+?)"));
   text.replace(QStringLiteral("\\%n"), QStringLiteral("(\\d+)"));
@@ -335,13 +335,13 @@ std::vector<const char*> allSentences() {
   std::vector<const char*> all(std::begin(kSentences), std::end(kSentences));
   for (const std::span<const char* const> list : {sentencesOfBytes(), sentencesOfWork()})
     all.insert(all.end(), list.begin(), list.end());
-  // Where two fit, the longer one says more.
+  // Where two patterns match, the longer one is more specific, so it is tried first.
   std::ranges::stable_sort(all, std::ranges::greater(),
                            [](const char* source) { return std::string_view(source).size(); });
   return all;
 }
 
-/// %1 is the first of `parts`.
+/// Fills the placeholders of `pattern`: %1 is the first of `parts`.
 QString filled(const QString& pattern, const QStringList& parts) {
   QString text;
   for (qsizetype i = 0; i < pattern.size(); ++i) {
@@ -357,7 +357,8 @@ QString filled(const QString& pattern, const QStringList& parts) {
   return text;
 }
 
-/// None where no pattern fits all of the text, or the language has no text for it.
+/// Translates a text as a whole. Unset if no pattern matches all of it; counts also need a
+/// translation.
 std::optional<QString> translatedWhole(const QString& text) {
   static const std::vector<Pattern> kAll = patternsOf(allSentences());
   static const std::vector<Pattern> kAllCounts = patternsOf(kCounts);

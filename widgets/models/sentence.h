@@ -6,12 +6,13 @@
 
 namespace mocapress {
 
-/// Translates a sentence of core (a warning, an error) into the program's language. A beginning
-/// that ends with a colon, such as file and line, is kept; so is a sentence that is not in the
-/// list.
+/// Translates a sentence of core (a warning, an error) into the program's language. Keeps a prefix
+/// that ends with a colon, such as file and line. A sentence that is not in the list stays as it
+/// is.
 QString translatedSentence(const QString& sentence);
 
-/// The list, in English, with %1 and on for what differs.
+/// All sentences that can be translated, in English; %1, %2 and so on stand for the parts that
+/// vary.
 std::vector<QString> translatableSentences();
 
 }  // namespace mocapress

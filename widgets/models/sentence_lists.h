@@ -5,12 +5,13 @@
 
 namespace mocapress {
 
-/// Sentences of core, with %1 and on for what differs; translatedSentence() looks them up.
+/// Sentences of core that translatedSentence() looks up; %1, %2 and so on stand for parts that
+/// vary.
 
-/// Says what is wrong with the bytes of a file: .mcpr and its parts, FBX, glTF.
+/// Errors in the bytes of a file: .mcpr and its parts, FBX, glTF.
 std::span<const char* const> sentencesOfBytes();
 
-/// Says what cannot be compressed or written, and what is wrong with settings, projects and
+/// Reasons why something cannot be compressed or written, and errors in settings, projects and
 /// batches.
 std::span<const char* const> sentencesOfWork();
 

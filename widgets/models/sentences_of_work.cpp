@@ -6,7 +6,7 @@
 namespace mocapress {
 namespace {
 
-/// Gives lupdate the context of the texts.
+/// Gives lupdate the translation context of the texts.
 struct TextsOfWork {
   Q_DECLARE_TR_FUNCTIONS(mocapress::Sentence)
  public:

@@ -32,7 +32,7 @@ QString shortened(const QString& name, const SharedName& shared, const QFontMetr
   const QString dots = QStringLiteral("…");
   const auto without = [&](qsizetype start, qsizetype end) {
     const QString rest = name.right(end);
-    // The ending common to files of one kind is dropped without dots.
+    // A shared file extension is dropped without dots.
     return (start > 1 ? dots : name.left(start)) + name.mid(start, name.size() - start - end) +
            (end < 2                             ? rest
             : rest.startsWith(QLatin1Char('.')) ? QString()

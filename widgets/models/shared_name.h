@@ -8,16 +8,16 @@ class QFontMetrics;
 
 namespace mocapress {
 
-/// Lengths of the beginning and the end that several names share, which do not tell them apart.
+/// Lengths of the prefix and the suffix that several names share.
 struct SharedName {
   qsizetype start = 0;
   qsizetype end = 0;
 };
 
-/// Numbers stay whole: "walk01" and "walk02" share only "walk".
+/// Finds the shared prefix and suffix. Numbers stay whole: "walk01" and "walk02" share only "walk".
 SharedName sharedName(const QStringList& names);
 
-/// Shortens a name to fit. The part shared with its neighbours goes first, then the middle.
+/// Shortens a name to fit. The shared prefix goes first, then the shared suffix and the middle.
 QString shortened(const QString& name, const SharedName& shared, const QFontMetrics& metrics,
                   int width);
 

@@ -51,7 +51,7 @@ QString display(const StudyRow& row, int column) {
 
 QVariant sortKey(const StudyRow& row, int column) {
   if (!isFigure(column)) return display(row, column);
-  // Rows without a figure come last.
+  // Rows without a value come last.
   return value(row, column).value_or(std::numeric_limits<double>::max());
 }
 

@@ -16,7 +16,7 @@ struct StudySettings {
   QStringList methods;  // names as in compression_methods()
   std::vector<double> ratios;
   std::vector<double> errors;      // eps_x, cm
-  std::optional<double> ik_ratio;  // set: the annealed method runs with held feet too
+  std::optional<double> ik_ratio;  // if set, the annealed method also runs with held feet
   Weighting weighting = Weighting::Surface;
 
   bool operator==(const StudySettings&) const = default;
