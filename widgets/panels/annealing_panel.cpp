@@ -18,7 +18,7 @@ namespace {
 constexpr int kProgressSteps = 1000;
 constexpr std::chrono::milliseconds kSlow{300};
 
-/// "8 s", "2 min": the estimate is no more precise than this.
+/// Formats the remaining time as "8 s left" or "2 min left": the estimate is not more precise.
 QString timeLeft(double seconds) {
   if (seconds < 60) {
     const int step = seconds < 10 ? 1 : 5;
@@ -46,7 +46,7 @@ AnnealingPanel::AnnealingPanel(QWidget* parent)
   cancel_->setToolTip(
       tr("Stop refining. The best result so far is kept if it is better than the draft."));
   plot_->setMinimumHeight(130);
-  // Widgets keep their room when hidden, so that nothing moves.
+  // Hidden widgets keep their room, so that nothing moves when they appear.
   for (QWidget* each : {static_cast<QWidget*>(progress_), static_cast<QWidget*>(left_)}) {
     QSizePolicy policy = each->sizePolicy();
     policy.setRetainSizeWhenHidden(true);
@@ -67,7 +67,7 @@ AnnealingPanel::AnnealingPanel(QWidget* parent)
   slow_.setSingleShot(true);
   slow_.setInterval(kSlow);
   connect(&slow_, &QTimer::timeout, this, [this] {
-    progress_->setRange(0, 0);  // an endless bar: the duration of a draft is unknown
+    progress_->setRange(0, 0);  // a busy indicator: the duration of a draft is unknown
     progress_->show();
   });
   connect(cancel_, &QPushButton::clicked, this, &AnnealingPanel::cancelRequested);

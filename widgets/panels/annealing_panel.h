@@ -24,18 +24,18 @@ class AnnealingPanel : public QWidget {
  public:
   explicit AnnealingPanel(QWidget* parent = nullptr);
 
-  /// Something new was requested: the old curve is cleared.
+  /// Waits for the next refinement and clears the old curve.
   void await();
 
-  /// A refinement with these options begins.
+  /// Starts showing a refinement with these options.
   void begin(const EncodeSettings& options);
 
   void append(const std::vector<EncodeProgress>& states);
 
-  /// The refinement ended and its curve stays. Does nothing while something new is awaited.
+  /// The refinement ended. Its curve stays. Does nothing while the next refinement is awaited.
   void end();
 
-  /// Nothing is awaited any more.
+  /// Stops waiting.
   void rest();
 
  signals:
@@ -48,7 +48,7 @@ class AnnealingPanel : public QWidget {
   State state_ = State::Idle;
   EncodeEstimate estimate_{{}};
   QElapsedTimer clock_;
-  QTimer slow_;  // after this delay an answer is announced as on its way
+  QTimer slow_;  // delay before the bar shows that something is on its way
   QProgressBar* progress_;
   QPushButton* cancel_;
   QLabel* left_;

@@ -24,7 +24,8 @@ class BatchOutput : public QWidget {
   /// Emits nothing.
   void setSettings(const BatchSettings& settings);
 
-  /// Shows an example of the names, made from a clip of the queue, or the fault of the pattern.
+  /// Shows an example of the file names, made from a clip of the queue. If `wrong`, the text is an
+  /// error in the pattern of the names.
   void setExample(const QString& example, bool wrong);
 
   QPushButton* folder() const { return folder_; }

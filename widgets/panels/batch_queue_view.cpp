@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kQueueRowHeight = 28;
 
-/// Draws a state as text; progress fills the cell from the left.
+/// Draws a clip's state as text on a progress bar.
 class StateDelegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -133,7 +133,7 @@ BatchQueueView::BatchQueueView(BatchQueueModel* model, QWidget* parent) : QTreeV
           &BatchQueueView::selectedRowsChanged);
 }
 
-/// Hides the verdict column when it is empty, so that the others have room.
+/// Hides the verdict column while it is empty, so that the other columns have room.
 void BatchQueueView::fitColumns() {
   const auto* queue = static_cast<const BatchQueueModel*>(model());
   const bool any = std::any_of(queue->clips().begin(), queue->clips().end(), [](const auto& clip) {

@@ -17,7 +17,7 @@ class BatchQueueView : public QTreeView {
 
   std::vector<int> selectedRows() const;
 
-  /// The clips cannot be changed while a batch runs.
+  /// Tells whether clips may be changed; they may not while a batch runs.
   void setEditable(bool editable) { editable_ = editable; }
 
  signals:

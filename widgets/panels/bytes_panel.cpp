@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kRoomForShares = 520;
 
-/// Draws a bar behind a share, as long as it is beside the largest one.
+/// Draws a bar behind each share, relative to the largest share.
 class BarDelegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -62,7 +62,7 @@ BytesPanel::BytesPanel(ByteCostModel* model, QWidget* parent)
   view_->setSortingEnabled(true);
   view_->sortByColumn(ByteCostModel::Bytes, Qt::DescendingOrder);
   view_->setItemDelegateForColumn(ByteCostModel::Share, new BarDelegate(this));
-  // Names give way, for the figures are what the table is about.
+  // The names shrink first: the numbers are what the table is about.
   view_->header()->setStretchLastSection(false);
   view_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   view_->header()->setSectionResizeMode(ByteCostModel::Name, QHeaderView::Stretch);
@@ -84,7 +84,7 @@ BytesPanel::BytesPanel(ByteCostModel* model, QWidget* parent)
   setState(false, false);
 }
 
-/// Leaves shares out where there would be no room for names.
+/// Hides the shares where names would lack room.
 void BytesPanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   view_->setColumnHidden(ByteCostModel::Share, width() < kRoomForShares);
@@ -156,7 +156,7 @@ void BytesPanel::setSlopes(const std::vector<SlopeRow>& slopes) {
     item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
   }
   hint_->setVisible(slopes.empty());
-  slopes_->setCurrentItem(slopes_->topLevelItem(chosen));  // null: none
+  slopes_->setCurrentItem(slopes_->topLevelItem(chosen));  // null: no line is current
   apply_->setEnabled(slopes_->currentItem() != nullptr);
 }
 

@@ -15,15 +15,15 @@ namespace mocapress {
 
 class ByteCostModel;
 
-/// A change of the settings with what it brought when it was tried.
+/// A change of the settings, and its effect when it was tried.
 struct SlopeRow {
   QString change;         // "Fingers at twice the error"
   double bytes = 0;       // added to the motion
-  double error_cm = 0;    // error of the part that the change is about, before
-  double becomes_cm = 0;  // the same, after
+  double error_cm = 0;    // error of the changed part, before
+  double becomes_cm = 0;  // error of the changed part, after
 };
 
-/// Bytes by joint in a sortable list with bars, and beside it what other settings would bring.
+/// Bytes by joint in a sortable list with bars, and beside it the effects of other settings.
 class BytesPanel : public QWidget {
   Q_OBJECT
 
@@ -33,11 +33,11 @@ class BytesPanel : public QWidget {
   /// Makes the row of that joint current. Emits nothing.
   void setCurrentJoint(int joint);
 
-  /// Shows the results of other settings, in the order of applyRequested(). The chosen line stays
-  /// chosen when more come.
+  /// Shows the effects of other settings; applyRequested() counts them in this order. The chosen
+  /// line stays chosen when more lines come.
   void setSlopes(const std::vector<SlopeRow>& slopes);
 
-  /// `measuring`: more follow. `possible`: there is a clip to measure on.
+  /// `measuring`: more results will come. `possible`: there is a clip to measure on.
   void setState(bool measuring, bool possible);
 
   QPushButton* measure() const { return measure_; }

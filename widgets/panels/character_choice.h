@@ -8,7 +8,7 @@ class QToolButton;
 
 namespace mocapress {
 
-/// Chooses the file of a character for every clip that it fits, or none.
+/// Chooses the mesh file of a character to put on every clip that it fits, or no file.
 class CharacterChoice : public QWidget {
   Q_OBJECT
 

@@ -83,7 +83,7 @@ CompressionPanel::CompressionPanel(QWidget* parent)
     connect(box, &QComboBox::activated, this, [this, box, member] {
       using Value = std::remove_reference_t<decltype(options_.*member)>;
       options_.*member = chosen<Value>(box);
-      if (box == method_) options_.basis = Basis::Cubic;  // drops a study's basis
+      if (box == method_) options_.basis = Basis::Cubic;  // replaces the basis of a study
       showWhatApplies();
       emit optionsChanged(options_);
     });
@@ -202,7 +202,7 @@ void CompressionPanel::makeChoices() {
   coding_->setAccessibleName(tr("Coding"));
 }
 
-/// Disables what the method does not use, and says why.
+/// Disables the controls that the method ignores, and says why.
 void CompressionPanel::showWhatApplies() {
   const bool closed = options_.method == Method::ClosedLoop;
   effort_->setEnabled(closed);

@@ -25,13 +25,13 @@ class CompressionPanel : public QWidget {
   /// Emits nothing.
   void setOptions(const EncodeSettings& options);
 
-  /// Sets the joints that can be held.
+  /// Sets the skeleton whose joints can be held in place.
   void setSkeleton(const Skeleton& skeleton);
 
   /// Sets the largest error of a scalar track's values. Emits nothing.
   void setTrackError(double track_error);
 
-  /// Says if the clip has scalar tracks; without them their setting is hidden.
+  /// Tells whether the clip has scalar tracks. Without them, their setting is hidden.
   void setHasTracks(bool has_tracks);
 
   PresetChooser* presets() const { return presets_; }

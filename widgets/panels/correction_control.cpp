@@ -19,7 +19,7 @@
 namespace mocapress {
 namespace {
 
-constexpr double kFirstRatio = 16;  // the paper's video; used when Auto is switched off
+constexpr double kFirstRatio = 16;  // as in the paper's video; used when Auto is switched off
 constexpr LogScale kScale = {1, 200};
 const QString kNotKnownYet = QStringLiteral("–");
 
@@ -118,7 +118,7 @@ void CorrectionControl::setSkeleton(const Skeleton& skeleton) {
     action->setData(j);
     connect(action, &QAction::toggled, this, &CorrectionControl::chooseJoints);
   }
-  correction_.joints.clear();  // joint indices of another skeleton mean nothing here
+  correction_.joints.clear();  // joint indices of the old skeleton mean nothing here
   show();
 }
 

@@ -16,8 +16,8 @@ namespace mocapress {
 
 class NumberBox;
 
-/// Edits the inverse kinematics: on or off, its ratio, and the joints that it holds. Shows what is
-/// set and reports what the user chooses.
+/// Edits the IK correction: on or off, its ratio, and the joints that it holds in place. Shows what
+/// is set and reports what the user chooses.
 class CorrectionControl : public QWidget {
   Q_OBJECT
 
@@ -30,7 +30,7 @@ class CorrectionControl : public QWidget {
   /// Emits nothing.
   void setCorrection(const std::optional<EncodeCorrection>& correction);
 
-  /// The ratio that the encoder found for Auto; unset: not known yet.
+  /// Sets the ratio that the encoder found for Auto; unset: not known yet.
   void setFound(const std::optional<double>& ratio);
 
   QCheckBox* hold() const { return hold_; }

@@ -5,8 +5,8 @@
 
 namespace mocapress {
 
-/// A line of text that fits its room: the end is elided and the whole stands in the tool tip. It
-/// never widens its window.
+/// A line of text that is elided at its end to fit its width, with the whole text in its tool tip.
+/// It never widens its window.
 class ElidedLabel : public QWidget {
   Q_OBJECT
 

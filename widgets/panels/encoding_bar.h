@@ -11,14 +11,15 @@ namespace mocapress {
 
 class LibraryModel;
 
-/// A button that compresses the library's clips in the background, and shows how many are done.
+/// A button that starts and stops compressing the library's clips in the background, and a bar that
+/// shows how many are done.
 class EncodingBar : public QWidget {
   Q_OBJECT
 
  public:
   explicit EncodingBar(const LibraryModel* model, QWidget* parent = nullptr);
 
-  /// Shows that clips are compressed now. Emits nothing.
+  /// Shows whether clips are being compressed. Emits nothing.
   void setActive(bool active);
 
   QToolButton* button() const { return button_; }

@@ -11,7 +11,7 @@ namespace mocapress {
 namespace {
 
 constexpr double kMost = 1000;
-constexpr double kSnap = 0.06;  // in the logarithm: values this near to 1 snap to it
+constexpr double kSnap = 0.06;  // difference of logarithms within which the slider snaps to 1
 
 }  // namespace
 

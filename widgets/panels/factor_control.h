@@ -10,12 +10,12 @@ class QSlider;
 
 namespace mocapress {
 
-/// A factor on a slider of equal factors with a spin box beside it.
+/// Edits a factor with a logarithmic slider and a spin box beside it.
 class FactorControl : public QWidget {
   Q_OBJECT
 
  public:
-  /// `name` is for screen readers. With `from_none` the slider starts at 0, which means none.
+  /// `name` is for screen readers. With `from_none` the slider starts at 0, shown as "none".
   FactorControl(const QString& name, const QString& tip, const LogScale& scale, bool from_none,
                 QWidget* parent = nullptr);
 

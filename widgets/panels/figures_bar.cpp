@@ -92,7 +92,7 @@ void FiguresBar::setFigures(const std::optional<ResultFigures>& figures) {
   show(size_, maybe_about(sizeText(static_cast<double>(known.motion_bytes))));
   show(ratio_, maybe_about(ratioText(known.ratio)));
   show(bits_, maybe_about(shownShort(known.bits_per_joint_sample)));
-  layout()->activate();  // before the next picture, which would cut longer numbers off
+  layout()->activate();  // lays out now: the next repaint would cut longer numbers off
 }
 
 }  // namespace mocapress

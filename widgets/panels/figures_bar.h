@@ -11,21 +11,22 @@ class QLabel;
 
 namespace mocapress {
 
-/// Error and size in one line at the bottom of the window, visible whatever panels are open.
+/// Error and size in one line at the bottom of the window, visible whichever panels are open.
 class FiguresBar : public QWidget {
   Q_OBJECT
 
  public:
   explicit FiguresBar(QWidget* parent = nullptr);
 
-  /// Unset figures show as dashes.
+  /// Shows the measurements; dashes if unset.
   void setFigures(const std::optional<ResultFigures>& figures);
 
-  /// Errors within a range of frames take the place of those of the clip; empty: no range.
+  /// Shows a text on the errors within a range of frames in place of the clip's errors; empty: no
+  /// range.
   void setRange(const QString& errors);
 
  private:
-  /// The widgets of one figure: its name and its value.
+  /// The labels of one number: its name and its value.
   struct Figure {
     QLabel* caption;
     QLabel* value;

@@ -58,7 +58,7 @@ FootskatePanel::FootskatePanel(SlideModel* model, QWidget* parent)
     emit findingChosen(finding.worst_frame, finding.span.landmark);
   };
   connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, choose);
-  connect(view_, &QTreeView::clicked, this, choose);  // a click on the current row seeks again
+  connect(view_, &QTreeView::clicked, this, choose);  // clicking the current row seeks again
 }
 
 void FootskatePanel::addThreshold(QGridLayout* grid, int row, int column, double* value,

@@ -13,8 +13,8 @@ namespace mocapress {
 
 class SlideModel;
 
-/// Lists the footskate findings, each of which seeks when clicked, and edits the thresholds of
-/// contact detection.
+/// Lists the footskate findings and edits the thresholds of contact detection. A click on a finding
+/// seeks to it.
 class FootskatePanel : public QWidget {
   Q_OBJECT
 
@@ -27,7 +27,7 @@ class FootskatePanel : public QWidget {
   const ContactSettings& settings() const { return settings_; }
 
  signals:
-  /// The worst frame of the finding, and the joint or bone end that slides.
+  /// The user chose a finding: its worst frame, and the joint or bone end that slides.
   void findingChosen(int frame, int landmark);
   void settingsChanged(const ContactSettings& settings);
 

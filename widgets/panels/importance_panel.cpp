@@ -160,7 +160,7 @@ void ImportancePanel::setMethod(Method method) {
     widget->setEnabled(heeded);
 }
 
-/// The part's factor replaces those of its single joints.
+/// Gives all joints of a part the factor, in place of their own ones.
 void ImportancePanel::choosePart(BodyPart part, double factor) {
   importance_.joints.resize(static_cast<std::size_t>(skeleton_.joint_count()), 1.0);
   for (const int joint : joints_of(skeleton_, part))

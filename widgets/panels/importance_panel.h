@@ -19,18 +19,18 @@ namespace mocapress {
 
 class FactorControl;
 
-/// Edits the importances of the error: sliders for body parts and standing feet, and a drawer for
-/// any joint. Shows what is set and reports what the user chooses.
+/// Edits how important errors are: sliders for body parts and standing feet, and a drawer for any
+/// joint. Shows what is set and reports what the user chooses.
 class ImportancePanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit ImportancePanel(QWidget* parent = nullptr);
 
-  /// Sets the joints, all equally important.
+  /// Sets the skeleton, with all joints equally important.
   void setSkeleton(const Skeleton& skeleton);
 
-  /// Sets importances for joints of the skeleton. Emits nothing.
+  /// Sets importances for the skeleton's joints. Emits nothing.
   void setImportance(const Importance& importance);
 
   /// Disables the panel for methods that ignore importances.

@@ -17,8 +17,8 @@ namespace {
 
 constexpr int kLeastNameLetters = 12;
 
-/// Keeps Space for its check boxes, where the window would play and pause. The first column takes
-/// the remaining width, but never less than can be read.
+/// A list with check boxes that takes the Space key, which would otherwise play and pause the clip.
+/// The first column takes the remaining width, but stays readable.
 class CheckList : public QTreeView {
  public:
   using QTreeView::QTreeView;
@@ -87,7 +87,7 @@ void JointsPanel::setCurrentJoint(int joint) {
   const QModelIndex current = sorted_->mapToSource(view_->currentIndex());
   if (current.isValid() && model_->jointOf(current.row()) == joint) return;
   const QSignalBlocker blocker(view_->selectionModel());
-  // Landmark j is joint j.
+  // Landmark j is the origin of joint j.
   const QModelIndex row = sorted_->mapFromSource(model_->index(joint, JointErrorModel::Name));
   view_->setCurrentIndex(row);
   view_->scrollTo(row);

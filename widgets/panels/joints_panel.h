@@ -10,15 +10,15 @@ namespace mocapress {
 
 class JointErrorModel;
 
-/// The sortable list of joints with their errors. Checked ones are drawn as curves; the current one
-/// is highlighted in the 3D view.
+/// A sortable list of joints with their errors. Checked joints are drawn as curves; the current
+/// joint is highlighted in the 3D view.
 class JointsPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit JointsPanel(JointErrorModel* model, QWidget* parent = nullptr);
 
-  /// Makes the row of that joint's origin current. Emits nothing.
+  /// Makes the row of the joint's origin current. Emits nothing.
   void setCurrentJoint(int joint);
 
  signals:

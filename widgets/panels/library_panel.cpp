@@ -36,12 +36,12 @@ constexpr int kPicture = 46;
 constexpr int kFolderHeight = 28;
 constexpr int kMargin = 6;
 constexpr int kColumnWidth = 10;            // characters
-constexpr int kRoomyColumns = 2;            // number of columns that have room at first
-constexpr int kClipWidth = 180;             // at least, where there are other columns
-const QString kMark = QStringLiteral("⚠");  // there are notes on reading the clip
+constexpr int kRoomyColumns = 2;            // columns that fit into the minimum width
+constexpr int kClipWidth = 180;             // least width of the clips beside other columns
+const QString kMark = QStringLiteral("⚠");  // reading the clip left notes
 const QString kPen = QStringLiteral("✎");   // a reviewer has written something
 
-/// Shows what was repaired or guessed on reading the clip, until a click or key.
+/// Shows the notes on a clip, such as repairs by its reader, until a click or key.
 void showNotes(const LibraryEntry& entry, const QPoint& place) {
   QStringList lines;
   for (const QString& note : notesOf(entry)) lines << translatedSentence(note);
@@ -109,7 +109,7 @@ class RowPainter : public QStyledItemDelegate {
     painter->restore();
   }
 
-  /// A click on the mark shows the notes.
+  /// Shows the notes when their mark is clicked.
   bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
                    const QModelIndex& index) override {
     const int clip = tree_->clipOf(index);
@@ -305,7 +305,7 @@ LibraryPanel::LibraryPanel(LibraryModel* model, QWidget* parent)
   showTree();
 }
 
-/// A third click on a title sorts clips as the library has them.
+/// Sets up the header. A third click on a title restores the library's order.
 void LibraryPanel::makeHead() {
   QHeaderView* head = view_->header();
   head->setSortIndicator(-1, Qt::AscendingOrder);
@@ -332,7 +332,7 @@ bool LibraryPanel::isSortedByComparison() const {
   return isOfComparison(static_cast<LibraryColumn>(view_->header()->sortIndicatorSection()));
 }
 
-/// Keeps the user's own order through a comparison, which sorts by what changed.
+/// Remembers the user's own sort order. Sorting by a comparison does not replace it.
 void LibraryPanel::noteArrangement() {
   const QHeaderView* head = view_->header();
   if (!isSortedByComparison())
@@ -385,7 +385,8 @@ QMenu* LibraryPanel::makeColumnMenu() {
   return menu;
 }
 
-/// Names rise; of all else the largest comes first. Choosing the same once more turns it round.
+/// Adds the sort orders: names ascending, all else with the largest first. Choosing the current
+/// order again reverses it.
 void LibraryPanel::addOrders(QMenu* menu) {
   const QHeaderView* head = view_->header();
   const int sorted = head->sortIndicatorSection();
@@ -438,7 +439,7 @@ void LibraryPanel::arrange(const QByteArray& arrangement) {
   head->setSortIndicatorClearable(true);
   view_->sortByColumn(head->sortIndicatorSection(), head->sortIndicatorOrder());
   grouping_->setCurrentIndex(arrangement.left(space).toInt());
-  showComparison(false);  // it belongs to a project, and older arrangements lack its columns
+  showComparison(false);  // a comparison belongs to a project; old arrangements lack its columns
 }
 
 void LibraryPanel::showMenu(const QPoint& place) {
@@ -537,7 +538,7 @@ void LibraryPanel::setCurrent(int row) {
     using Selection = QItemSelectionModel;
     Selection* selection = view_->selectionModel();
     const QSignalBlocker blocker(selection);
-    // A clip within the selection leaves the selection as it is.
+    // A clip that is already selected becomes current without changing the selection.
     selection->setCurrentIndex(index, selection->isSelected(index)
                                           ? Selection::SelectionFlags(Selection::NoUpdate)
                                           : Selection::ClearAndSelect | Selection::Rows);
@@ -548,7 +549,7 @@ void LibraryPanel::setCurrent(int row) {
   showReview();
 }
 
-/// Builds the tree anew and keeps collapsed folders and the selection.
+/// Shows the rebuilt tree with the same folders collapsed and the same clips selected.
 void LibraryPanel::showTree() {
   {
     const QSignalBlocker blocker(view_);

@@ -24,29 +24,29 @@ class LibraryTree;
 class ReviewBar;
 
 /// Lists the clips of the project in groups, with results and verdicts. A click opens a clip. A
-/// button, and the context menu of the head, choose columns and order.
+/// button and the context menu of the header choose columns and order.
 class LibraryPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit LibraryPanel(LibraryModel* model, QWidget* parent = nullptr);
 
-  /// The row of the open clip; -1: none of the list. Emits nothing.
+  /// Sets the row of the open clip; -1: the open clip is not in the list. Emits nothing.
   void setCurrent(int row);
 
   /// The selected clips, and all clips below selected folders.
   std::vector<int> chosenRows() const;
 
-  /// The rows of clips that the list shows without being scrolled, from top to bottom.
+  /// The rows of the clips that are visible in the list now, from top to bottom.
   std::vector<int> rowsInSight() const;
 
-  /// The presets that can be given to clips.
+  /// Sets the presets that can be given to clips.
   void setPresets(const std::vector<Settings>& presets) { presets_ = presets; }
 
-  /// There are settings to paste.
+  /// Tells whether there are settings to paste.
   void setCanPaste(bool can_paste) { can_paste_ = can_paste; }
 
-  /// The bytes of the selection together.
+  /// The label with the total bytes of the selected clips.
   ElidedLabel* sum() const { return sum_; }
 
   QTreeView* view() const { return view_; }
@@ -56,8 +56,8 @@ class LibraryPanel : public QWidget {
   QComboBox* shownBox() const { return shown_; }
   QComboBox* groupingBox() const { return grouping_; }
 
-  /// The columns, their widths and order, what rows are sorted by (without a comparison), and
-  /// their groups.
+  /// The columns with their widths and positions, the sort order (without a comparison), and the
+  /// grouping.
   QByteArray arrangement() const;
 
   /// Restores what arrangement() returned; other bytes change nothing.
@@ -66,8 +66,8 @@ class LibraryPanel : public QWidget {
   /// Makes the menu that chooses the columns, and what clips are sorted by.
   QMenu* makeColumnMenu();
 
-  /// Shows or hides the columns of a comparison with an earlier batch. Meanwhile clips are sorted
-  /// by what changed.
+  /// Shows or hides the columns of a comparison with an earlier batch. While they are shown, clips
+  /// are sorted by what changed.
   void showComparison(bool shown);
 
   QComboBox* verdict() const { return verdict_; }
@@ -75,7 +75,8 @@ class LibraryPanel : public QWidget {
   ReviewBar* reviewed() const { return reviewed_; }
   EncodingBar* encoding() const { return encoding_; }
 
-  /// The next clip after the open one, in the order shown, that waits for a verdict; -1: none.
+  /// The next clip in the order shown, after the open one and then from the top, that waits for a
+  /// verdict; -1: none.
   int nextToReview() const;
 
   /// Makes the context menu for the selection.
@@ -83,10 +84,10 @@ class LibraryPanel : public QWidget {
 
   QSize sizeHint() const override { return {230, 400}; }
 
-  /// In this width all columns show beside the clips.
+  /// The width at which all columns are visible beside the clips.
   int wholeWidth() const { return sizeHint().width() + columnsWidth(); }
 
-  /// Rows narrower than this could not be read. The first columns that are chosen have room, too.
+  /// The size below which rows cannot be read, with room for the first two columns.
   QSize minimumSizeHint() const override;
 
  signals:
@@ -94,7 +95,7 @@ class LibraryPanel : public QWidget {
   void addFolderRequested();
   void removeRequested(const QList<int>& rows);
   void openRequested(int row);
-  /// A verdict for all selected clips.
+  /// The user chose a verdict for these clips.
   void verdictChosen(const std::vector<int>& rows, mocapress::Verdict verdict);
   void presetChosen(const std::vector<int>& rows, const mocapress::Settings& preset);
 
@@ -106,12 +107,12 @@ class LibraryPanel : public QWidget {
 
   void noteEdited(int row, const QString& note);
 
-  /// Exports these clips as a batch; no rows: all clips.
+  /// The user wants to export these clips as a batch; no rows: all clips.
   void exportRequested(const std::vector<int>& rows);
 
   void arrangementChanged();
 
-  /// Clips whose files are gone are to be looked for.
+  /// The user wants to search for the clips whose files are gone.
   void findMissingRequested();
 
  protected:
@@ -122,7 +123,7 @@ class LibraryPanel : public QWidget {
   void fitColumns();
   bool isSortedByComparison() const;
   void noteArrangement();
-  int columnsWidth() const;  // without the clips' own
+  int columnsWidth() const;  // of all visible columns but the clips' own
   void addOrders(QMenu* menu);
   void noteSelection();
   QSet<QString> keysOf(const std::vector<int>& rows) const;
@@ -151,12 +152,12 @@ class LibraryPanel : public QWidget {
   QLineEdit* note_;
   std::vector<Settings> presets_;
   bool can_paste_ = false;
-  // The user's own order: column, with -1 for the library's order.
+  // The user's own order: the column to sort by (-1: the library's order) and the direction.
   std::pair<int, Qt::SortOrder> own_sort_{-1, Qt::AscendingOrder};
   QSet<QString> collapsed_;  // paths of folders
-  // Kept while the tree is built anew:
-  QString chosen_;          // key of the clip that is current
-  QSet<QString> selected_;  // keys of clips
+  // Restored when the tree was rebuilt:
+  QString chosen_;          // key of the current clip
+  QSet<QString> selected_;  // keys of the selected clips
   int scrolled_ = 0;
 };
 

@@ -40,7 +40,7 @@ MessageBar::MessageBar(QWidget* parent)
 
   remedy_->setAccessibleName(tr("Possible solution"));
   work_->setAccessibleName(tr("Work in progress"));
-  work_->setRange(0, 0);  // an endless bar: the duration is unknown
+  work_->setRange(0, 0);  // a busy indicator: the duration is unknown
   work_->setTextVisible(false);
   work_->setMaximumSize(160, 8);
 
@@ -92,7 +92,7 @@ void MessageBar::showText(const QString& text, bool error, QAction* remedy) {
 
 void MessageBar::changeEvent(QEvent* event) {
   QFrame::changeEvent(event);
-  // The application's palette counts: applyColours() changes this widget's own.
+  // Only the application's palette matters: applyColours() itself changes this widget's palette.
   if (event->type() == QEvent::ApplicationPaletteChange) applyColours();
 }
 

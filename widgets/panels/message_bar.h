@@ -12,7 +12,7 @@ class QToolButton;
 
 namespace mocapress {
 
-/// Shows one message in the window without blocking it: errors stay until closed or replaced, notes
+/// Shows one message in the window without blocking it. Errors stay until closed or replaced; notes
 /// disappear by themselves.
 class MessageBar : public QFrame {
   Q_OBJECT
@@ -25,7 +25,7 @@ class MessageBar : public QFrame {
   /// Shows a running task until replaced or hidden.
   void showWork(const QString& text);
 
-  /// Shows a button for `remedy` if there is one; the bar does not own it.
+  /// Shows an error, with a button for `remedy` if that is given. The bar does not own the action.
   void showError(const QString& text, QAction* remedy = nullptr);
 
   QString text() const;

@@ -56,7 +56,7 @@ NumberListEdit::NumberListEdit(QWidget* parent) : QLineEdit(parent) {
 }
 
 void NumberListEdit::setNumbers(const std::vector<double>& numbers) {
-  if (numbers == numbers_) return;  // keeps a text that is being typed
+  if (numbers == numbers_) return;  // keeps text that is being typed
   numbers_ = numbers;
   setText(numbersText(numbers, locale()));
   mark(false);

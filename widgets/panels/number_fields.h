@@ -7,9 +7,9 @@
 
 namespace mocapress {
 
-/// A spin box that accepts a number of any size as it is typed: its owner judges the value. It
-/// shows only the decimals that the number has, and keeps its width. Typed digits beyond the third
-/// decimal place are rounded away.
+/// A spin box that accepts a number of any size; its owner judges the value. It shows only the
+/// decimals that the number has, and keeps its width. Typed numbers are rounded to three
+/// significant digits, or to whole numbers from 100 on.
 class NumberBox : public QDoubleSpinBox {
   Q_OBJECT
 
@@ -30,8 +30,8 @@ class NumberBox : public QDoubleSpinBox {
   int shown_ = 0;
 };
 
-/// A line of positive numbers separated by spaces. Text that cannot be read is marked and changes
-/// nothing.
+/// Edits a list of positive numbers separated by spaces. Text that cannot be read is marked and
+/// changes nothing.
 class NumberListEdit : public QLineEdit {
   Q_OBJECT
 
@@ -42,7 +42,7 @@ class NumberListEdit : public QLineEdit {
   const std::vector<double>& numbers() const { return numbers_; }
 
  signals:
-  /// Emitted for changes by the user.
+  /// The user changed the numbers.
   void numbersChanged();
 
  private:

@@ -17,7 +17,7 @@ class PinnedPanel : public QWidget {
  public:
   explicit PinnedPanel(PinnedModel* model, QWidget* parent = nullptr);
 
-  /// True when there is a result to pin and room for it.
+  /// Tells whether there is a result to pin and room for it.
   void setCanPin(bool can);
 
   QTreeView* view() const { return view_; }

@@ -49,8 +49,8 @@ void PresetChooser::fillMenu(QToolButton* button) {
   button->setText(QStringLiteral("⋯"));
   button->setAccessibleName(tr("Presets"));
   button->setToolTip(tr("Keep, share and remove presets of your own"));
-  // The button has no setMenu(): only a style sheet would remove its arrow, and a button with a
-  // style sheet keeps the old theme's colours.
+  // The menu is not set by setMenu(), which adds an arrow. Only a style sheet could remove the
+  // arrow, and would keep the old colours when the theme changes.
   connect(button, &QToolButton::clicked, menu_,
           [this, button] { menu_->popup(button->mapToGlobal(QPoint(0, button->height()))); });
   connect(menu_->addAction(tr("Save as Preset…")), &QAction::triggered, this,

@@ -12,19 +12,19 @@ class QToolButton;
 
 namespace mocapress {
 
-/// Chooses a preset, with a menu to save, share and remove the user's own. Shows what is set and
-/// reports what the user wants.
+/// Chooses a preset. Its menu saves, shares and removes the user's own presets. Shows what is set
+/// and reports what the user wants.
 class PresetChooser : public QWidget {
   Q_OBJECT
 
  public:
   explicit PresetChooser(QWidget* parent = nullptr);
 
-  /// Built-in ones first, then the user's own.
+  /// Sets the presets: built-in ones first, then the user's own.
   void setPresets(const std::vector<Settings>& presets);
 
-  /// Emits nothing. A preset outside the list counts as a change of the one with its name; without
-  /// a name, as settings of its own.
+  /// Sets the shown preset and emits nothing. A preset that differs from the one of the same name
+  /// in the list is shown as modified; one without a name is shown as custom settings.
   void setPreset(const Settings& preset);
 
   /// True when the shown settings are exactly one of the presets.

@@ -122,7 +122,8 @@ void PresetEditor::setPreset(const Settings& preset) {
   hold_feet_->setEnabled(!find_comparison_method(preset.method));
 }
 
-/// Sets range, decimals and unit for the kind of target, and a usual value if the kind is new.
+/// Sets the range, decimals and unit that suit the kind of target, and a usual value if the kind is
+/// new.
 void PresetEditor::showKind() {
   struct Scale {
     double least, most, usual;

@@ -23,10 +23,11 @@ class PresetEditor : public QWidget {
  public:
   explicit PresetEditor(QWidget* parent = nullptr);
 
-  /// The presets to choose from: built-in ones first, then the user's own.
+  /// Sets the presets to choose from: built-in ones first, then the user's own.
   void setPresets(const std::vector<Settings>& presets);
 
-  /// Emits nothing. A preset outside the list counts as a change of the one with its name.
+  /// Sets the edited preset and emits nothing. A preset that differs from the one of the same name
+  /// in the list is shown as modified.
   void setPreset(const Settings& preset);
 
   PresetChooser* chooser() const { return chooser_; }

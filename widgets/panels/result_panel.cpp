@@ -48,7 +48,7 @@ QString seenExplanation() {
   return ResultPanel::tr("The most visible error, beside the size that people notice.");
 }
 
-/// Names the most visible error and its time.
+/// Describes the most visible error, its time, and the distance beyond which it is not noticed.
 QString reasonText(const SeenFigures& seen) {
   return ResultPanel::tr(
              "%1, %2 at %L3 s: %L4 times the noticeable error; not noticed beyond %L5 m")
@@ -238,11 +238,11 @@ void ResultPanel::setFigures(const std::optional<ResultFigures>& figures) {
                           : distance(figures->footskate_cm));
   correction_->setText(correctionText(*figures));
   knee_->setText(kneeText(*figures));
-  // Before the next picture, which would cut longer numbers off.
+  // Lays out now: the next repaint would cut longer numbers off.
   for (QLayout* each : {static_cast<QLayout*>(grid_), layout()}) each->activate();
 }
 
-/// Leads with the verdict, in the colour that library rows have for it, and says why.
+/// Shows the verdict on visibility, in the colour that library rows give to it, and the reason.
 void ResultPanel::setSeen(const std::optional<SeenFigures>& seen) {
   seen_->setText(seen ? sightText(seen->sight, seen->distance_m) : kUnknown);
   reason_->setText(seen ? reasonText(*seen) : QString());

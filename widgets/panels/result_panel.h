@@ -16,7 +16,7 @@ class QLabel;
 
 namespace mocapress {
 
-/// Visibility of the errors, and the place where it is highest.
+/// Visibility of a clip's errors, and the place where they are most visible.
 struct SeenFigures {
   Sight sight = Sight::NotVisible;
   Cue cue = Cue::Velocity;
@@ -24,15 +24,15 @@ struct SeenFigures {
   double seconds = 0;
   double times_noticed = 0;
   double unnoticed_from_m = 0;         // distance from which nothing is noticed
-  double distance_m = kUsualDistance;  // the viewer's, for whom `sight` is
+  double distance_m = kUsualDistance;  // the viewer's distance, for which `sight` holds
 };
 
-/// Figures of one compressed clip. Unset ones are unknown.
+/// Measurements of one compressed clip. Unset ones are unknown.
 struct ResultFigures {
   double ratio = 0;
   std::size_t motion_bytes = 0;
   std::size_t file_bytes = 0;                 // unknown for an estimated size
-  bool size_is_estimated = false;             // ratio and bits are estimates too
+  bool size_is_estimated = false;             // ratio and bits are estimates, too
   Weighting weighting = Weighting::BoneEnds;  // weighting of eps_cm
   double eps_cm = 0;
   std::optional<double> p95_cm;
@@ -52,18 +52,18 @@ struct ResultFigures {
   std::optional<double> fastest_knee_of_original;
 };
 
-/// Size and error of the compressed clip: first whether its errors are seen and why, then ratio and
-/// error, then all else, which can be folded away.
+/// Size and error of the compressed clip: first whether its errors are visible and why, then ratio
+/// and error, then everything else, which can be folded away.
 class ResultPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit ResultPanel(QWidget* parent = nullptr);
 
-  /// Unset figures show as dashes.
+  /// Shows the measurements; dashes if unset.
   void setFigures(const std::optional<ResultFigures>& figures);
 
-  /// A few words on the origin of the figures.
+  /// Shows a few words about the origin of the numbers.
   void setState(const QString& state);
 
  private:
@@ -77,13 +77,13 @@ class ResultPanel : public QWidget {
 
   QLabel* seen_;
   QLabel* reason_;
-  QGridLayout* grid_;  // for the details
+  QGridLayout* grid_;  // rows of the details
   QLabel* ratio_;
   QLabel* eps_;
   QLabel* eps_name_;
   QLabel* state_;
   QLabel* ends_;
-  QLabel* elsewhere_;  // error of frames elsewhere, to compare a loop's seam with
+  QLabel* elsewhere_;  // error at other frames, to compare with a loop's seam
   QLabel* bytes_;
   QLabel* p95_;
   QLabel* p99_;

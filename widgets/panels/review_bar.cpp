@@ -48,7 +48,7 @@ void ReviewBar::count() {
   int all = 0, reviewed = 0, rejected = 0, waiting = 0;
   for (int row = 0; row < model_->rowCount(); ++row) {
     const LibraryEntry& entry = model_->entry(row);
-    if (!entry.trouble.isEmpty()) continue;  // a file that cannot be read is no clip to review
+    if (!entry.trouble.isEmpty()) continue;  // a file that cannot be read cannot be reviewed
     ++all;
     waiting += wantsReview(entry);
     if (entry.review.verdict == Verdict::None || entry.stale != Staleness::None) continue;
@@ -65,7 +65,7 @@ void ReviewBar::count() {
   setVisible(all > 0);
 }
 
-/// Leaves out how many are rejected where there is no room.
+/// Omits the number of rejected clips where it does not fit.
 void ReviewBar::showText() {
   const bool fits = fontMetrics().horizontalAdvance(with_rejected_) < progress_->width();
   progress_->setFormat(fits ? with_rejected_ : reviewed_);

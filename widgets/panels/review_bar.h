@@ -11,7 +11,8 @@ namespace mocapress {
 
 class LibraryModel;
 
-/// The number of reviewed clips, and a button that goes to the next without a verdict.
+/// Shows the number of reviewed clips, and a button that goes to the next clip without a valid
+/// verdict.
 class ReviewBar : public QWidget {
   Q_OBJECT
 

@@ -21,7 +21,7 @@ SlotControl::SlotControl(QWidget* parent) : QWidget(parent), copy_(new QToolButt
     buttons_[i] = new QToolButton(this);
     buttons_[i]->setCheckable(true);
     buttons_[i]->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    // The width suits the longest summary, so that nothing moves when the figures arrive.
+    // The minimum width fits the longest summary, so that nothing moves when the numbers arrive.
     buttons_[i]->setMinimumWidth(fontMetrics().horizontalAdvance(kWidestSlot) + 12);
     buttons_[i]->setAccessibleName(tr("Settings %1").arg(kNames[i]));
     buttons_[i]->setToolTip(

@@ -8,15 +8,15 @@ class QToolButton;
 
 namespace mocapress {
 
-/// Two settings of one clip, A and B: chooses which is shown and edited, and shows the result of
-/// each.
+/// Switches between two settings of one clip, A and B, and shows the result of each. The active one
+/// is shown and edited.
 class SlotControl : public QWidget {
   Q_OBJECT
 
  public:
   explicit SlotControl(QWidget* parent = nullptr);
 
-  /// `summaries` of A and B; empty: no result yet. Emits nothing.
+  /// Sets the active one and the summaries of A and B; empty: no result yet. Emits nothing.
   void setSlots(int active, const std::array<QString, 2>& summaries);
 
   QToolButton* slot(int index) const { return buttons_[static_cast<std::size_t>(index)]; }

@@ -52,13 +52,13 @@ class StudyPanel : public QWidget {
 
   void setSettings(const StudySettings& settings);
 
-  /// The folder of the rows; empty: the program's default.
+  /// Sets the folder that the study's rows are stored in; empty: the program's default.
   void setFolder(const QString& folder);
 
-  /// `canRun`: the study has something left to do.
+  /// `canRun` tells whether the study has work left.
   void setRunning(bool running, bool canRun);
 
-  /// `jobs` 0: their number is not known yet.
+  /// Shows how many jobs are done; `jobs` 0: their number is not known yet.
   void setProgress(int done, int jobs);
 
   void setStatus(const QString& status);

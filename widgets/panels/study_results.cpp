@@ -20,8 +20,8 @@
 namespace mocapress {
 namespace {
 
-constexpr int kUpdateDelay = 120;  // ms at least
-constexpr int kRest = 4;           // waits this many times as long as the last update took
+constexpr int kUpdateDelay = 120;  // ms between two updates, at least
+constexpr int kRest = 4;           // an update waits this many times as long as the last one took
 constexpr int kPlotHeight = 540;
 constexpr int kTableHeight = 230;
 
@@ -165,7 +165,7 @@ void StudyResults::showClip() {
                                                QRegularExpression::escape(path))));
 }
 
-/// Selects the row in the table too, which has more details.
+/// Selects the row in the table, which shows more details.
 void StudyResults::choose(int row) {
   const QModelIndex index = sorted_.mapFromSource(model_->index(row, 0));
   if (index.isValid()) {

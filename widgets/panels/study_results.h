@@ -18,18 +18,19 @@ namespace mocapress {
 class RatePlot;
 class StudyRowsModel;
 
-/// The rows of a study as curves and as a table, for one clip or all. A choice in one shows in the
-/// other.
+/// The rows of a study as curves and as a table, for one clip or all. A row chosen in one is
+/// selected in the other, too.
 class StudyResults : public QWidget {
   Q_OBJECT
 
  public:
   explicit StudyResults(StudyRowsModel* model, QWidget* parent = nullptr);
 
-  /// Paths of the clips whose rows are all measured. The average is over these clips.
+  /// Sets the clips whose rows are all measured, by path. The average is over these clips.
   void setComplete(const std::set<std::string>& complete);
 
-  /// The compressed clip open in the studio: its original's path and its figures.
+  /// Sets the compressed clip that is open in the studio: the path of its original, and its point
+  /// in the plot.
   void setHere(const QString& path, const std::optional<CurvePoint>& here);
 
   void setHint(const QString& hint);
@@ -45,7 +46,7 @@ class StudyResults : public QWidget {
   QTreeView* table() { return table_; }
 
  signals:
-  /// The user wants to load this row into the studio.
+  /// The user wants to open this row in the studio.
   void rowChosen(int row);
 
  private:

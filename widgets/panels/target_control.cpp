@@ -16,7 +16,7 @@
 namespace mocapress {
 namespace {
 
-/// Display and initial value of a kind of target.
+/// The display of a kind of target, and its initial value.
 struct Unit {
   LogScale scale;
   double first;
@@ -27,8 +27,8 @@ struct Unit {
 
   double shown(double value) const { return value / shown_as_one; }
 
-  /// The inverse, without the rounding of the multiplication: 6.6 mm are 0.66 cm, as on the command
-  /// line.
+  /// Converts a shown number to the target's value. Removes the rounding error of the product, so
+  /// that 6.6 mm are 0.66 cm, as on the command line.
   double value(double shown) const {
     constexpr double kFinest = 1e9;
     return shown_as_one == 1 ? shown : std::round(shown * shown_as_one * kFinest) / kFinest;
@@ -54,7 +54,8 @@ Unit unitOf(Target::Kind kind) {
   return {{2, 1000}, 25, 1, 3, TargetControl::tr(" : 1")};
 }
 
-/// Rounds to few digits, to the side on which the achieved value still meets the target.
+/// Rounds an achieved value to few digits. Errors are rounded up, so that a target of the result
+/// still allows them.
 double rounded(Target::Kind kind, double value) {
   if (kind == Target::Kind::Ratio) return std::round(10 * value) / 10;
   if (kind == Target::Kind::Size) return value;

@@ -14,8 +14,8 @@ namespace mocapress {
 
 class NumberBox;
 
-/// Edits the target, a size or a quality, on a slider of equal factors with a number beside it. The
-/// number may lie outside the slider's range and the clip's reach: it stays as typed.
+/// Edits the target, a size or a quality, with a logarithmic slider and a number beside it. The
+/// number stays as typed, even outside the slider's range or if the clip cannot reach it.
 class TargetControl : public QWidget {
   Q_OBJECT
 
@@ -27,10 +27,11 @@ class TargetControl : public QWidget {
   /// Accepts any kind but CoefficientRatio. Emits nothing.
   void setTarget(const Target& target);
 
-  /// The current result in terms of each kind: choosing a kind asks for this value.
+  /// Sets what the current result achieves in each kind of target. Choosing a kind then asks for
+  /// that value.
   void setAchieved(const std::map<Target::Kind, double>& achieved);
 
-  /// A warning below the number, with details as tool tip; empty: none.
+  /// Shows a warning below the number, with details as tool tip; empty: none.
   void setTrouble(const QString& trouble, const QString& details = {});
 
   QComboBox* kind() const { return kind_; }
@@ -46,7 +47,7 @@ class TargetControl : public QWidget {
   void show();
 
   Target target_;
-  std::map<Target::Kind, double> values_;  // value asked for when a kind is chosen
+  std::map<Target::Kind, double> values_;  // value to ask for when a kind is chosen
   QComboBox* kind_;
   QSlider* slider_;
   NumberBox* value_;
