@@ -19,7 +19,7 @@
 namespace mocapress {
 namespace {
 
-constexpr int kBandsWidth = 240;  // pixels: fits a number below each bar
+constexpr int kBandsWidth = 240;  // pixels: room for a number below each bar
 
 void paintAxes(QCPAxisRect* area, const QPalette& palette, const QFont& font) {
   for (QCPAxis* axis : {area->axis(QCPAxis::atBottom), area->axis(QCPAxis::atLeft)})
@@ -76,7 +76,7 @@ ChannelGraph::ChannelGraph(QWidget* parent)
   for (QCPAxisRect* area : {curves_plot_->axisRect(), difference_})
     area->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
   curves_plot_->axisRect()->axis(QCPAxis::atBottom)->setTickLabels(false);
-  // The two plots are low, and narrow in a small window: more labels would overlap.
+  // The two plots are low, and in a small window narrow, too: more labels would overlap.
   curves_plot_->axisRect()->axis(QCPAxis::atLeft)->ticker()->setTickCount(3);
   difference_->axis(QCPAxis::atLeft)->ticker()->setTickCount(2);
   for (QCPAxisRect* area : {curves_plot_->axisRect(), difference_})
@@ -129,7 +129,7 @@ void ChannelGraph::setFrame(int frame) {
     line->point2->setCoords(seconds, 1);
   }
   if (std::exchange(playhead_waits_, true)) return;
-  // Runs after pending changes of the curves, which would otherwise be drawn twice.
+  // Waits for pending changes of the curves, so that they are not drawn twice.
   QTimer::singleShot(0, this, [this] {
     playhead_waits_ = false;
     curves_plot_->layer(QStringLiteral("playhead"))->replot();

@@ -25,15 +25,15 @@ struct ChannelCurves {
   double sample_rate_hz = 120;
 };
 
-/// Original, compressed and difference of one channel, and how many wavelet coefficients of each
-/// scale it keeps. A click seeks.
+/// Plots the original, the compressed motion and the difference of one channel, and the number of
+/// wavelet coefficients kept in each scale. A click seeks.
 class ChannelGraph : public QWidget {
   Q_OBJECT
 
  public:
   explicit ChannelGraph(QWidget* parent = nullptr);
 
-  /// The channels to choose from and the one shown, `current`; -1: none.
+  /// Sets the channels to choose from, and the shown one, `current`; -1: none.
   void setChannels(const QStringList& names, int current);
   void setCurves(const ChannelCurves& curves);
   void setFrame(int frame);

@@ -31,7 +31,7 @@ ConvergencePlot::ConvergencePlot(QWidget* parent)
   clear();
 }
 
-/// Empty axes would suggest a range from 0 to 1.
+/// Hides the plot, too: empty axes would suggest a range from 0 to 1.
 void ConvergencePlot::clear() {
   plot_->clearGraphs();
   pass_ = -1;
@@ -50,7 +50,7 @@ void ConvergencePlot::startPass(int pass) {
 void ConvergencePlot::append(const std::vector<EncodeProgress>& states) {
   for (const EncodeProgress& state : states) {
     if (state.pass != pass_) startPass(state.pass);
-    // A segment coded alone reports no error: it is no step of the whole clip.
+    // A segment coded alone reports no error, since its error is not that of the whole clip.
     if (state.eps_cm > 0)
       plot_->graph(plot_->graphCount() - 1)->addData(state.iteration, state.eps_cm);
   }

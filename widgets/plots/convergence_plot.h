@@ -11,7 +11,7 @@ namespace mocapress {
 
 struct EncodeProgress;
 
-/// eps_x (cm) over the iterations of an annealing while it runs; earlier passes stay, faint.
+/// Plots eps_x (cm) over the iterations of a running refinement. Earlier passes stay, faintly.
 class ConvergencePlot : public QWidget {
   Q_OBJECT
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kSwitchMargin = 4;
 constexpr QSize kLeastSize = {120, 80};
-constexpr int kRoomy = 170;  // pixels of height that have room for a legend of several lines
+constexpr int kRoomy = 170;  // least height in pixels for a legend of several lines
 
 }  // namespace
 
@@ -36,7 +36,7 @@ ErrorGraph::ErrorGraph(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot
   // The curves have thousands of points: antialiasing would take longer than the 3D picture.
   plot_->setNotAntialiasedElements(QCP::aePlottables | QCP::aeFills);
 
-  // The legend stands above the curves, in as few lines as possible.
+  // The legend is above the curves, in as few lines as possible.
   auto* above = new QCPLayoutGrid;
   plot_->plotLayout()->insertRow(0);
   plot_->plotLayout()->addElement(0, 0, above);
@@ -49,8 +49,8 @@ ErrorGraph::ErrorGraph(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot
   plot_->legend->setIconSize(14, 8);
   plot_->legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
   plot_->legend->setColumnSpacing(14);
-  plot_->setMinimumSize(kLeastSize);          // else the legend would set the minimum
-  plot_->axisRect()->setMinimumSize(50, 15);  // in a low panel the curves give way, not the legend
+  plot_->setMinimumSize(kLeastSize);          // else the legend's minimum would apply
+  plot_->axisRect()->setMinimumSize(50, 15);  // in a low panel the curves shrink, not the legend
 
   // The playhead has a layer of its own, so that moving it does not redraw the curves.
   plot_->addLayer(QStringLiteral("playhead"));
@@ -103,9 +103,9 @@ void ErrorGraph::setSwitch(QAction* action) {
   fitLegend();
 }
 
-/// Chooses the fewest lines of the legend in which every name fits beside the switch. A low panel
-/// has one line, which leaves out the worst of all joints, then curves from the end, and no title
-/// of the time; the tool tip names all curves.
+/// Lays the legend out in the fewest lines in which every name fits beside the switch. In a low
+/// panel, the legend has one line: it omits the worst of all joints first, then curves from the
+/// end. The time axis has no title then. The tool tip names all curves.
 void ErrorGraph::fitLegend() {
   QCPLegend& legend = *plot_->legend;
   const bool is_low = height() < kRoomy;
@@ -130,7 +130,7 @@ void ErrorGraph::fitLegend() {
   legend.setFillOrder(QCPLayoutGrid::foColumnsFirst);  // arranges the items again
 }
 
-/// The most columns of the legend in which every name fits beside the switch.
+/// The largest number of legend columns at which every name fits beside the switch.
 int ErrorGraph::legendColumns() const {
   const QCPLegend& legend = *plot_->legend;
   const QMargins margins = legend.margins();
@@ -156,7 +156,7 @@ int ErrorGraph::legendColumns() const {
   return columns;
 }
 
-/// Puts the switch in line with the legend.
+/// Puts the switch into the legend's row, at the right end.
 void ErrorGraph::placeSwitch() {
   if (!switch_) return;
   const QSize size = switch_->sizeHint();
@@ -167,7 +167,7 @@ void ErrorGraph::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   placeSwitch();
   fitLegend();
-  plot_->replot(QCustomPlot::rpQueuedReplot);  // it has drawn itself with the legend as it was
+  plot_->replot(QCustomPlot::rpQueuedReplot);  // the resize drew the plot with the old legend
 }
 
 const Eigen::MatrixXf& ErrorGraph::shown() const {
@@ -180,7 +180,7 @@ void ErrorGraph::setFrame(int frame) {
   playhead_->point1->setCoords(seconds, 0);
   playhead_->point2->setCoords(seconds, 1);
   if (std::exchange(playhead_waits_, true)) return;
-  // Runs after pending changes of the curves, which would otherwise be drawn twice.
+  // Waits for pending changes of the curves, so that they are not drawn twice.
   QTimer::singleShot(0, this, [this] {
     playhead_waits_ = false;
     plot_->layer(QStringLiteral("playhead"))->replot();
@@ -200,7 +200,7 @@ void ErrorGraph::redraw() {
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
-/// The largest error of the clip, or of the range, fills the height.
+/// Scales the error axis to the largest error of the clip, or of the range.
 void ErrorGraph::scaleErrors() {
   const Eigen::MatrixXf& errors = shown();
   double highest = 0;
@@ -257,7 +257,7 @@ int ErrorGraph::frameAt(int x_pixel) const {
   return static_cast<int>(std::clamp(frame, 0.0, static_cast<double>(shown().rows() - 1)));
 }
 
-/// Text with both errors of every curve and of the worst landmark.
+/// The tool tip: both errors of every curve and of the worst landmark.
 QString ErrorGraph::readout(int frame) const {
   QStringList lines = {tr("Frame %L1").arg(frame + 1)};
   const auto add = [&lines](const QString& name, const QString& errors) {
@@ -278,7 +278,7 @@ bool ErrorGraph::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::ToolTip || shown().size() == 0)
     return QWidget::eventFilter(watched, event);
   const auto* help = static_cast<QHelpEvent*>(event);
-  if (!plot_->axisRect()->rect().contains(help->pos())) return false;  // the plot's only
+  if (!plot_->axisRect()->rect().contains(help->pos())) return false;  // the plot's own tool tip
   QToolTip::showText(help->globalPos(), readout(frameAt(help->pos().x())), plot_);
   return true;
 }

@@ -25,24 +25,24 @@ struct ErrorCurve {
   int landmark = 0;
 };
 
-/// Errors of one quantity over time (s): a curve for each chosen landmark, the maximum of all
-/// landmarks as an area, and a playhead. Hovering shows both errors at that time. A click or drag
-/// seeks, the wheel zooms time, a double click shows the whole clip.
+/// Plots the errors of one quantity over time (s): a curve for each chosen landmark, the maximum of
+/// all landmarks as an area, and a playhead. Hovering shows both quantities at that time. A click
+/// or drag seeks, the wheel zooms time, a double click shows the whole clip.
 class ErrorGraph : public QWidget {
   Q_OBJECT
 
  public:
   explicit ErrorGraph(QWidget* parent = nullptr);
 
-  /// Null shows nothing. `curves` are landmarks of `errors`.
+  /// Sets the errors (null: nothing is shown), and the curves, which are landmarks of `errors`.
   void setErrors(ErrorsPtr errors, double sample_rate_hz, std::vector<ErrorCurve> curves);
 
   void setQuantity(ErrorQuantity quantity);
 
-  /// The action in the corner that switches to the other quantity.
+  /// Sets the action in the corner that switches to the other quantity.
   void setSwitch(QAction* action);
 
-  /// Shows the errors of these frames alone, on a scale of their own; unset: of all.
+  /// Shows only these frames, scaled to their own largest error; unset: all frames.
   void setRange(const std::optional<std::pair<int, int>>& range);
 
   void setCurves(std::vector<ErrorCurve> curves);
@@ -69,7 +69,7 @@ class ErrorGraph : public QWidget {
   void fitLegend();
   int legendColumns() const;
 
-  /// Frames x landmarks; empty: unknown.
+  /// The shown errors, frames x landmarks; empty: unknown.
   const Eigen::MatrixXf& shown() const;
   void applyColours();
 

@@ -28,8 +28,8 @@ std::array<QRgb, 256> ramp() {
   return colours;
 }
 
-/// Draws a row for each landmark and a column for each group of frames; `colour(row, first, last)`
-/// paints one.
+/// Makes a picture with a row for each landmark or joint and a column for each group of frames.
+/// `colour(row, first, last)` gives the colour of one cell.
 template <typename Colour>
 QImage paintedCells(int frames, int rows, int most_columns, const Colour& colour) {
   if (frames == 0 || rows == 0) return {};
@@ -83,7 +83,7 @@ void HeatMap::setErrors(ErrorsPtr errors, std::vector<QString> names, const Erro
   errors_ = std::move(errors);
   names_ = std::move(names);
   scale_ = scale;
-  image_ = QImage();  // made again when shown
+  image_ = QImage();  // painted again when needed
   names_width_ = 0;
   const QFontMetrics widest(boldFont());
   for (const QString& name : names_)
@@ -111,7 +111,7 @@ void HeatMap::setSwitches(const QList<QAction*>& actions) {
   placeSwitches();
 }
 
-/// Puts the switches below the names, in the room left of the legend.
+/// Puts the switches below the names, to the left of the legend.
 void HeatMap::placeSwitches() {
   int left = kMargin;
   for (SwitchButton* button : switches_) {
@@ -173,7 +173,7 @@ void HeatMap::paintEvent(QPaintEvent*) {
   }
   painter.drawImage(area, image_);
   painter.setPen(palette().color(QPalette::Text));
-  // Names that would overlap are left out, except the current one.
+  // Omits names that would overlap, but never the current one.
   const int line = fontMetrics().height();
   const int step = std::max(1, static_cast<int>(std::ceil(line / rowOf(0).height())));
   const auto name = [&](int row) {
@@ -221,7 +221,7 @@ void HeatMap::paintLegend(QPainter& painter) const {
                    none);
 }
 
-/// Draws the legend of the verdicts from the right, as far as the switches leave room.
+/// Draws the legend of visibility, from the right until it would reach the switches.
 void HeatMap::paintVerdicts(QPainter& painter) const {
   const QRectF area = mapArea();
   const double y = area.bottom() + kLegendHeight / 2.0 + 1;
@@ -259,7 +259,7 @@ QString HeatMap::describe(const Cell& cell) const {
                              .arg(names_[static_cast<std::size_t>(cell.landmark)])
                              .arg(cell.frame + 1)
                              .arg(errorsText(*errors_, cell.frame, cell.landmark));
-  // Landmark j is joint j; the ends of bones come after them.
+  // The first landmarks are the joints, which have visibility; the ends of bones come after them.
   if (!sight_ || cell.landmark >= sight_->times_noticed.cols()) return errors;
   return errors + QLatin1Char('\n') + sightText(sight_->at(cell.frame, cell.landmark));
 }

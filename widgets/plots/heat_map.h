@@ -14,28 +14,28 @@ namespace mocapress {
 
 class SwitchButton;
 
-/// Every landmark's error at every frame: a row for each landmark, time to the right, coloured by
-/// distance or by angle. It can also show visibility, with a row for each joint. A click seeks and
-/// chooses the joint.
+/// Shows the error of every landmark at every frame: a row for each landmark, time to the right,
+/// coloured by distance or by angle. It can also show visibility, with a row for each joint. A
+/// click seeks and chooses the joint.
 class HeatMap : public QWidget {
   Q_OBJECT
 
  public:
   explicit HeatMap(QWidget* parent = nullptr);
 
-  /// `names` of all landmarks. The scale decides which quantity is shown.
+  /// Sets the errors and the names of all landmarks. The scale decides which quantity is shown.
   void setErrors(ErrorsPtr errors, std::vector<QString> names, const ErrorScale& scale);
 
-  /// Visibility for the same clip; null: unknown. `shown` draws it instead of the errors; otherwise
-  /// it is only in the tool tip.
+  /// Sets the visibility for the same clip; null: unknown. If `shown`, it is drawn instead of the
+  /// errors; otherwise it is only in the tool tip.
   void setSight(SightPtr sight, bool shown);
 
-  /// The actions in the corner that switch to other quantities.
+  /// Sets the actions in the corner that switch to other quantities.
   void setSwitches(const QList<QAction*>& actions);
 
   void setFrame(int frame);
 
-  /// The marked row; -1: none.
+  /// Marks a landmark's row; -1: none.
   void setCurrentLandmark(int landmark);
 
   QSize sizeHint() const override { return {400, 200}; }
@@ -58,7 +58,7 @@ class HeatMap : public QWidget {
     int landmark;
   };
 
-  QFont boldFont() const;  // font of the current name
+  QFont boldFont() const;  // font of the marked name
   QRectF mapArea() const;
   QRectF rowOf(int landmark) const;
   std::optional<Cell> cellAt(const QPointF& position) const;
@@ -69,7 +69,7 @@ class HeatMap : public QWidget {
   void paintVerdicts(QPainter& painter) const;
   void placeSwitches();
 
-  /// Frames x landmarks; empty: unknown.
+  /// The shown errors, frames x landmarks; empty: unknown.
   const Eigen::MatrixXf& shown() const;
   bool showsSight() const { return sight_ && sight_shown_; }
   int frames() const { return static_cast<int>(shown().rows()); }
@@ -89,10 +89,10 @@ class HeatMap : public QWidget {
   int names_width_ = 0;
 };
 
-/// Picture of a heat map. A column shows the worst of its frames.
+/// Makes the picture of a heat map of errors. A column shows the largest error of its frames.
 QImage heatImage(const Eigen::MatrixXf& errors, const ErrorScale& scale, int most_columns);
 
-/// The same for visibility.
+/// Makes the picture of a heat map of visibility.
 QImage sightImage(const SightTable& sight, int frames, int most_columns);
 
 }  // namespace mocapress

@@ -20,11 +20,11 @@ namespace {
 
 constexpr auto kRedrawInterval = std::chrono::milliseconds(100);
 constexpr QSize kLeastPlot(180, 110);
-constexpr double kPointReach = 10;  // px from a point at which it answers
-constexpr int kClickReach = 4;      // px a click may wander
+constexpr double kPointReach = 10;  // px between a point and a click that chooses it
+constexpr int kClickReach = 4;      // px that the mouse may move during a click
 
-/// Draws its points as copies of one picture: thousands of circles take longer than a frame to
-/// fill.
+/// Draws the points of a graph as copies of one picture: filling thousands of circles takes longer
+/// than a frame lasts.
 class PointGraph : public QCPGraph {
  public:
   using QCPGraph::QCPGraph;
@@ -65,12 +65,12 @@ LibraryPlot::LibraryPlot(const LibraryFilter* clips, QWidget* parent)
   plot_->xAxis->setTicker(QSharedPointer<LogTicker>::create(QStringLiteral(":1")));
   plot_->yAxis->setTicker(QSharedPointer<LogTicker>::create());
   plot_->setInteractions(QCP::iRangeZoom | QCP::iRangeDrag);
-  // Above the axes: within them it would cover clips.
+  // The legend is above the axes: within them it would cover clips.
   plot_->plotLayout()->insertRow(0);
   plot_->plotLayout()->addElement(0, 0, plot_->legend);
   plot_->plotLayout()->setRowStretchFactor(0, 0.001);
-  plot_->setMinimumSize(kLeastPlot);          // else as wide as the legend
-  plot_->axisRect()->setMinimumSize(50, 15);  // in a low panel the points give way, not the axis
+  plot_->setMinimumSize(kLeastPlot);          // else the legend's width would be the minimum
+  plot_->axisRect()->setMinimumSize(50, 15);  // in a low panel the points shrink, not the axis
   plot_->legend->setIconSize(10, fontMetrics().height());
   hint_->position->setType(QCPItemPosition::ptAxisRectRatio);
   hint_->position->setCoords(0.5, 0.5);
@@ -160,7 +160,7 @@ void LibraryPlot::redraw() {
     else
       any = true;
   }
-  plot_->legend->setFillOrder(QCPLegend::foColumnsFirst);  // arranges the new items
+  plot_->legend->setFillOrder(QCPLegend::foColumnsFirst);  // lays out the new items
   plot_->legend->setVisible(any);
   plot_->legend->setBrush(Qt::NoBrush);
   plot_->legend->setBorderPen(Qt::NoPen);
@@ -188,7 +188,7 @@ void LibraryPlot::placeRing() {
 
 void LibraryPlot::showAll() {
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  // Unlike a QCPRange, this can be empty.
+  // Unlike a QCPRange, this range can be empty.
   struct Range {
     double lower = kInfinity, upper = 0;
     void include(double value) {

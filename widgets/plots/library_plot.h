@@ -13,19 +13,19 @@ namespace mocapress {
 
 class LibraryFilter;
 
-/// Shows the clips that pass the library's filter as points of error against ratio, both
-/// logarithmic, coloured by visibility. A click opens a clip; the wheel zooms, dragging moves, a
-/// double click beside the points shows all.
+/// Plots the clips that pass the library's filter as points, error over ratio, both logarithmic,
+/// coloured by visibility. A click opens a clip; the wheel zooms, dragging moves, a double click
+/// beside the points shows all.
 class LibraryPlot : public QWidget {
   Q_OBJECT
 
  public:
   explicit LibraryPlot(const LibraryFilter* clips, QWidget* parent = nullptr);
 
-  /// Rings the point of a clip, by its row in the library; -1: none.
+  /// Draws a ring around the point of a clip, given by its row in the library; -1: none.
   void setCurrent(int clip);
 
-  /// The place of a clip's point in this widget's pixels. Requires that the clip has an outcome.
+  /// The position of a clip's point in pixels of this widget. The clip must have an outcome.
   QPoint positionOf(int clip) const;
 
  signals:
@@ -42,7 +42,7 @@ class LibraryPlot : public QWidget {
   void placeRing();
   void showAll();
   void hover(const QPoint& position);
-  int clipAt(const QPoint& position) const;  // -1: none near it
+  int clipAt(const QPoint& position) const;  // -1: none is near
 
   const LibraryFilter* clips_;
   QCustomPlot* plot_;
@@ -50,7 +50,7 @@ class LibraryPlot : public QWidget {
   QCPGraph* ring_ = nullptr;
   QTimer redraw_later_;  // delays drawing: thousands of clips may change at once
   int current_ = -1;
-  bool moved_ = false;  // by the user: new points leave the axes alone
+  bool moved_ = false;  // the user moved the axes: new points do not move them
   QPoint pressed_at_;
 };
 

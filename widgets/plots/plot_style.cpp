@@ -31,7 +31,7 @@ void applyPalette(QCPAxis* axis, const QPalette& palette, const QFont& font) {
 }
 
 void applyPalette(QCustomPlot* plot) {
-  // The parent widget learns of a palette change first.
+  // The plot's own palette is updated only after that of its parent widget.
   const QPalette palette = plot->parentWidget()->palette();
   plot->setPlottingHint(QCP::phImmediateRefresh, false);
   plot->setBackground(palette.brush(QPalette::Base));
@@ -56,8 +56,8 @@ void offerCopyImage(QWidget* plot) {
   };
   offer(plot);
   for (QCustomPlot* const part : plot->findChildren<QCustomPlot*>()) {
-    offer(part);                            // it hands no click on to what it is in
-    part->setFocusPolicy(Qt::StrongFocus);  // by Tab, too: the menu key opens the menu
+    offer(part);                            // a QCustomPlot does not pass clicks to its parent
+    part->setFocusPolicy(Qt::StrongFocus);  // also by Tab, so that the menu key works
   }
 }
 

@@ -9,11 +9,12 @@
 
 namespace mocapress {
 
-/// Gives axes, grid and background the palette of the plot's parent widget; call it again when that
-/// changes. The plot is redrawn with the window's next picture, however often this is called.
+/// Applies the palette of the plot's parent widget to axes, grid and background; to be called again
+/// when the palette changes. However often it is called, the plot is redrawn once, with the
+/// window's next repaint.
 void applyPalette(QCustomPlot* plot);
 
-/// The same for one axis of a plot with more of them.
+/// Applies a palette and a font to one axis, for plots with several axis areas.
 void applyPalette(QCPAxis* axis, const QPalette& palette, const QFont& font);
 
 inline QColor fainter(QColor colour, float alpha) {
@@ -24,11 +25,12 @@ inline QColor fainter(QColor colour, float alpha) {
 /// Adds "Copy Image" to the context menu of a plot.
 void offerCopyImage(QWidget* plot);
 
-/// Makes a point for each frame, against seconds.
+/// Makes one point for each frame, with the time in seconds.
 QVector<QCPGraphData> overTime(const Eigen::VectorXd& values, double sample_rate_hz);
 
-/// Ticks of a logarithmic axis: every digit, 1, 2 and 5, or whole decades, whichever is the finest
-/// with room for its labels. A range within one digit gets equal steps.
+/// Places ticks on a logarithmic axis: at every digit, at 1, 2 and 5, or at powers of ten,
+/// whichever is the finest with room for its labels. A range shorter than a decade that has room
+/// for none of these gets equal steps.
 class LogTicker : public QCPAxisTicker {
  public:
   /// `unit` follows each number, such as ":1".
@@ -44,8 +46,8 @@ class LogTicker : public QCPAxisTicker {
   QString unit_;
 };
 
-/// A button that shows an action as a word in the corner of a plot. Its frame keeps it from reading
-/// as a unit. A click leaves the keyboard focus with the plot.
+/// A button in the corner of a plot that shows an action as a word. Its frame distinguishes the
+/// word from the unit of an axis. A click leaves the keyboard focus with the plot.
 class SwitchButton : public QToolButton {
  public:
   SwitchButton(QAction* action, QWidget* plot) : QToolButton(plot) {

@@ -18,7 +18,7 @@
 namespace mocapress {
 namespace {
 
-constexpr int kLeastHeight = 110;        // px; the lowest panel keeps its axes
+constexpr int kLeastHeight = 110;        // px; leaves room for the axes in the lowest panel
 constexpr double kReach = 12;            // px from a point to the mouse that shows its text
 constexpr int kBeside = 9;               // px from the mark to its label
 constexpr int kBelow = 6;                // px
@@ -169,7 +169,7 @@ void RatePlot::addCurve(const RateCurve& curve) {
   line->setName(seriesTitle(curve.series.method, curve.series.ik_ratio));
   line->setPen(QPen(style.colour, 2, style.dashed ? Qt::DashLine : Qt::SolidLine));
   line->setScatterStyle(markOf(style, background, 7));
-  if (curve.mean) line->setScatterSkip(7);  // the curve has enough points to be smooth
+  if (curve.mean) line->setScatterSkip(7);  // draws every 7th mark: the mean has many points
   for (const CurvePoint& point : curve.line) line->addData(point.ratio, point.eps_cm);
 }
 
@@ -183,8 +183,8 @@ void RatePlot::placeMarks() {
   here_label_->position->setCoords(here_->ratio, here_->eps_cm);
 }
 
-/// Puts the label at the corner of the mark that is farthest from the curves, inside of the axes if
-/// it fits.
+/// Puts the label at the corner of the mark that is farthest from the curves and, if possible,
+/// inside the axes.
 void RatePlot::placeHereLabel() {
   if (!here_) return;
   const QPointF mark(plot_->xAxis->coordToPixel(here_->ratio),
@@ -207,7 +207,7 @@ void RatePlot::placeHereLabel() {
     }
 }
 
-/// Distance in px to the nearest curve or legend; 0: one is inside.
+/// Distance in px to the nearest curve; 0 if a curve or the legend is inside.
 double RatePlot::clearance(const QRectF& place) const {
   constexpr int kSteps = 16;  // samples between two points of a curve
   if (plot_->legend->visible() && place.intersects(plot_->legend->outerRect())) return 0;
@@ -283,7 +283,7 @@ void RatePlot::hover(const QPoint& position) {
     QToolTip::hideText();
 }
 
-/// Exports a separate plot, so that the one on the screen stays as it is.
+/// Draws a separate plot for export, so that the plot on the screen stays as it is.
 template <typename Write>
 QByteArray RatePlot::picture(Write write) const {
   RatePlot copy;
@@ -298,7 +298,7 @@ QByteArray RatePlot::picture(Write write) const {
   auto* title = new QCPTextElement(plot, title_, font);
   title->setMargins(QMargins(0, 10, 0, 4));
   plot->plotLayout()->addElement(0, 0, title);
-  // QCustomPlot can write to files only.
+  // QCustomPlot can only write to files.
   const QTemporaryDir folder;
   QFile file(folder.filePath(QStringLiteral("plot")));
   if (!write(plot, file.fileName()) || !file.open(QIODevice::ReadOnly)) return {};

@@ -16,13 +16,14 @@ class QCustomPlot;
 
 namespace mocapress {
 
-/// Compression ratio against eps_x (cm), both logarithmic, with a curve for each series. Points
-/// have tool tips and can be chosen; the wheel zooms, dragging moves, a double click shows all.
+/// Plots eps_x (cm) over the compression ratio, both logarithmic, with a curve for each series.
+/// Points have tool tips and can be chosen; the wheel zooms, dragging moves, a double click shows
+/// all.
 class RatePlot : public QWidget {
   Q_OBJECT
 
  public:
-  /// Describes the point of a row.
+  /// Describes a row of the study, for the tool tip of its point.
   using Describe = std::function<QString(int row)>;
 
   explicit RatePlot(QWidget* parent = nullptr);
@@ -30,27 +31,27 @@ class RatePlot : public QWidget {
   void setDescribe(Describe describe) { describe_ = std::move(describe); }
   void setCurves(std::vector<RateCurve> curves);
 
-  /// The weighting of eps_x.
+  /// Sets the weighting that the axis names for eps_x.
   void setWeighting(Weighting weighting);
 
-  /// The point of the studio's current settings; unset: none.
+  /// Sets the point of the studio's current settings; unset: none.
   void setHere(const std::optional<CurvePoint>& here);
 
-  /// Rings the point of a row; -1: none.
+  /// Draws a ring around the point of a row; -1: none.
   void setCurrentRow(int row);
 
-  /// A text shown while there are no curves.
+  /// Sets a text that is shown while there are no curves.
   void setHint(const QString& hint);
 
-  /// Title of exported pictures.
+  /// Sets the title of exported pictures.
   void setTitle(const QString& title) { title_ = title; }
 
   const std::vector<RateCurve>& curves() const { return curves_; }
 
-  /// The place of a point in this widget's pixels.
+  /// The position of a point in pixels of this widget.
   QPoint positionOf(const RatePoint& point) const;
 
-  /// The plot as a picture for paper, independent of the palette and size of the widget. Empty on
+  /// The plot as a picture for print, independent of the widget's palette and size. Empty on
   /// failure.
   QByteArray png() const;
   QByteArray pdf() const;
@@ -80,14 +81,14 @@ class RatePlot : public QWidget {
   QCPGraph* here_mark_ = nullptr;
   QCPGraph* ring_ = nullptr;
   QCPItemText* hint_;
-  QCPItemText* here_label_;  // on the side with room
+  QCPItemText* here_label_;  // at the corner with the most room
   Describe describe_;
   std::vector<RateCurve> curves_;
   std::optional<CurvePoint> here_;
   Weighting weighting_ = Weighting::BoneEnds;
   QString title_;
   int current_row_ = -1;
-  bool moved_ = false;  // the user moved the axes: new points leave them alone
+  bool moved_ = false;  // the user moved the axes: new points do not move them
   QPoint pressed_at_;
 };
 
