@@ -15,7 +15,7 @@ ByteStrip::ByteStrip(QWidget* parent) : JointStrip(tr("Bytes"), 22, parent) {
 void ByteStrip::setCosts(ByteCostsPtr costs, std::vector<QString> names, int frames) {
   costs_ = costs && costs->bytes.sum() > 0 ? std::move(costs) : nullptr;
   rates_ = costs_ ? costs_->by_slice() / costs_->slice_frames : Eigen::VectorXd();
-  if (const Eigen::Index last = rates_.size() - 1; last >= 0)  // may be shorter
+  if (const Eigen::Index last = rates_.size() - 1; last >= 0)  // it may be shorter
     rates_(last) *= static_cast<double>(costs_->slice_frames) /
                     std::max<double>(1, frames - static_cast<double>(last) * costs_->slice_frames);
   setClip(std::move(names), frames);

@@ -11,8 +11,8 @@ namespace mocapress {
 
 using ByteCostsPtr = std::shared_ptr<const ByteCosts>;
 
-/// Compressed bytes over time, of the whole figure. The moment that costs most fills
-/// the height. The joint of a moment is the one that costs most there.
+/// Compressed bytes over time, of all joints together. The most expensive slice of the clip fills
+/// the height. A frame stands for the joint that costs most in its slice.
 class ByteStrip : public JointStrip {
   Q_OBJECT
 
@@ -31,7 +31,7 @@ class ByteStrip : public JointStrip {
   int sliceAt(int frame) const;
 
   ByteCostsPtr costs_;
-  Eigen::VectorXd rates_;  // bytes of a frame, by slice
+  Eigen::VectorXd rates_;  // bytes per frame, one entry for each slice of the clip
 };
 
 }  // namespace mocapress

@@ -32,7 +32,7 @@ ContactStrip::ContactStrip(QWidget* parent) : QWidget(parent) {
 
 void ContactStrip::setContacts(std::vector<ContactSpan> contacts, const std::vector<QString>& names,
                                int frames) {
-  // A foot keeps its lane without contacts, so that one can be added again.
+  // A foot without contacts keeps its lane, so that contacts can be added again.
   if (names != names_ || frames != frames_) lanes_.clear();
   contacts_ = std::move(contacts);
   names_ = names;
@@ -188,7 +188,7 @@ void ContactStrip::mouseMoveEvent(QMouseEvent* event) {
     return;
   }
   if (!dragged_) return emit seekRequested(axis().frameAt(x));
-  // Contacts end between frames, so the mouse goes to the nearest border of a frame.
+  // Contacts end between frames, so the end moves to the frame boundary nearest to the mouse.
   const double half_frame = (axis().xOf(1) - axis().xOf(0)) / 2;
   const int frame = dragged_->end == SpanEnd::First ? axis().frameAt(x + half_frame)
                                                     : axis().frameAt(x - half_frame);

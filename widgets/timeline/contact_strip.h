@@ -11,8 +11,9 @@
 
 namespace mocapress {
 
-/// The contacts of a clip over time, one lane for each foot; a bar's colour tells how far the foot
-/// slides. A click seeks, an end of a bar can be dragged, the right button adds and removes.
+/// The contacts of a clip over time, with one lane for each foot. A bar's colour tells how far the
+/// foot slides. A click seeks, the ends of a bar can be dragged, the right button adds and removes
+/// contacts.
 class ContactStrip : public QWidget {
   Q_OBJECT
 
@@ -26,7 +27,7 @@ class ContactStrip : public QWidget {
   void setFrame(int frame);
   void setWindow(const FrameWindow& window);
 
-  /// The width that its names need, and the width they get.
+  /// The width in pixels that the names need; setLabelWidth() sets the width that they get.
   int labelWidth() const { return names_width_; }
   void setLabelWidth(int pixels);
 
@@ -48,7 +49,7 @@ class ContactStrip : public QWidget {
   void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
-  /// The end of a contact under the mouse.
+  /// An end of a contact that the mouse can drag.
   struct Handle {
     int contact;
     SpanEnd end;
@@ -58,7 +59,7 @@ class ContactStrip : public QWidget {
   QRectF barOf(const ContactSpan& span) const;
   std::optional<Handle> handleAt(const QPointF& position) const;
   int contactAt(const QPointF& position) const;   // -1: none
-  int laneAt(double y) const;                     // the lane's landmark, -1: none
+  int laneAt(double y) const;                     // landmark of the lane; -1: none
   double slideOf(const ContactSpan& span) const;  // in cm
   QString describe(const ContactSpan& span) const;
 
@@ -69,7 +70,7 @@ class ContactStrip : public QWidget {
   int frames_ = 0;
   FrameWindow window_;
   int frame_ = 0;
-  int names_width_ = 0;  // pixels for names
+  int names_width_ = 0;  // pixels that the names need
   int label_width_ = 0;
   int usual_length_ = 30;
   std::optional<Handle> dragged_;

@@ -16,7 +16,7 @@
 namespace mocapress {
 namespace {
 
-constexpr int kAbove = 9;  // pixels for the marks
+constexpr int kAbove = 9;  // pixels above the plot, for the marks
 constexpr int kBelow = 2;
 constexpr double kMarkSize = 7;
 constexpr int kRampWidth = 5;
@@ -75,7 +75,7 @@ void ErrorStrip::setLabelWidth(int pixels) {
   showErrors();
 }
 
-/// The width suits every scale, so that the strip does not move when another is chosen.
+/// Leaves room for every scale, so that the strip does not move when another scale is chosen.
 int ErrorStrip::labelWidth() const {
   int widest = 0;
   for (const double top : errorScales(scale_.quantity))
@@ -124,7 +124,7 @@ void ErrorStrip::paintEvent(QPaintEvent*) {
   painter.drawLine(QPointF(x, 0), QPointF(x, height()));
 }
 
-/// Draws the scale, which explains the height and colour of a column.
+/// Draws the scale, which explains the heights and colours of the columns.
 void ErrorStrip::paintScale(QPainter& painter) const {
   const QRectF area = plotArea();
   const double right = area.left() - kStripMargin;
@@ -132,7 +132,7 @@ void ErrorStrip::paintScale(QPainter& painter) const {
     painter.fillRect(QRectF(right - kRampWidth, area.bottom() - y - 1, kRampWidth, 1),
                      viridis(y / (area.height() - 1)));
   painter.setPen(palette().color(QPalette::WindowText));
-  // The top number may reach above the plot by half its height.
+  // The number at the top may reach a little above the plot.
   const double line = fontMetrics().height();
   const QRectF numbers(kStripMargin, area.top() - line / 4,
                        right - kRampWidth - kRampGap - kStripMargin,
@@ -152,7 +152,7 @@ QPixmap ErrorStrip::paintedErrors() const {
   return picture;
 }
 
-/// Draws one column for each pixel with the maximum of its frames, so that no peak is lost.
+/// Draws a column for each pixel with the maximum of its frames, so that no peak is lost.
 void ErrorStrip::paintColumns(QPainter& painter) const {
   const QRectF area = plotArea();
   const TimeAxis time = axis();
@@ -165,7 +165,7 @@ void ErrorStrip::paintColumns(QPainter& painter) const {
   }
 }
 
-/// Draws the line pixel by pixel: a smooth one of this length takes ten times as long.
+/// Draws the line pixel by pixel: a smooth line of this length would take ten times as long.
 void ErrorStrip::paintMean(QPainter& painter) const {
   const QRectF area = plotArea();
   const TimeAxis time = axis();
@@ -178,7 +178,7 @@ void ErrorStrip::paintMean(QPainter& painter) const {
     line.emplace_back(x, from, 1, std::max(y, before) - from + 1);
     before = y;
   }
-  // The columns are dark violet at the bottom and lighter above: a light line with a dark rim shows
+  // The columns are dark at the bottom and lighter above: a light line with a dark rim is visible
   // on both.
   for (const QRectF& piece : line)
     painter.fillRect(piece.adjusted(0, -1, 0, 1), QColor(0, 0, 0, 130));
@@ -245,7 +245,7 @@ void ErrorStrip::mouseMoveEvent(QMouseEvent* event) {
     pointAt(event->position().x(), event->modifiers() & Qt::ShiftModifier);
 }
 
-/// Beside the scale, the timeline has a menu.
+/// Opens the scale's own menu. Beside the scale, the timeline opens its menu.
 void ErrorStrip::contextMenuEvent(QContextMenuEvent* event) {
   if (event->pos().x() >= axis().left) return event->ignore();
   showMenu(event->globalPos());

@@ -14,23 +14,23 @@
 namespace mocapress {
 
 /// The error over time in a narrow strip: the maximum as coloured columns, the mean as a line,
-/// one-frame glitches as marks, and the range that is played. Its scale stands beside it; a click
-/// on the scale opens a menu of the widget's actions. A click or drag seeks, with Shift it chooses
-/// the range.
+/// one-frame glitches as marks, and the played range. To its left is the scale; a click on the
+/// scale opens a menu of the widget's actions. A click or drag seeks; with Shift it chooses the
+/// range.
 class ErrorStrip : public QWidget {
   Q_OBJECT
 
  public:
   explicit ErrorStrip(QWidget* parent = nullptr);
 
-  /// Sets the errors of a clip of `frames` frames. An empty profile: unknown.
+  /// Sets the errors of a clip of `frames` frames. Empty profile: unknown.
   void setErrors(ErrorProfile profile, const ErrorScale& scale, int frames);
   void setGlitches(std::vector<Glitch> glitches, std::vector<QString> names);
   void setRange(const std::optional<FrameRange>& range);
   void setFrame(int frame);
   void setWindow(const FrameWindow& window);
 
-  /// Width in pixels for names, in line with the strips below.
+  /// Sets the width in pixels for the names at the left, shared with the strips below.
   void setLabelWidth(int pixels);
   int labelWidth() const;
 
@@ -64,7 +64,7 @@ class ErrorStrip : public QWidget {
 
   ErrorProfile profile_;
   ErrorScale scale_;
-  QPixmap errors_;  // picture of columns and mean, null: outdated. Playing does not repaint it.
+  QPixmap errors_;  // picture of columns and mean, for playing; null: outdated
   std::vector<Glitch> glitches_;
   std::vector<QString> names_;
   std::optional<FrameRange> range_;
@@ -72,7 +72,7 @@ class ErrorStrip : public QWidget {
   FrameWindow window_;
   int frame_ = 0;
   int label_width_ = 0;
-  int range_from_ = 0;  // first frame of the range being dragged
+  int range_from_ = 0;  // fixed end of the range being dragged
 };
 
 }  // namespace mocapress

@@ -11,8 +11,8 @@ class QPainter;
 
 namespace mocapress {
 
-/// A strip of columns over time that tells of one joint at each moment. A click or drag shows the
-/// frame and the joint.
+/// A strip of columns over time, in which each frame stands for one joint. A click or drag shows
+/// the frame and its joint.
 class JointStrip : public QWidget {
   Q_OBJECT
 
@@ -20,7 +20,7 @@ class JointStrip : public QWidget {
   void setFrame(int frame);
   void setWindow(const FrameWindow& window);
 
-  /// Width in pixels for names, in line with the other strips.
+  /// Sets the width in pixels for the names at the left, shared with the other strips.
   void setLabelWidth(int pixels);
   int labelWidth() const;
 
@@ -30,19 +30,19 @@ class JointStrip : public QWidget {
   void chosen(int frame, int joint);
 
  protected:
-  /// `label` stands to the left; `height` in pixels.
+  /// `label` is shown at the left; `height` is in pixels.
   JointStrip(const QString& label, int height, QWidget* parent);
 
-  /// Names of all joints of a clip, and its length.
+  /// Sets the names of a clip's joints, and its number of frames.
   void setClip(std::vector<QString> names, int frames);
   const QString& nameOf(int joint) const { return names_[static_cast<std::size_t>(joint)]; }
 
-  /// False: there is nothing to draw or to choose.
+  /// False if there is nothing to draw or to choose.
   virtual bool isKnown() const = 0;
   virtual void paintColumns(QPainter& painter, const QRectF& area, const TimeAxis& time) const = 0;
   virtual int jointAt(int frame) const = 0;
 
-  /// Texts that say what the columns mean, and what stands at a frame.
+  /// Tool tips: the meaning of the columns, and the values at a frame.
   virtual QString meaning() const = 0;
   virtual QString describe(int frame) const = 0;
 

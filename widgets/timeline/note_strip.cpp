@@ -73,7 +73,8 @@ void NoteStrip::paintEvent(QPaintEvent*) {
                    Qt::AlignLeft | Qt::AlignVCenter, tr("Notes"));
   const QRectF area(time.left, 1, time.right - time.left, height() - 2);
   painter.fillRect(area, palette().color(QPalette::AlternateBase));
-  // Marks on the first and last frame are whole.
+  // The clip area is wider by half a mark, so that marks on the first and last frame are drawn
+  // whole.
   painter.setClipRect(area.adjusted(-kNoteMark / 2, -1, kNoteMark / 2, 1));
   painter.setRenderHint(QPainter::Antialiasing);
   for (std::size_t i = 0; i < notes_.size(); ++i) {

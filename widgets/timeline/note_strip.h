@@ -18,22 +18,22 @@ struct TimeNote {
   std::optional<int> last_frame = {};
 };
 
-/// Notes on frames over time: a mark each, hollow if stale, with a line to the end of its range,
-/// and as much of its text as there is room for. A click on a mark chooses the note, the right
-/// button edits or removes it. Hidden without notes.
+/// Notes on frames over time. Each has a mark, which is hollow if the note is stale, a line to the
+/// end of its range, and as much of its text as fits. A click on a mark chooses the note, the right
+/// button edits or removes it. The strip is hidden without notes.
 class NoteStrip : public QWidget {
   Q_OBJECT
 
  public:
   explicit NoteStrip(QWidget* parent = nullptr);
 
-  /// Notes in the order of their frames.
+  /// Sets the notes, sorted by frame.
   void setNotes(std::vector<TimeNote> notes);
   void setFrames(int frames);
   void setFrame(int frame);
   void setWindow(const FrameWindow& window);
 
-  /// Width in pixels for names, in line with the other strips.
+  /// Sets the width in pixels for the names at the left, shared with the other strips.
   void setLabelWidth(int pixels);
   int labelWidth() const;
 

@@ -9,8 +9,8 @@
 
 namespace mocapress {
 
-/// Decides which frame is shown. While it plays, the frame follows from the clock and the clip's
-/// rate; late timer ticks drop frames and never slow the motion.
+/// Decides which frame is shown. During playback, the frame follows from the clock and the clip's
+/// sample rate: late timer ticks skip frames but never slow the motion.
 class Playback : public QObject {
   Q_OBJECT
 
@@ -30,20 +30,20 @@ class Playback : public QObject {
   bool playing() const { return timer_.isActive(); }
   bool loops() const { return loops_; }
 
-  /// The part of the clip that is played; unset: all of it. A new clip resets it.
+  /// The part of the clip that is played; unset: the whole clip. A new clip resets it.
   const std::optional<std::pair<int, int>>& range() const { return range_; }
   void setRange(const std::optional<std::pair<int, int>>& range);
 
-  /// Starts again from the beginning if it stands at the end.
+  /// Plays; starts again from the beginning if the end was reached.
   void play();
 
-  /// Plays in a direction (1 or -1), like the keys J and L of video editors: each repetition
+  /// Plays forwards (1) or backwards (-1), like the keys L and J of video editors. Each repetition
   /// doubles the speed.
   void shuttle(int direction);
   void pause();
   void toggle();
 
-  /// Goes to a frame, clamped to the clip, and goes on playing from there.
+  /// Goes to a frame, clamped to the clip. Playback continues from there.
   void seek(int frame);
 
   /// Pauses and moves by `frames`.
@@ -51,14 +51,14 @@ class Playback : public QObject {
 
   void setLoops(bool loops);
 
-  /// Says that the last frame repeats the first one's pose: a loop then leaves the last frame out,
-  /// or the figure would halt for a frame. A new clip resets it.
+  /// Tells that the last frame repeats the pose of the first. A loop of the whole clip then skips
+  /// the last frame, where the figure would otherwise halt for a frame. A new clip resets this.
   void setRepeatsFirst(bool repeats);
 
-  /// The speed; 1: as recorded.
+  /// Sets the speed; 1: as recorded.
   void setSpeed(double speed);
 
-  /// Takes the frame from the clock; called by a timer while playing.
+  /// Shows the frame that is due by the clock; called by a timer during playback.
   void tick();
 
  signals:
@@ -84,7 +84,7 @@ class Playback : public QObject {
   std::optional<std::pair<int, int>> range_;
   bool loops_ = true;
   bool repeats_first_ = false;
-  int start_frame_ = 0;  // clock reading at start_seconds_
+  int start_frame_ = 0;  // frame at the time start_seconds_
   double start_seconds_ = 0;
 };
 

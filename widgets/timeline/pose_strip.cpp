@@ -10,9 +10,9 @@ namespace mocapress {
 namespace {
 
 constexpr double kAround = 2;       // pixels above and below the figures
-constexpr int kMeasured = 48;       // poses that set the scale
-constexpr double kAzimuth = 0.66;   // radians; from the front right, as the 3D view first looks
-constexpr double kWidestShare = 1;  // half a figure's width, at most, per its height
+constexpr int kMeasured = 48;       // number of poses that set the scale
+constexpr double kAzimuth = 0.66;   // radians; from the front right, like the 3D view at first
+constexpr double kWidestShare = 1;  // greatest half width of a figure, per height
 
 }  // namespace
 

@@ -10,20 +10,21 @@
 
 namespace mocapress {
 
-/// Small stick figures along the clip, each at the time at which it stands. A click or drag seeks.
+/// Small stick figures along the clip's time, each with the pose at its place. A click or drag
+/// seeks.
 class PoseStrip : public QWidget {
   Q_OBJECT
 
  public:
   explicit PoseStrip(QWidget* parent = nullptr);
 
-  /// Positions of all joints (frames x 3 * landmarks, cm) and the parent of each joint, of which
-  /// those from `root` on are drawn. Null: none.
+  /// Sets the positions of all landmarks (frames x 3 * landmarks, cm) and the parent of each joint.
+  /// Joints from `root` on are drawn. Null tracks: nothing is drawn.
   void setPoses(std::shared_ptr<const Eigen::MatrixXd> tracks, std::vector<int> parents, int root);
   void setFrame(int frame);
   void setWindow(const FrameWindow& window);
 
-  /// Width in pixels for names, in line with the other strips.
+  /// Sets the width in pixels for the names at the left, shared with the other strips.
   void setLabelWidth(int pixels);
   int labelWidth() const;
 
@@ -40,12 +41,12 @@ class PoseStrip : public QWidget {
  private:
   TimeAxis axis() const;
   void measure();
-  QPointF seen(int frame, int joint) const;  // cm, sideways from the root, and up
+  QPointF seen(int frame, int joint) const;  // cm: sideways from the root, and up
 
   std::shared_ptr<const Eigen::MatrixXd> tracks_;
   std::vector<int> parents_;
   int root_ = 0;
-  double lowest_ = 0;   // cm; all figures have the same scale and ground
+  double lowest_ = 0;   // cm; all figures share the scale and the ground
   double highest_ = 1;  // cm
   double half_width_ = 1;
   FrameWindow window_;

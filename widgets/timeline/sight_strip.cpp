@@ -21,7 +21,7 @@ void SightStrip::setSight(SightPtr sight, std::vector<QString> names, int frames
   setClip(std::move(names), frames);
 }
 
-/// Draws one column for each pixel with the worst of its windows.
+/// Draws a column for each pixel, for the worst of the pixel's time windows.
 void SightStrip::paintColumns(QPainter& painter, const QRectF& area, const TimeAxis& time) const {
   for (double x = area.left(); x < area.right(); ++x) {
     const int first = sight_->window_of(time.frameAt(x));

@@ -8,8 +8,8 @@
 
 namespace mocapress {
 
-/// Visibility over time, of the joint with the most visible error: no column where it is not
-/// visible, half a column where it is borderline, a whole one where it is visible.
+/// Visibility over time, of the joint with the most visible error: no column where the error is not
+/// visible, half a column where it is borderline, a full one where it is visible.
 class SightStrip : public JointStrip {
   Q_OBJECT
 
@@ -27,7 +27,7 @@ class SightStrip : public JointStrip {
   QString describe(int frame) const override;
 
   SightPtr sight_;
-  Eigen::VectorXf worst_;  // worst joint of each window
+  Eigen::VectorXf worst_;  // of the worst joint, one entry for each time window
 };
 
 }  // namespace mocapress

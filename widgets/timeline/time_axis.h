@@ -18,8 +18,7 @@ struct FrameWindow {
   bool operator==(const FrameWindow&) const = default;
 };
 
-/// Maps a clip's frames to pixels. Strips above each other share it, so that a moment is at the
-/// same x in all of them.
+/// Maps a clip's frames to pixels. All strips share it, so that a frame has the same x in each.
 struct TimeAxis {
   double left = 0;
   double right = 1;
@@ -28,12 +27,12 @@ struct TimeAxis {
 
   double length() const { return window.length > 0 ? window.length : std::max(frames, 1); }
 
-  /// The left edge of a frame; the next one's left edge is its end.
+  /// The left edge of a frame. Its right edge is the left edge of the next frame.
   double xOf(double frame) const {
     return left + (right - left) * (frame - window.first) / length();
   }
 
-  /// The frame of the clip that is nearest to x.
+  /// The frame at x, clamped to the clip.
   int frameAt(double x) const {
     const double share = (x - left) / std::max(right - left, 1.0);
     return std::clamp(static_cast<int>(std::floor(window.first + share * length())), 0,

@@ -19,11 +19,11 @@ constexpr int kTick = 3;                  // pixels
 constexpr int kCareHeight = 14;           // pixels
 constexpr double kCareCorner = 2;         // pixels
 constexpr double kEndReach = 5;           // pixels on both sides of the range's end
-constexpr double kDrag = 3;               // pixels from which a press is a drag
-constexpr double kApart = 1.6;            // widths of a number between two of them
+constexpr double kDrag = 3;               // pixels beyond which a press is a drag
+constexpr double kApart = 1.6;            // least distance between numbers, in widths of a number
 constexpr QRgb kCareColour = 0xff0072b2;  // Okabe and Ito's blue
 
-/// The smallest of 1, 2 and 5 times a power of ten that is at least `least`.
+/// The smallest number of the form 1, 2 or 5 times a power of ten that is at least `least`.
 double roundStep(double least) {
   const double power = std::pow(10.0, std::floor(std::log10(least)));
   for (const double times : {1.0, 2.0, 5.0})
@@ -126,7 +126,7 @@ void TimeRuler::paintEvent(QPaintEvent*) {
   painter.drawLine(QPointF(x, 0), QPointF(x, height()));
 }
 
-/// Numbers the frames from 1 on, as all of the studio does.
+/// Draws frame numbers, which begin at 1 as everywhere in the studio.
 void TimeRuler::paintFrames(QPainter& painter) const {
   const TimeAxis time = axis();
   const int apart = framesApart();
@@ -134,7 +134,7 @@ void TimeRuler::paintFrames(QPainter& painter) const {
   painter.setPen(palette().color(QPalette::WindowText));
   const auto mark = [&](int number) {
     const double x = time.xOf(number - 0.5);
-    if (x < time.left) return;  // else its number would be cut
+    if (x < time.left) return;  // else the number would be cut
     painter.drawLine(QPointF(x, rowHeight() - kTick), QPointF(x, rowHeight()));
     const QString text = locale().toString(number);
     if (x + 2 + fontMetrics().horizontalAdvance(text) <= time.right)  // else it would be cut

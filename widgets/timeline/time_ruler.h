@@ -10,10 +10,10 @@
 
 namespace mocapress {
 
-/// A ruler over the other strips, with frames above and seconds below. It shows the range that is
-/// chosen and the ranges that get more care. A click seeks, a drag chooses a range, and either end
-/// of the range can be dragged. A click on a range with more care chooses that; a double click
-/// chooses none. The right button opens a menu of the widget's actions.
+/// A ruler above the other strips, with frames above and seconds below. It shows the chosen range,
+/// and the ranges that are compressed with more care. A click seeks, a drag chooses a range, and
+/// both ends of the range can be dragged. A click on a range with more care chooses it; a double
+/// click chooses no range. The right button opens a menu of the widget's actions.
 class TimeRuler : public QWidget {
   Q_OBJECT
 
@@ -26,11 +26,11 @@ class TimeRuler : public QWidget {
   void setFrame(int frame);
   void setWindow(const FrameWindow& window);
 
-  /// Width in pixels for names, in line with the strips below.
+  /// Sets the width in pixels for the names at the left, shared with the strips below.
   void setLabelWidth(int pixels);
   int labelWidth() const;
 
-  /// Frames between two numbers of the ruler: 1, 2 or 5 times a power of ten.
+  /// The distance in frames between two numbers: 1, 2 or 5 times a power of ten.
   int framesApart() const;
 
   QSize sizeHint() const override;
@@ -53,7 +53,7 @@ class TimeRuler : public QWidget {
   int rowHeight() const;
   QRectF barOf(const ImportantRange& care) const;
   const ImportantRange* careAt(const QPointF& position) const;  // null: none
-  std::optional<int> endAt(double x) const;  // the range's other end, if x is at one
+  std::optional<int> endAt(double x) const;  // if x is at an end of the range, the other end
   void paintFrames(QPainter& painter) const;
   void paintSeconds(QPainter& painter) const;
   void paintCare(QPainter& painter) const;
@@ -67,8 +67,8 @@ class TimeRuler : public QWidget {
   int frame_ = 0;
   int label_width_ = 0;
   double pressed_x_ = 0;
-  bool drags_ = false;  // true once the mouse moved far enough from where it was pressed
-  int range_from_ = 0;  // first frame of the range being dragged
+  bool drags_ = false;  // true once the mouse has moved far enough from the press
+  int range_from_ = 0;  // fixed end of the range being dragged
 };
 
 }  // namespace mocapress

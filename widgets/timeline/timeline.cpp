@@ -24,8 +24,8 @@ namespace mocapress {
 namespace {
 
 constexpr double kNotch = 120;           // Qt's angle delta of a wheel notch
-constexpr double kLengthPerNotch = 0.8;  // share of the visible length left by a notch
-constexpr double kMovePerNotch = 0.15;   // share of the visible length that a notch moves
+constexpr double kLengthPerNotch = 0.8;  // factor on the visible length per notch
+constexpr double kMovePerNotch = 0.15;   // distance moved per notch, as share of the visible length
 constexpr double kLeastFrames = 12;      // smallest visible length
 constexpr double kLead = 0.05;           // share of the visible length before an entering playhead
 
@@ -75,7 +75,7 @@ Timeline::Timeline(QWidget* parent)
   setContacts({}, {}, 0);  // reserves room for names
 }
 
-/// A folded strip has no height: strips hide themselves when they are empty.
+/// Folding sets the height to 0, since hiding is taken: strips hide themselves when they are empty.
 void Timeline::offerFold(QWidget* strip, const QString& id, const QString& name) {
   auto* action = new QAction(name, this);
   action->setObjectName(QStringLiteral("timeline-") + id);
@@ -90,8 +90,8 @@ void Timeline::offerFold(QWidget* strip, const QString& id, const QString& name)
   folds_ << action;
 }
 
-/// For strips without a menu of their own, and beside their names: that of the ruler, where ranges
-/// are chosen, and the strips that are shown.
+/// The menu of all strips without one of their own, and of the names: the actions of the ruler, and
+/// the choice of the strips that are shown.
 void Timeline::contextMenuEvent(QContextMenuEvent* event) {
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
@@ -193,7 +193,7 @@ void Timeline::wheelEvent(QWheelEvent* event) {
     const double notches = sideways ? turned.x() : turned.y();
     return setWindow(window_.first - notches * kMovePerNotch * time.length(), time.length());
   }
-  // The frame under the mouse stays in place.
+  // The frame under the mouse stays under the mouse.
   const double share =
       std::clamp((event->position().x() - time.left) / (time.right - time.left), 0.0, 1.0);
   const double length =

@@ -21,9 +21,9 @@ class PoseStrip;
 class SightStrip;
 class TimeRuler;
 
-/// The strips below the 3D view, in line with each other. The wheel zooms about the mouse, with
-/// Shift it scrolls; a scroll bar appears while only a part is visible. Each strip can be folded
-/// away.
+/// The strips below the 3D view, aligned with each other. The wheel zooms about the mouse; with
+/// Shift it scrolls. A scroll bar is shown while only a part of the clip is visible. Each strip can
+/// be folded away.
 class Timeline : public QWidget {
   Q_OBJECT
 
@@ -32,8 +32,7 @@ class Timeline : public QWidget {
 
   TimeRuler* ruler() const { return ruler_; }
 
-  /// Adds commands on the chosen range to the menus of all strips, after what a strip itself
-  /// offers.
+  /// Adds commands on the chosen range to the strips' menus, after a strip's own commands.
   void addRangeActions(const QList<QAction*>& actions);
   ErrorStrip* errors() const { return errors_; }
   SightStrip* sight() const { return sight_; }
@@ -42,11 +41,11 @@ class Timeline : public QWidget {
   ContactStrip* contacts() const { return contacts_; }
   PoseStrip* poses() const { return poses_; }
 
-  /// A checked action for each strip that is unfolded, for menus. Kept from run to run.
+  /// A checkable action for each strip, checked while the strip is unfolded. The choice is saved.
   const QList<QAction*>& foldActions() const { return folds_; }
   QScrollBar* scroll() const { return scroll_; }
 
-  /// Frames a second of the clip.
+  /// Sets the clip's frames per second.
   void setRate(double sample_rate_hz);
 
   /// Calls ContactStrip::setContacts() and reserves equal room for names in all strips.
@@ -56,10 +55,10 @@ class Timeline : public QWidget {
   /// Scrolls to the frame if it is out of view.
   void setFrame(int frame);
 
-  /// Shows the whole clip again.
+  /// Zooms out to the whole clip.
   void showAll();
 
-  /// Shows these frames, and a few around them where the range is short.
+  /// Zooms to these frames, with some around them if the range is short.
   void showRange(const FrameRange& range);
 
   const FrameWindow& window() const { return window_; }

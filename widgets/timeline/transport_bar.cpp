@@ -169,7 +169,7 @@ void TransportBar::showClip() {
 void TransportBar::showFrame(int frame) {
   const QSignalBlocker blocker(scrub_);
   scrub_->setValue(frame);
-  // Numbers are padded to the clip's widest, so that nothing moves while it plays.
+  // Pads numbers to the width of the clip's longest, so that nothing moves during playback.
   const int frames = playback_->frames();
   const auto width = static_cast<int>(QString::number(frames).size());
   const double last_seconds = std::max(frames - 1, 0) / playback_->sampleRate();

@@ -26,12 +26,12 @@ struct TransportActions {
   QAction* forwards = nullptr;
   QAction* ten_back = nullptr;
   QAction* ten_on = nullptr;
-  QAction* range_from = nullptr;  // starts the played range here
+  QAction* range_from = nullptr;  // sets the start of the played range
   QAction* range_to = nullptr;
   QAction* whole_clip = nullptr;
 };
 
-/// Buttons, time slider, displays of time and frame, and speed, below the 3D view.
+/// The bar below the 3D view: buttons, time slider, time and frame display, and speed.
 class TransportBar : public QWidget {
   Q_OBJECT
 
@@ -41,7 +41,8 @@ class TransportBar : public QWidget {
 
   TransportBar(Playback* playback, const TransportActions& actions, QWidget* parent = nullptr);
 
-  /// The animations of the file and the one that is played. Hidden for a single animation.
+  /// Sets the animations of the file, and the one that is played. The choice is hidden if there is
+  /// only one animation.
   void setTakes(const QStringList& names, int current);
 
  signals:
