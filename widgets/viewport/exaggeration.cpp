@@ -19,7 +19,7 @@ void exaggerate(const Pose& original, double times, Pose& pose) {
     pose.origin[j] = original.origin[j] + times * (pose.origin[j] - original.origin[j]);
     const Eigen::AngleAxisd difference(
         Eigen::Matrix3d(original.world_from_joint[j].transpose() * pose.world_from_joint[j]));
-    // Half a turn is as far as a joint can be turned.
+    // A joint can be turned by at most half a turn.
     const double angle = std::min(times * difference.angle(), std::numbers::pi);
     pose.world_from_joint[j] =
         original.world_from_joint[j] * Eigen::AngleAxisd(angle, difference.axis());

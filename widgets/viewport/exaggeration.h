@@ -8,14 +8,15 @@ namespace mocapress {
 
 struct Pose;
 
-/// Positions whose differences from the original are `times` as large. Both have the same size.
+/// Returns positions that differ from `original` `times` as much as `other` does. Both have the
+/// same size.
 Eigen::MatrixXd exaggerated(const Eigen::MatrixXd& original, const Eigen::MatrixXd& other,
                             double times);
 
-/// Changes `pose` so that positions and rotations differ from the original's `times` as much.
+/// Changes `pose` so that its positions and rotations differ from the original's `times` as much.
 void exaggerate(const Pose& original, double times, Pose& pose);
 
-/// The same for poses that are computed when asked for. Empty if either is.
+/// Exaggerates poses that are computed on request. Empty if either function is.
 std::function<void(int frame, Pose& pose)> exaggeratedPoses(
     const std::function<void(int frame, Pose& pose)>& original,
     const std::function<void(int frame, Pose& pose)>& other, double times);

@@ -15,32 +15,32 @@ namespace mocapress {
 /// One figure in the scene, drawn as instances of one mesh. A new pose replaces one buffer.
 class Figure : public Qt3DCore::QEntity {
  public:
-  /// A trail is a ghost of many capsules, each with fewer triangles. A shadow lies on the ground,
-  /// y = 0: one soft spot a capsule, dark and sharp under what stands, faint and wide under what is
-  /// high.
+  /// A trail is a ghost of many capsules, each with fewer triangles. A shadow lies on the ground, y
+  /// = 0, with one soft spot for each capsule: dark and sharp if the capsule is near the ground,
+  /// faint and wide if it is high.
   enum class Look { Solid, Ghost, Trail, Shadow };
 
   Figure(Look look, QNode* parent);
 
-  /// Shows these capsules and no others.
+  /// Replaces the capsules that are shown.
   void show(std::span<const Capsule> capsules);
   void hide();
 
   /// Switches a figure made as a ghost to solid and back.
   void setGhost(bool ghost);
 
-  /// Moves the figure's depth this far (cm) from the eye, so that nearer ones cover it.
+  /// Moves the figure's depth this far (cm) away from the eye, so that nearer figures cover it.
   void setBehind(float behind);
 
-  /// Scales the thickness; 1: as thick as the bones are.
+  /// Scales the thickness; 1: the thickness of the capsules.
   void setThickness(float thickness);
 
   void setPane(const Pane& pane);
 
-  /// Moves everything drawn by this offset (cm).
+  /// Moves the drawn figure by this offset (cm).
   void setOffset(const QVector3D& offset);
 
-  /// Flattens the capsules onto the ground; 1: round.
+  /// Scales the capsules' height, to flatten them onto the ground; 1: round.
   void setFlatness(float flatness);
 
   void setColours(const QColor& figure, const QColor& alert);

@@ -11,11 +11,11 @@
 namespace mocapress {
 namespace {
 
-constexpr Eigen::Index kLooks = 256;     // frames that are looked at
+constexpr Eigen::Index kLooks = 256;     // at most so many frames are examined
 constexpr double kSteadyEnough = 0.5;    // length of the mean of unit vectors
 constexpr double kLeastCrossing = 1e-3;  // cm between hips, seen from above
 
-/// Joints of a region whose parents are in another.
+/// Joints of a region whose parents are not in that region.
 std::vector<int> topsOf(const Skeleton& skeleton, const std::vector<BodyRegion>& regions,
                         BodyRegion region) {
   const auto is_in = [&](int joint) {
@@ -31,7 +31,7 @@ struct Toe {
   int ankle, landmark;
 };
 
-/// Landmarks of both feet, each with the ankle before it.
+/// Landmarks at and below the ankles, each with its ankle.
 std::vector<Toe> toesOf(const Skeleton& skeleton, const std::vector<int>& ankles) {
   std::vector<Toe> toes;
   const std::vector<Landmark> points = landmarks(skeleton);
@@ -51,12 +51,12 @@ std::optional<float> frontOf(const Skeleton& skeleton, const Eigen::MatrixXd& tr
   const std::vector<int> ankles = topsOf(skeleton, regions, BodyRegion::Foot);
   if (hips.size() != 2 || ankles.size() != 2) return {};
   const std::vector<Toe> toes = toesOf(skeleton, ankles);
-  // A landmark's place on the floor: z and x.
+  // A landmark's floor coordinates: z and x.
   const auto at = [&](Eigen::Index frame, int landmark) {
     return Eigen::Vector2d(tracks(frame, 3 * landmark + 2), tracks(frame, 3 * landmark));
   };
   Eigen::Vector2d first = Eigen::Vector2d::Zero(), sum = Eigen::Vector2d::Zero();
-  double ahead = 0;  // cm that the toes are before the ankles, else behind
+  double ahead = 0;  // cm, summed: how far the toes are ahead of the ankles; negative: behind
   int looks = 0;
   for (Eigen::Index f = 0; f < tracks.rows(); f += 1 + tracks.rows() / kLooks) {
     const Eigen::Vector2d across = at(f, hips[1]) - at(f, hips[0]);

@@ -14,18 +14,18 @@
 namespace mocapress {
 namespace {
 
-// Thickness of anything but a human. It grows with the root of the length, so that neither fingers
-// vanish nor thighs swell.
+// Thickness of bodies that are not human. It grows with the square root of the length, so that
+// fingers stay visible and thighs stay slim.
 constexpr float kRadiusPerRoot = 0.034f;  // radius / root of (length x size of the figure)
 constexpr float kThinnest = 0.003f;       // radius per size of the figure
 constexpr float kTaper = 0.6f;            // a bone's end radius, per start radius
-constexpr float kRingPerBall = 1.5f;      // radii
-constexpr float kRingPerDepth = 1.3f;     // radius / depth of the joint below the skin
-constexpr float kMostThickness = 0.4f;    // radius per length of a bone
+constexpr float kRingPerBall = 1.5f;      // radius of the ring, per radius of the joint's ball
+constexpr float kRingPerDepth = 1.3f;   // radius of the ring, per depth of the joint below the skin
+constexpr float kMostThickness = 0.4f;  // radius per length of a bone
 
-// Proportions of a human, per stature.
+// Proportions of a human, as shares of the stature.
 constexpr float kLegOfStature = 0.491f;  // from hip to ankle
-constexpr float kSkull = 0.049f;         // radius per stature
+constexpr float kSkull = 0.049f;         // radius
 constexpr float kJaw = 0.036f;
 constexpr float kJawAbove = 0.03f;  // above the joint that turns the head
 constexpr float kSkullAbove = 0.063f;
@@ -118,7 +118,7 @@ class FigureShape::Builder {
     return posed(a).distanceToPoint(posed(b));
   }
 
-  /// The point `share` of the way between two places; a share above 1 leads beyond the second.
+  /// The point at `share` of the way from `from` to `to`; a share above 1 leads beyond `to`.
   static Place between(const Place& from, const Place& to, float share) {
     Place place;
     for (const auto& [landmark, weight] : from) place.emplace_back(landmark, (1 - share) * weight);
@@ -127,7 +127,7 @@ class FigureShape::Builder {
   }
   static Place on(int landmark) { return {{landmark, 1.0f}}; }
 
-  /// The point `cm` beyond `to`, seen from another place.
+  /// The point `cm` beyond `to` on the line from `from`; `to` itself if both places coincide.
   Place beyond(const Place& from, const Place& to, float cm) const {
     const float length = distance(from, to);
     return length > 0 ? between(from, to, 1 + cm / length) : to;
@@ -137,13 +137,13 @@ class FigureShape::Builder {
     shape_.parts_.push_back({start, start_radius, end, end_radius});
   }
 
-  /// Adds a ball that fills the joint.
+  /// Makes a joint's ball at least this large.
   void fill(int joint, float radius) {
     float& ball = shape_.ball_radii_[static_cast<std::size_t>(joint)];
     ball = std::max(ball, radius);
   }
 
-  /// Collects the body's bones, without any from a root on the floor to the hips.
+  /// Collects the body's bones. Bones from a root on the floor to the hips are not among them.
   void findBones() {
     const std::vector<BodyLimb> limbs = body_limbs(skeleton_);
     int end_site = skeleton_.joint_count();
@@ -168,7 +168,7 @@ class FigureShape::Builder {
     }
   }
 
-  /// The uppermost joints of a region.
+  /// The joints of a region whose parents are not in that region.
   std::vector<int> tops(BodyRegion wanted) const {
     std::vector<int> found;
     for (int j = 0; j < skeleton_.joint_count(); ++j) {
@@ -185,14 +185,14 @@ class FigureShape::Builder {
     stature_ = 0;
     for (const int hip : hips_) stature_ += legBelow(hip) / 2 / kLegOfStature;
     if (!(stature_ > 0)) return false;
-    // Pairs shoulders with hips by distance.
+    // Orders the shoulders like the hips, by the smaller sum of their distances.
     if (distance(on(shoulders_[0]), on(hips_[0])) + distance(on(shoulders_[1]), on(hips_[1])) >
         distance(on(shoulders_[0]), on(hips_[1])) + distance(on(shoulders_[1]), on(hips_[0])))
       std::swap(shoulders_[0], shoulders_[1]);
     return true;
   }
 
-  /// The leg's length from hip over knee to ankle, however many joints lie between.
+  /// The leg's length from hip over knee to ankle, however many joints lie between them.
   float legBelow(int hip) const {
     const auto is_below = [&](int joint) {
       while (joint > hip) joint = skeleton_.joint(joint).parent;
@@ -207,13 +207,13 @@ class FigureShape::Builder {
     return distance(on(hip), on(knee)) + distance(on(knee), on(ankle));
   }
 
-  /// Adds two columns that bend with shoulders and hips, narrower at the waist.
+  /// Adds two columns, narrower at the waist, that bend with the shoulders and hips.
   void addTrunk() {
     const Place between_shoulders = between(on(shoulders_[0]), on(shoulders_[1]), 0.5f);
     const Place between_hips = between(on(hips_[0]), on(hips_[1]), 0.5f);
     const float trunk = distance(between_shoulders, between_hips);
     const float wide = distance(on(shoulders_[0]), on(shoulders_[1]));
-    // The ribs fit between the arms.
+    // Limits the chest so that the ribs fit between the arms.
     const float chest = std::min({kChest * stature_, 0.32f * wide, 0.4f * trunk});
     const float waist = chest * kWaist / kChest;
     const float pelvis = chest * kPelvis / kChest;
@@ -234,7 +234,7 @@ class FigureShape::Builder {
     add(between(between_shoulders, between_hips, 0.18f), chest, middle, waist);
     add(middle, waist, between_hips, pelvis);
     neck_base_ = between(between_shoulders, between_hips, 0.04f);
-    // Some rigs have joints on the skin: their balls would stand out of it.
+    // Some rigs have joints on the skin, whose balls must not stick out.
     for (int j = shape_.body_root_; j < skeleton_.joint_count(); ++j)
       if (region(j) == BodyRegion::Trunk)
         fill(j, std::min(0.8f * waist, shape_.depth(posed(on(j)), pose_)));
@@ -243,7 +243,7 @@ class FigureShape::Builder {
   void addHead() {
     for (const int head : tops(BodyRegion::Head)) {
       const Place base = on(head);
-      // A face has joints too, but the crown lies furthest from the neck.
+      // The crown is the bone end furthest from the neck: a face has joints, too.
       Place top = beyond(neck_base_, base, 0.1f * stature_);
       const QVector3D up = (posed(base) - posed(neck_base_)).normalized();
       float highest = 0.05f * stature_;
@@ -261,7 +261,7 @@ class FigureShape::Builder {
       add(neck_base_, 1.1f * kNeckRadius * stature_, along(0.02f), kNeckRadius * stature_);
       add(along(kJawAbove), kJaw * stature_, along(kSkullAbove), kSkull * stature_);
       fill(head, kNeckRadius * stature_);
-      // The slopes from the neck to the shoulders.
+      // Adds the slopes from the neck to the shoulders.
       for (std::size_t side = 0; side < 2; ++side)
         add(between(neck_base_, base, 0.4f), 0.95f * kNeckRadius * stature_,
             between(neck_base_, on(shoulders_[side]), 0.8f), 0.85f * shoulder_of_[side]);
@@ -270,7 +270,7 @@ class FigureShape::Builder {
   }
 
   void addLimb(const Bone& bone) {
-    // Bones that lead into a limb are as thick as its flesh.
+    // Also bones that lead into a limb are as thick as its flesh.
     const auto add_tapered = [&](float start, float end) {
       const float radius = std::min(bone.radius, kMostThickness * bone.length);
       add(on(bone.start), start * radius, on(bone.end), end * radius);
@@ -295,7 +295,7 @@ class FigureShape::Builder {
     }
   }
 
-  /// The ends of all chains that hang on a joint in its own region.
+  /// The ends of all bones at and below a joint; finger bones count only with `also_fingers`.
   std::vector<int> endsBelow(int joint, bool also_fingers) const {
     std::vector<int> ends;
     for (const Bone& bone : bones_) {
@@ -307,7 +307,7 @@ class FigureShape::Builder {
     return ends;
   }
 
-  /// Adds a palm: wide at the fingers, or as long as a hand without them.
+  /// Adds a palm: a part to each knuckle, or one as long as a hand if there are no fingers.
   void addPalm(int wrist) {
     const Place base = on(wrist);
     const float palm = kPalm * stature_;
@@ -328,7 +328,7 @@ class FigureShape::Builder {
     add(between(base, tip, 0.25f), palm, between(base, tip, 0.85f), 0.75f * palm);
   }
 
-  /// Adds a heel below the ankle, the instep and the toes.
+  /// Adds a foot: the heel below the ankle, the instep and the toes.
   void addFoot(int ankle) {
     const Place base = on(ankle);
     const int knee = skeleton_.joint(ankle).parent;
@@ -357,8 +357,8 @@ class FigureShape::Builder {
 
   const Skeleton& skeleton_;
   FigureShape& shape_;
-  const Eigen::MatrixXd& pose_;      // pose in which it is measured
-  std::vector<BodyRegion> regions_;  // empty: not a human
+  const Eigen::MatrixXd& pose_;      // pose in which the body is measured
+  std::vector<BodyRegion> regions_;  // by joint; empty: not a human
   std::vector<bool> is_finger_;
   std::vector<Bone> bones_;
   std::vector<int> hips_;               // joints where legs begin, left and right or right and left
@@ -374,7 +374,7 @@ FigureShape::FigureShape(const Skeleton& skeleton, const Eigen::MatrixXd& tracks
   const Eigen::MatrixXd rest = restTracks(skeleton);
   const Eigen::MatrixXd pose = tracks.rows() > 0 ? tracks.topRows(1).eval() : rest;
   size_ = skeleton.joint_count() > 0 ? longestSide(boxAround(rest, 0, body_root_)) : 0;
-  if (size_ <= 0) size_ = 100;  // a lone point is drawn as a ball too, to see and click
+  if (size_ <= 0) size_ = 100;  // a lone point is drawn as a ball, too, so that it can be clicked
   std::fill(ball_radii_.begin(), ball_radii_.end(), kThinnest * size_);
   Builder(skeleton, pose, *this).build();
   for (int j = 0; j < jointCount(); ++j)

@@ -13,7 +13,8 @@
 
 namespace mocapress {
 
-/// A round body between two balls, laid out for the figure's shader: one instance of the mesh.
+/// A round body between two balls, laid out for the figure's shader. Each capsule is one instance
+/// of the mesh.
 struct Capsule {
   QVector3D start;     // cm, in the world
   float start_radius;  // cm
@@ -28,22 +29,23 @@ static_assert(sizeof(Capsule) == 17 * sizeof(float));
 /// An opaque tint in this colour.
 QVector4D tintOf(const QColor& colour);
 
-/// Marks on a figure at a frame.
+/// Marks on a figure in one frame.
 struct FigureMarks {
   std::vector<float> alerts;     // for each joint, 0 to 1; empty: none
   std::vector<QVector4D> tints;  // for each landmark; empty: none
 };
 
-/// A point of a frame of landmark_tracks().
+/// A landmark's position in a frame of landmark_tracks().
 QVector3D landmarkAt(const Eigen::MatrixXd& tracks, int frame, int landmark);
 
-/// The body of a skeleton in tapered capsules. A human has a skull, a trunk with volume, limbs of
-/// human proportions, hands and feet, whatever joints carry them; other bodies have bones whose
-/// thickness follows from what hangs on them. The shape comes from landmark positions alone. It
-/// keeps thicknesses; poses come with every frame.
+/// The body of a skeleton as tapered capsules. A human has a skull, a trunk with volume, limbs of
+/// human proportions, hands and feet, whichever joints carry them. Other bodies have bones whose
+/// thickness follows from their length. The shape is derived from landmark positions alone. It
+/// stores thicknesses; the pose is given with every frame.
 ///
-/// Measures proportions in the first frame of `tracks`, or in the rest pose without any. The zero
-/// pose of an FBX or glTF file may be no pose at all, for example with both shoulders in one place.
+/// Proportions are measured in the first frame of `tracks`, or in the rest pose if `tracks` is
+/// empty. The rest pose of an FBX or glTF file may be no pose at all, for example with both
+/// shoulders in one place.
 class FigureShape {
  public:
   explicit FigureShape(const Skeleton& skeleton, const Eigen::MatrixXd& tracks = {});
@@ -51,8 +53,8 @@ class FigureShape {
   int jointCount() const { return static_cast<int>(ball_radii_.size()); }
   int capsuleCount() const { return static_cast<int>(parts_.size() + ball_radii_.size()); }
 
-  /// Number of capsules that are parts of the body. They come last and are round at their ends; the
-  /// others are balls inside the body, one for each joint.
+  /// Number of capsules that are parts of the body. Parts are the last capsules and have round
+  /// ends. The other capsules are balls inside the body, one for each joint.
   int partCount() const { return static_cast<int>(parts_.size()); }
 
   /// The skeleton's body_root().
@@ -61,25 +63,26 @@ class FigureShape {
   /// The longest side (cm) of the box around the rest pose.
   float size() const { return size_; }
 
-  /// The width (cm) of a ring around a joint that shows outside the body.
+  /// The radius (cm) of a ring around a joint that is visible outside the body.
   float ringRadius(int joint) const { return ring_radii_[static_cast<std::size_t>(joint)]; }
 
   /// All capsules at a frame of landmark_tracks().
   std::vector<Capsule> posed(const Eigen::MatrixXd& tracks, int frame,
                              const FigureMarks& marks) const;
 
-  /// Fills capsuleCount() capsules: joint j is the j-th, the parts follow the joints.
+  /// Fills capsuleCount() capsules: first a ball for each joint, in joint order, then the parts.
   void pose(const Eigen::MatrixXd& tracks, int frame, const FigureMarks& marks,
             std::span<Capsule> capsules) const;
 
-  /// The body's landmarks at a frame, and the highest points of its parts.
+  /// The positions of the body's landmarks at a frame, and the top of each part's end.
   std::vector<QVector3D> body(const Eigen::MatrixXd& tracks, int frame) const;
 
-  /// The centre of the box around body().
+  /// The centre of the box around the body's landmarks at a frame.
   QVector3D centre(const Eigen::MatrixXd& tracks, int frame) const;
 
  private:
-  /// A weighted mean of landmarks; weights sum to 1. Negative weights lead beyond the others.
+  /// A weighted mean of landmarks, with weights that sum to 1. A negative weight leads beyond the
+  /// other landmarks.
   using Place = std::vector<std::pair<int, float>>;
   struct Part {
     Place start;
@@ -92,12 +95,12 @@ class FigureShape {
   static QVector3D at(const Place& place, const Eigen::MatrixXd& tracks, int frame);
   static int nearestLandmark(const Place& place);
 
-  /// Depth (cm) of a point of the first frame below the body's surface; 0: outside.
+  /// Depth (cm) of a point of the first frame below the body's surface; 0: outside the body.
   float depth(const QVector3D& point, const Eigen::MatrixXd& tracks) const;
 
   std::vector<Part> parts_;
-  std::vector<float> ball_radii_;  // cm, one a joint
-  std::vector<float> ring_radii_;  // likewise
+  std::vector<float> ball_radii_;  // cm, by joint
+  std::vector<float> ring_radii_;  // cm, by joint
   int body_root_;
   float size_;
 };

@@ -11,11 +11,11 @@
 
 namespace mocapress {
 
-/// Triangles whose vertices are a position (3 floats) and one more float.
+/// Triangles whose vertices have a position (3 floats) and one more float.
 struct Mesh {
   struct Vertex {
     float x, y, z;
-    float along;  // end of the capsule for its shader; 0 in other meshes
+    float along;  // 0 or 1: the vertex's end of a capsule; 0 in other meshes
   };
   std::vector<Vertex> vertices;
   std::vector<std::uint16_t> indices;
@@ -37,14 +37,14 @@ Mesh groundMesh();
 /// One triangle that covers clip space.
 Mesh backdropMesh();
 
-/// The bytes of a buffer.
+/// Copies values into a buffer's bytes.
 template <typename T>
 QByteArray bytesOf(const std::vector<T>& values) {
   return {reinterpret_cast<const char*>(values.data()),
           static_cast<qsizetype>(values.size() * sizeof(T))};
 }
 
-/// Adds float attributes from a buffer of equal records.
+/// Adds a vertex attribute of `floats` floats, read from a buffer of equally large records.
 Qt3DCore::QAttribute* addAttribute(Qt3DCore::QGeometry* geometry, Qt3DCore::QBuffer* buffer,
                                    const QString& name, uint floats, uint byte_offset,
                                    uint byte_stride);

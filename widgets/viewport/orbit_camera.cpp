@@ -17,7 +17,7 @@ constexpr float kDistancePerNotch = 0.85f;
 constexpr float kSteepest = 89;   // degrees
 constexpr float kFilled = 0.86f;  // share of the view that framed points fill
 constexpr float kNearest = 0.1f;  // distance to the target, per radius
-constexpr float kFurthest = 60;   // likewise: a person is then about 40 pixels high
+constexpr float kFurthest = 60;   // distance, per radius: a person is then about 40 pixels high
 constexpr QVector3D kUp{0, 1, 0};
 
 constexpr float radians(float degrees) {
@@ -58,7 +58,8 @@ void OrbitCamera::frame(std::span<const QVector3D> points, float least_radius) {
   for (const QVector3D& point : points) radius = std::max(radius, (point - centre).length());
   lookAt(centre, radius);
   if (radius <= least_radius) return;  // a single point has no size to fill the view
-  // The distance depends on the middle of the view, and the middle on the distance: iterates.
+  // The distance depends on the view's centre, and the centre on the distance, so both are
+  // iterated.
   constexpr int kRounds = 4;
   const QVector3D right = this->right();
   const QVector3D up = QVector3D::crossProduct(targetToEye(), right);
@@ -77,7 +78,7 @@ void OrbitCamera::frame(std::span<const QVector3D> points, float least_radius) {
       highest = std::max(highest, y);
     }
     target_ += distance_ * ((left_most + right_most) / 2 * right + (lowest + highest) / 2 * up);
-    distance_ = radius_;  // a minimum for points in one line of sight
+    distance_ = radius_;  // the minimum, for points in one line of sight
     for (const QVector3D& point : points) {
       const QVector3D away = point - target_;
       distance_ = std::max({distance_,

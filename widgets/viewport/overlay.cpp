@@ -87,7 +87,7 @@ constexpr double kRampHeight = 10;
 constexpr double kLineWidth = 2;
 constexpr double kGripSize = 30;
 constexpr double kNoteRing = 18;
-constexpr double kNoteText = 260;  // longest
+constexpr double kNoteText = 260;  // greatest width of a note's text
 
 QImage painted(const QSizeF& size, double pixel_ratio,
                const std::function<void(QPainter&)>& paint) {
@@ -152,8 +152,8 @@ void Overlay::show(const OverlayContent& content) {
            true, content);
 }
 
-/// A plate with a line of text. One that warns of what is not as it is stands out, and `corner` is
-/// its right one, opposite the titles.
+/// Shows a line of text on a plate. A warning is bold and coloured, and `corner` is then the
+/// plate's top right corner, away from the titles; otherwise it is the top left one.
 void Overlay::showNote(SceneLabel* label, const QString& text, const QPointF& corner, bool warns,
                        const OverlayContent& content) {
   QFont font = QGuiApplication::font();
@@ -282,7 +282,7 @@ void Overlay::showNotes(const std::vector<OverlayNote>& notes, const QSize& view
       painter.setBrush(Qt::NoBrush);
       const double ring = kNoteRing - 2 * kLineWidth;
       const QRectF place(kLineWidth, (kTitleHeight - ring) / 2, ring, ring);
-      // Seen on dark and on bright grounds.
+      // The ring has a rim, so that it is visible on dark and on bright grounds.
       painter.setPen(QPen(colours_.plate, 2 * kLineWidth));
       painter.drawEllipse(place);
       painter.setPen(QPen(QColor(kFrameNoteColour), kLineWidth));

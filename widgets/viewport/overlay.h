@@ -26,7 +26,7 @@ class SceneLabel : public Qt3DCore::QEntity {
  public:
   explicit SceneLabel(QNode* parent);
 
-  /// Shows the picture in a rectangle of a view, both in logical pixels.
+  /// Shows the picture at a rectangle of a view whose size is `view`, both in logical pixels.
   void show(const QImage& picture, const QRectF& place, const QSizeF& view);
   void hide();
 
@@ -35,7 +35,7 @@ class SceneLabel : public Qt3DCore::QEntity {
   ShaderMaterial* material_;
 };
 
-/// The texts of the overlay and the sizes they are drawn for.
+/// The contents of the overlay, and the sizes that it is drawn for.
 struct OverlayContent {
   Arrangement arrangement;
   bool has_original = false;
@@ -47,15 +47,15 @@ struct OverlayContent {
   double pixel_ratio = 1;           // device pixels per logical pixel
 };
 
-/// A note in the picture: its text beside a mark.
+/// A note in the picture: a mark, and its text beside it.
 struct OverlayNote {
   QPointF at;  // logical pixels
   QString text;
 };
 
 /// Draws over the scene: the titles of the figures, the divider between them, the scale of error
-/// colours, notes, and by how much differences are exaggerated. A quartered window gets names of
-/// its views.
+/// colours, notes, the factor of exaggerated differences, and the names of a quartered window's
+/// views.
 class Overlay : public Qt3DCore::QEntity {
  public:
   explicit Overlay(QNode* parent);
@@ -64,7 +64,7 @@ class Overlay : public Qt3DCore::QEntity {
   void show(const OverlayContent& content);
   void showNotes(const std::vector<OverlayNote>& notes, const QSize& view, double pixel_ratio);
 
-  /// Labels for the frame graph, in drawing order.
+  /// The labels for the frame graph, as groups in drawing order.
   std::vector<std::vector<Qt3DCore::QEntity*>> labels() const;
 
  private:
@@ -83,7 +83,7 @@ class Overlay : public Qt3DCore::QEntity {
   static constexpr std::size_t kMostNotes = 4;
   std::array<SceneLabel*, kMostNotes> notes_;
   SceneLabel* exaggeration_;
-  std::array<SceneLabel*, kQuarters - 1> quarters_;  // names of the views along an axis
+  std::array<SceneLabel*, kQuarters - 1> quarters_;  // names of the front, side and top view
 };
 
 }  // namespace mocapress

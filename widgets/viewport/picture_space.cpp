@@ -33,7 +33,7 @@ bool PictureSpace::isOnDivider(const QPointF& position) const {
 std::optional<QPointF> PictureSpace::pixelOf(const QVector3D& place, const Pane& pane) const {
   const auto pixel = camera_.project(place + offset_);
   if (!pixel) return {};
-  // Outside its own part of the window it would be taken for a place in another one's.
+  // Unset outside the pane, where the pixel would seem to belong to another pane.
   const QPointF at = *pixel + QPointF(leftOfPane(pane), 0);
   const auto device_x = static_cast<float>(2 * at.x() / viewWidth() - 1);
   const bool beside = arrangement_.panes > 1 && !pane.contains(device_x);
@@ -48,7 +48,7 @@ std::optional<PictureSpace::Pointed> PictureSpace::pointedAt(const std::vector<D
                                                              double reach) const {
   const int quarter = quarterAt(position);
   OrbitCamera camera = cameras()[static_cast<std::size_t>(quarter)];
-  camera.moveBy(-offset_);  // to the places of the figures as recorded
+  camera.moveBy(-offset_);  // into the clip's world
   const QPointF in_quarter =
       position - QPointF(quarter % 2 * viewWidth(), quarter / 2 * window_.height() / 2);
   const auto device_x = static_cast<float>(2 * in_quarter.x() / viewWidth() - 1);
@@ -66,12 +66,12 @@ std::optional<PictureSpace::Pointed> PictureSpace::pointedAt(const std::vector<D
   return nearest;
 }
 
-/// Pixels of a quarter of a quartered window, else of the whole.
+/// The width in pixels of a quarter if the window is quartered, else of the window.
 double PictureSpace::viewWidth() const {
   return arrangement_.quartered ? window_.width() / 2 : window_.width();
 }
 
-/// Pixels from the left of a view to where the camera's picture of a pane begins.
+/// The pixels from the left of a view to the left of the camera's picture in a pane.
 double PictureSpace::leftOfPane(const Pane& pane) const {
   const double width = viewWidth();
   return (width - width / arrangement_.panes) / 2 + static_cast<double>(pane.shift) * width / 2;

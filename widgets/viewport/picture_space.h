@@ -13,28 +13,28 @@
 
 namespace mocapress {
 
-/// Where places of the clip's world are in a window's picture, and what is under one of its pixels.
-/// Pixels are logical, from the window's top left.
+/// Converts between places in the clip's world and pixels of a window's picture. Pixels are
+/// logical, from the window's top left.
 class PictureSpace {
  public:
-  /// `offset` is how far figures are drawn from their places in the clip, cm.
+  /// `offset` (cm) moves drawn figures away from their places in the clip.
   PictureSpace(const Arrangement& arrangement, const QSizeF& window, const OrbitCamera& camera,
                const QVector3D& offset)
       : arrangement_(arrangement), window_(window), camera_(camera), offset_(offset) {}
 
-  /// Cameras of the window's views: one, or those of the quarters.
+  /// The cameras of the window's views: one, or one for each quarter.
   std::vector<OrbitCamera> cameras() const;
 
-  /// The quarter at a pixel; 0 in a window with one view.
+  /// The index of the quarter at a pixel; 0 in a window with one view.
   int quarterAt(const QPointF& position) const;
 
-  /// The divider of a wipe can be gripped there.
+  /// True if a wipe's divider can be gripped at the pixel.
   bool isOnDivider(const QPointF& position) const;
 
-  /// A place in the picture of the first view; unset outside the pane of its figure.
+  /// The pixel of a place in the first view; unset if it is outside the pane of the place's figure.
   std::optional<QPointF> pixelOf(const QVector3D& place, const Pane& pane) const;
 
-  /// A figure at the frame that is shown.
+  /// A figure at the shown frame.
   struct Drawn {
     const Eigen::MatrixXd& tracks;
     int frame;
@@ -45,11 +45,11 @@ class PictureSpace {
   struct Pointed {
     int joint;
     QVector3D place;     // in the clip's world
-    QPointF in_pane;     // the pixel, in the joint's pane
-    OrbitCamera camera;  // the joint's pane's, in the clip's world
+    QPointF in_pane;     // the pixel, relative to the joint's pane
+    OrbitCamera camera;  // camera of the joint's pane, in the clip's world
   };
 
-  /// The nearest joint within `reach` pixels.
+  /// The joint nearest to a pixel, if it is within `reach` pixels.
   std::optional<Pointed> pointedAt(const std::vector<Drawn>& figures, int joint_count,
                                    const QPointF& position, double reach) const;
 

@@ -9,13 +9,14 @@
 
 namespace mocapress {
 
-/// A white ring that faces the eye, drawn over everything: it marks a joint without changing its
-/// colours.
+/// A white ring that faces the eye and is drawn over everything. It marks a joint without changing
+/// the joint's colours.
 class Ring : public Qt3DCore::QEntity {
  public:
   explicit Ring(QNode* parent);
 
-  /// Takes world positions in cm. Its size on the screen has a minimum, so that it shows from afar.
+  /// Shows the ring at a world position, in cm. Its size on the screen has a minimum, so that it is
+  /// visible from afar.
   void show(const QVector3D& centre, float radius);
   void hide();
 

@@ -70,15 +70,15 @@ namespace {
 
 constexpr std::chrono::seconds kCaptureTimeout{5};
 
-// A change is rendered by the first frame that begins after it. One frame may already be running,
-// hence 2.
+// A change is rendered by the first frame that begins after the change. Another frame may already
+// be running, hence 2.
 constexpr int kFramesUntilDrawn = 2;
 
 constexpr float kDiscFlatness = 0.05f;
 
 constexpr float kTrailThickness = 0.8f;
 
-/// One pass of the materials of some entities.
+/// Draws some entities with one pass of their materials.
 struct Step {
   Qt3DRender::QLayer* layer;
   QString pass;
@@ -95,7 +95,7 @@ Step stepOf(std::initializer_list<Qt3DCore::QEntity*> entities, const char* pass
   return stepOf<std::initializer_list<Qt3DCore::QEntity*>>(entities, pass);
 }
 
-/// A leaf of the frame graph.
+/// Adds a leaf to the frame graph that draws a step.
 void addStep(Qt3DRender::QFrameGraphNode* parent, const Step& step) {
   auto* only_layer = new Qt3DRender::QLayerFilter(parent);
   only_layer->addLayer(step.layer);
@@ -106,7 +106,8 @@ void addStep(Qt3DRender::QFrameGraphNode* parent, const Step& step) {
   only_pass->addMatch(key);
 }
 
-/// The rest of the frame graph below it draws a part of the window as a camera sees it.
+/// Adds a node to the frame graph. Everything below the node is drawn into a part of the window, as
+/// the camera sees it.
 Qt3DRender::QCameraSelector* addView(Qt3DRender::QFrameGraphNode* parent,
                                      Qt3DRender::QCamera* camera,
                                      Qt3DRender::QViewport** part = nullptr) {
@@ -140,7 +141,7 @@ Scene::Scene(OpenGl open_gl) {
   QSurfaceFormat surface_format = format();
   surface_format.setSamples(open_gl == OpenGl::Software ? 0 : 4);
   setFormat(surface_format);
-  QSurfaceFormat::setDefaultFormat(surface_format);  // Qt3D's context follows this one
+  QSurfaceFormat::setDefaultFormat(surface_format);  // Qt3D's context uses the default format
 
   auto* root = new Qt3DCore::QEntity;
   auto* backdrop = new Qt3DCore::QEntity(root);
@@ -181,12 +182,13 @@ void Scene::makeFrameGraph(Qt3DCore::QEntity* backdrop) {
   auto* clear = new Qt3DRender::QClearBuffers(addView(surface, camera()));
   clear->setBuffers(Qt3DRender::QClearBuffers::ColorDepthBuffer);
   new Qt3DRender::QNoDraw(clear);
-  // The frame graph draws in this order, so that translucent things come over solid ones.
+  // The frame graph draws in this order, so that translucent things are drawn over solid ones.
   std::vector<Step> steps = {
       stepOf({backdrop}, "shade"),
       stepOf({body_, body_skin_, body_path_, shell_path_, trails_, discs_}, "shade"),
       stepOf({body_shadow_, shell_shadow_}, "shade"), stepOf(grounds_, "shade")};
-  // Among overlapping pinned figures only the nearest shows: blended colours would match neither.
+  // Of overlapping pinned figures only the nearest is visible: a blend of two colours would match
+  // neither.
   std::vector<Qt3DCore::QEntity*> pinned(pinned_.begin(), pinned_.end());
   pinned.insert(pinned.end(), pinned_skins_.begin(), pinned_skins_.end());
   for (const char* pass : {"depth", "shade"}) steps.push_back(stepOf(pinned, pass));
@@ -256,8 +258,8 @@ void Scene::frameBegins() {
   if (--frames_until_drawn_ == 0) emit drawn();
 }
 
-// Changes are uploaded while the first frame is drawn and show in the second. The first captured
-// picture may be blank, too.
+// Captures twice: changes are uploaded during the first frame and visible in the second. The first
+// captured picture may be blank, too.
 void Scene::capture() {
   capture(2);
 }

@@ -24,8 +24,8 @@ class QViewport;
 
 namespace mocapress {
 
-/// The distance (cm) between grid lines for a figure's size: 50 for a human, times powers of ten
-/// for giants and dwarfs. Every second line is stronger.
+/// The distance (cm) between grid lines that suits a figure's size: 50 for a human, times powers of
+/// ten for giants and dwarfs. Every second line is stronger.
 float gridCell(float figure_size);
 
 /// The grid on y = 0 with its axes, which fades with the distance from the camera's target.
@@ -43,11 +43,11 @@ class Ground : public Qt3DCore::QEntity {
   float cell_ = 50;  // cm
 };
 
-/// The kind of OpenGL that can draw here.
+/// The kind of OpenGL that is available for drawing.
 enum class OpenGl { None, Software, Hardware };
 OpenGl findOpenGl();
 
-/// The window that Qt3D renders into, with its entities. Renders only when something changes.
+/// The window that Qt3D renders into, with its entities. It renders only when something changes.
 class Scene : public Qt3DExtras::Qt3DWindow {
   Q_OBJECT
 
@@ -56,8 +56,8 @@ class Scene : public Qt3DExtras::Qt3DWindow {
   /// times as fast.
   explicit Scene(OpenGl open_gl);
 
-  // Call announce() after a change to one of these.
-  /// Drawn first; the shell, which can be translucent, comes over it.
+  // Call announce() after a change to one of these entities.
+  /// The body is drawn first. The shell, which can be translucent, is drawn over it.
   Figure& body() { return *body_; }
   Figure& shell() { return *shell_; }
   SkinFigure& bodySkin() { return *body_skin_; }
@@ -76,15 +76,15 @@ class Scene : public Qt3DExtras::Qt3DWindow {
   Overlay& overlay() { return *overlay_; }
   void setCell(float cell);  // Sets the grid's distance between lines, cm.
 
-  /// One camera, whose view is split into `panes` equal parts; or kQuarters of them, each with a
-  /// quarter of the window.
+  /// Sets one camera, whose view is split into `panes` equal parts, or kQuarters cameras, each for
+  /// a quarter of the window.
   void setCameras(std::span<const OrbitCamera> cameras, int panes);
   void setColours(const SceneColours& colours);
 
-  /// Starts the wait for drawn() anew.
+  /// Restarts the wait for drawn(), after a change.
   void announce();
 
-  /// Delivers a picture of everything set before, or a null picture after five seconds without a
+  /// Delivers a picture with all earlier changes, or a null picture after five seconds without a
   /// frame.
   void capture();
 

@@ -10,25 +10,25 @@
 
 namespace mocapress {
 
-/// A step of drawing a material; the frame graph orders steps by name.
+/// One pass of drawing a material. The frame graph orders passes by name.
 struct ShaderPass {
   QString name;
   std::vector<Qt3DRender::QRenderState*> states;  // owned by the material
 };
 
-/// The single pass of solid things.
+/// The single pass of solid objects.
 std::vector<ShaderPass> solidPasses();
 
-/// Writes a ghost's depth first, so that only its nearest surface is blended and overlapping parts
-/// look like one body.
+/// The two passes of ghosts. The first writes only depth, so that the second blends only the
+/// nearest surface and overlapping parts look like one body.
 std::vector<ShaderPass> ghostPasses();
 
 inline constexpr float kGhostOpacity = 0.26f;
 
-/// A material for OpenGL 3 of `:/shaders/<vertex>.vert` and `<fragment>.frag`.
+/// A material for OpenGL 3 with the shaders `:/shaders/<vertex>.vert` and `<fragment>.frag`.
 class ShaderMaterial : public Qt3DRender::QMaterial {
  public:
-  /// `defined` is the macro for #ifdef in the shaders; empty: none.
+  /// `defined` is a macro that the shaders can test by #ifdef; empty: none.
   ShaderMaterial(const QString& vertex, const QString& fragment,
                  const std::vector<ShaderPass>& passes, QNode* parent,
                  const QByteArray& defined = {});
@@ -40,11 +40,11 @@ class ShaderMaterial : public Qt3DRender::QMaterial {
   void setColour(const QString& uniform, const QColor& colour);
 };
 
-/// Blends over the target, keeps an opaque target opaque (for captures), and leaves the depth
-/// buffer alone.
+/// The states of translucent things: they blend over the target, keep an opaque target opaque (for
+/// captures), and leave the depth buffer alone.
 std::vector<Qt3DRender::QRenderState*> translucent();
 
-/// The key that passes and filters share.
+/// The key that identifies a pass in materials and filters.
 inline const QString kPassKey = QStringLiteral("pass");
 
 }  // namespace mocapress

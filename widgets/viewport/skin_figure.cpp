@@ -12,8 +12,8 @@
 namespace mocapress {
 namespace {
 
-/// A vertex as the shader takes it. Its integers are slow and its attributes few: indices are
-/// floats.
+/// A vertex in the layout of the shader. Indices are floats, since the shader's integers are slow
+/// and its attributes few.
 struct SkinVertex {
   std::array<float, 3> position;
   std::array<float, 3> normal;
@@ -24,7 +24,7 @@ struct SkinVertex {
 };
 static_assert(sizeof(SkinVertex) == 20 * sizeof(float));
 
-/// A bone's four vectors in the uniform block `Bones`.
+/// One bone's entry in the uniform block `Bones`: four vectors.
 struct BoneRows {
   std::array<float, 12> world_from_bind;  // in row-major order
   std::array<float, 4> cover;

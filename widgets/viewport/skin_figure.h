@@ -17,18 +17,19 @@
 
 namespace mocapress {
 
-/// Turns a figure's marks into a colour for each joint, with its opacity on the skin.
+/// Turns a figure's marks into a colour for each joint. Its alpha is the colour's opacity on the
+/// skin.
 std::vector<QVector4D> jointCovers(const FigureMarks& marks, int joints, const QColor& alert);
 
-/// A character's mesh in the scene, skinned on the graphics card. A new pose replaces the small
-/// buffer of bones.
+/// A character's mesh in the scene, skinned on the graphics card. A new pose replaces only the
+/// small buffer of bones.
 class SkinFigure : public Qt3DCore::QEntity {
  public:
   SkinFigure(bool may_be_ghost, QNode* parent);
 
   void setSkin(std::shared_ptr<const Skin> skin);
 
-  /// `covers` has a colour for each joint; empty: none.
+  /// Shows a pose. `covers` has a colour for each joint, see jointCovers(); empty: none.
   void show(const Pose& pose, const std::vector<QVector4D>& covers);
   void hide();
 
@@ -38,17 +39,17 @@ class SkinFigure : public Qt3DCore::QEntity {
   void setBehind(float behind);
   void setPane(const Pane& pane);
 
-  /// Moves everything drawn by this offset (cm).
+  /// Moves the drawn figure by this offset (cm).
   void setOffset(const QVector3D& offset);
 
-  /// An invalid colour keeps the skin's own.
+  /// Colours the skin; an invalid colour keeps the skin's own.
   void setColour(const QColor& colour);
 
  private:
   void upload();
 
   std::shared_ptr<const Skin> skin_;
-  bool is_uploaded_ = false;  // uploaded when first shown: most pinned results never are
+  bool is_uploaded_ = false;  // done when first shown: most pinned results never are
   Qt3DCore::QBuffer* vertices_;
   Qt3DCore::QBuffer* triangles_;
   Qt3DCore::QBuffer* bones_;

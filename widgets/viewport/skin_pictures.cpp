@@ -12,7 +12,7 @@
 namespace mocapress {
 namespace {
 
-constexpr int kSide = 1024;         // pixels a side of a picture
+constexpr int kSide = 1024;         // width and height of a picture in pixels
 constexpr int kMostStacked = 8192;  // pixels: every graphics driver accepts this height
 constexpr int kMostDecodedMiB = 256;
 

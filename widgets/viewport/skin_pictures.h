@@ -8,14 +8,14 @@
 
 namespace mocapress {
 
-/// All pictures of a skin, scaled to equal squares and stacked. A picture that cannot be decoded is
+/// Stacks all pictures of a skin, scaled to equal squares. A picture that cannot be decoded is
 /// grey.
 QImage stackedPictures(const Skin& skin);
 
-/// Makes a texture for them that starts as one grey point.
+/// Makes a texture for stacked pictures. It starts as one grey pixel.
 Qt3DRender::QTexture2D* makePictureTexture(Qt3DCore::QNode* parent);
 
-/// Decodes the pictures on a renderer thread and shows them.
+/// Decodes a skin's pictures on a renderer thread and then shows them in the texture.
 void showPictures(Qt3DRender::QTexture2D* texture, std::shared_ptr<const Skin> skin);
 
 }  // namespace mocapress

@@ -11,7 +11,7 @@ namespace mocapress {
 
 namespace {
 
-constexpr int kMostPieces = 30;  // for each side: a longer reach has longer pieces
+constexpr int kMostPieces = 30;  // on each side: a longer reach has longer pieces
 constexpr float kThinnestTrail = 0.35f;
 
 }  // namespace
@@ -79,7 +79,7 @@ std::vector<Capsule> ghostTrail(const FigureShape& shape, const Eigen::MatrixXd&
 
 namespace {
 
-constexpr float kStepPerRadius = 0.5f;  // shorter pieces are joined with the next
+constexpr float kStepPerRadius = 0.5f;  // shorter pieces are joined with the next one
 
 QVector3D onGround(const Eigen::MatrixXd& tracks, int frame, int landmark) {
   QVector3D point = landmarkAt(tracks, frame, landmark);

@@ -9,13 +9,13 @@
 
 namespace mocapress {
 
-/// The path of a landmark around a frame, `reach` frames to each side, thinner the further away in
-/// time. `radius` in cm.
+/// The path of a landmark around a frame, `reach` frames to each side. It is thinner the further
+/// away in time. `radius` is in cm.
 std::vector<Capsule> jointPath(const Eigen::MatrixXd& tracks, int landmark, int frame, int reach,
                                float radius);
 
-/// Selects the poses that are drawn around the current frame: whole multiples of `step`, so that
-/// they stand still while the figure walks through them.
+/// Selects the poses that are drawn around the current frame. Their frames are multiples of `step`,
+/// so that they stand still while the figure walks through them.
 struct TrailPoses {
   int frame = 0;  // current frame
   int step = 1;   // frames
@@ -31,21 +31,21 @@ struct TrailColours {
   QColor far;  // colour at the greatest distance in time
 };
 
-/// Capsules of those poses, bones only, since many are drawn at once. tracks: frames x 3 *
-/// landmarks, cm.
+/// The capsules of the selected poses. They show only body parts, since many poses are drawn at
+/// once. `tracks`: frames x 3 * landmarks, cm.
 std::vector<Capsule> ghostTrail(const FigureShape& shape, const Eigen::MatrixXd& tracks,
                                 const TrailPoses& poses, const TrailColours& colours);
 
-/// The drift of each joint that slides at a frame, 0 to 1, as FigureMarks::alerts.
+/// The drift at a frame of each joint that slides, as FigureMarks::alerts from 0 to 1.
 std::vector<float> slideAlerts(const std::vector<SlideFinding>& slides, int joints, int frame);
 
-/// The path of each sliding point over the ground during its contact, drawn on y = 0. `tracks` is
-/// the sliding figure, `radius` in cm.
+/// The path of each sliding point during its contact, projected to the ground (y = 0). `tracks` are
+/// those of the sliding figure; `radius` is in cm.
 std::vector<Capsule> slideTrails(const std::vector<SlideFinding>& slides,
                                  const Eigen::MatrixXd& tracks, float radius);
 
-/// A ball, later flattened, under each point that stands on the ground at a frame, coloured by its
-/// drift. Positions come from `tracks`.
+/// A ball under each point that stands on the ground at a frame, coloured by its drift; the scene
+/// flattens it to a disc. Positions are taken from `tracks`.
 std::vector<Capsule> footDiscs(const std::vector<ContactSpan>& contacts,
                                const std::vector<SlideFinding>& slides,
                                const Eigen::MatrixXd& tracks, int frame, float radius);

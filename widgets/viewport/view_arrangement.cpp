@@ -7,7 +7,7 @@
 namespace mocapress {
 namespace {
 
-constexpr double kLeastShare = 0.02;  // kept on both sides, so that the divider can be dragged back
+constexpr double kLeastShare = 0.02;  // kept on both sides, so that the divider stays within reach
 
 }  // namespace
 

@@ -31,23 +31,23 @@ struct ViewOptions {
   bool in_place = false;    // keeps the root in place over the ground
   double divider = 0.5;     // share of the view's width left of the wipe's divider
   int trail = 0;            // number of faded poses before the current frame, and as many after
-  bool quartered = false;   // four views: from anywhere, front, side and top; figures overlaid
+  bool quartered = false;   // four views: free, front, side and top; figures overlaid
   double exaggeration = 1;  // factor on the difference from the original
   bool titles = true;       // names the figures
-  float room = 1;  // distance of a framing camera, times what a figure needs to fill the view
+  float room = 1;           // factor on the camera's distance when it frames a figure
 
   bool operator==(const ViewOptions&) const = default;
 };
 
-/// Views of a quartered window, from the top left: from anywhere, front, side, top.
+/// The views of a quartered window, from the top left: free, front, side, top.
 inline constexpr int kQuarters = 4;
 
-/// The largest number of pinned results beside the current one.
+/// The largest number of pinned results that are shown beside the current one.
 inline constexpr int kMostPinned = 4;
 inline constexpr int kMostPanes = 2 + kMostPinned;
 
-/// An upright strip of the view in normalised device coordinates: its content moves sideways by
-/// `shift` and is clipped to `from` and `to`.
+/// A vertical strip of the view, in normalised device coordinates. Its content is moved sideways by
+/// `shift` and clipped to `from` and `to`.
 struct Pane {
   float shift = 0;
   float from = -1;
@@ -57,7 +57,8 @@ struct Pane {
   bool operator==(const Pane&) const = default;
 };
 
-/// The strip `index` of `count` equal ones, from the left, with its content moved to its middle.
+/// The strip `index`, from the left, of `count` equal strips. The view's centre moves to the
+/// strip's centre.
 Pane paneOf(int index, int count);
 
 struct Placement {
@@ -75,23 +76,23 @@ struct Arrangement {
   std::vector<Placement> pinned;
   int panes = 1;             // number of equal parts of the view, each with a ground
   bool quartered = false;    // the window has four views, each with all figures
-  bool has_divider = false;  // at the right end of the left figure's pane
+  bool has_divider = false;  // at the right edge of the left figure's pane
 
   const Placement& left() const;
   float dividerAt() const { return left().pane.to; }
 };
 
-/// Arranges the figures. `both`: original and compressed are there, else one stands alone. `turn`:
-/// a blinking view shows the compressed one. `pinned` results are ghosts over the others or stand
-/// each in a pane of its own; wipes and blinking views hide them.
+/// Arranges the figures. `both`: original and compressed exist; otherwise one stands alone. `turn`:
+/// a blinking view now shows the compressed figure. `pinned` results are ghosts over the others, or
+/// each has a pane of its own; wipes and blinking views hide them.
 Arrangement arrange(const ViewOptions& options, bool both, bool turn, int pinned = 0);
 
 /// Another result of the clip, shown beside the current one.
 struct PinnedFigure {
   std::shared_ptr<const Eigen::MatrixXd> tracks;  // frames x 3 * landmarks, cm
   QColor colour;
-  QStringList title;  // its lines are joined into one where there is room for it
-  std::function<void(int frame, Pose& pose)> poses;  // poses for its skin; empty: it has none
+  QStringList title;                                 // joined into one line where there is room
+  std::function<void(int frame, Pose& pose)> poses;  // poses for its skin; empty: no skin
 };
 
 }  // namespace mocapress

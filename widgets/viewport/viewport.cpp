@@ -21,18 +21,18 @@
 namespace mocapress {
 namespace {
 
-constexpr int kFramedPoses = 24;          // number of visible poses that the camera frames
+constexpr int kFramedPoses = 24;          // number of the clip's poses that the camera frames
 constexpr float kLeastRadius = 0.1f;      // smallest framed radius, per size of the figure
-constexpr float kJointReach = 0.18f;      // radius around a framed joint, likewise
-constexpr float kTrailPerSize = 0.006f;   // radius per size of the figure
-constexpr float kPathPerSize = 0.006f;    // radius of a joint's path, likewise
-constexpr float kDiscPerSize = 0.055f;    // radius of a foot's disc, likewise
-constexpr float kBehindPerSize = 0.002f;  // depth offset of a ghost, likewise
-constexpr float kFarBehind = 2;           // depth offset to get behind a whole figure, likewise
+constexpr float kJointReach = 0.18f;      // radius around a framed joint, per size
+constexpr float kTrailPerSize = 0.006f;   // radius of a slide's trail, per size
+constexpr float kPathPerSize = 0.006f;    // radius of a joint's path, per size
+constexpr float kDiscPerSize = 0.055f;    // radius of a foot's disc, per size
+constexpr float kBehindPerSize = 0.002f;  // depth offset of a ghost, per size
+constexpr float kFarBehind = 2;           // depth offset to get behind a whole figure, per size
 constexpr double kTrailSeconds = 0.1;     // time between poses of the ghost trail
-constexpr double kPathSeconds = 0.5;      // time on each side of now
+constexpr double kPathSeconds = 0.5;      // length of a path, before and after now
 constexpr auto kBlinkTime = std::chrono::milliseconds(400);
-constexpr double kNoteSeconds = 0.5;  // a note is seen around its frame
+constexpr double kNoteSeconds = 0.5;  // a note is shown so long around its frame
 
 bool isEmpty(const Viewport::Tracks& tracks) {
   return !tracks || tracks->size() == 0;
@@ -104,7 +104,7 @@ void Viewport::setSkeleton(const Skeleton& skeleton) {
   slides_.clear();
   selected_joint_ = -1;
   camera_is_framed_ = false;
-  frame_ = 0;  // the frame of the last clip means nothing here
+  frame_ = 0;  // the old clip's frame means nothing here
   if (scene_) scene_->setCell(gridCell(shape_->size()));
   arrangeFigures();
 }
@@ -116,13 +116,13 @@ void Viewport::setSkin(std::shared_ptr<const Skin> skin) {
     for (SkinFigure* figure : {&scene_->bodySkin(), &scene_->shellSkin()}) figure->setSkin(skin_);
     for (std::size_t i = 0; i < kMostPinned; ++i) scene_->pinnedSkin(i).setSkin(skin_);
   }
-  // Frames the whole figure anew unless the user has moved the camera.
+  // Makes the camera frame the figure anew, unless the user has moved the camera.
   camera_is_framed_ = camera_is_framed_ && !camera_is_as_framed_;
   placeAll();
   arrangeFigures();
 }
 
-/// The figure has the proportions that it is shown with, and faces somewhere.
+/// Measures the figure's proportions as shown, and the direction that it faces.
 void Viewport::measureFigure() {
   const Eigen::MatrixXd* tracks = leadingTracks();
   if (!tracks) return;
@@ -182,7 +182,7 @@ Viewport::Poses Viewport::withExaggeration(const Poses& poses) const {
   return exaggeratedPoses(original_poses_, poses, options_.exaggeration);
 }
 
-/// Moves tracks to the places of a character's joints, which differ if it has its own bone lengths.
+/// Moves tracks to the joints of the character, which may have bones of other lengths.
 Viewport::Tracks Viewport::asSeen(const Tracks& of_clip, const Poses& poses) const {
   if (!of_clip || !hasSkin(poses) || skin_->lengths.bones.empty()) return of_clip;
   std::vector<Landmark> points = landmarks(skeleton_);
@@ -231,8 +231,8 @@ void Viewport::setOptions(const ViewOptions& options) {
   arrangeFigures();
 }
 
-/// Arranges the figures by the options. With other panes, the camera fills another part of the
-/// window.
+/// Arranges the figures by the options. If the number of panes changes, so does the camera's part
+/// of the window.
 void Viewport::arrangeFigures() {
   const std::pair parts(arrangement_.panes, arrangement_.quartered);
   arrangement_ =
@@ -317,7 +317,7 @@ void Viewport::turnCamera(double degrees) {
 
 void Viewport::capture() {
   if (scene_) return scene_->capture();
-  // Emitted later, as with a scene: the caller may not have connected yet.
+  // Emits later, as a scene does: the caller may not have connected yet.
   QMetaObject::invokeMethod(
       this, [this] { emit captured({}); }, Qt::QueuedConnection);
 }
@@ -338,7 +338,7 @@ void Viewport::showFigures() {
                       colours_.original};
   const Role compressed{compressed_, seen_poses_, arrangement_.compressed, colours_.compressed,
                         QColor()};
-  // The ghost is the one that is drawn over the other.
+  // The shell is drawn over the body, so the ghost must be the shell.
   const bool turned = arrangement_.compressed.ghost;
   const Parts body{scene_->body(), scene_->bodySkin(), scene_->bodyShadow(), scene_->bodyPath(),
                    scene_->bodyRing()};
@@ -358,7 +358,7 @@ void Viewport::showFigure(const Parts& parts, const Role& role, const FigureMark
   const bool as_skin = shown && hasSkin(role.poses);
   if (!shown || as_skin) figure.hide();
   if (!as_skin) skin.hide();
-  // A ghost's shadow would be taken for the other figure's.
+  // A ghost casts no shadow: it would be taken for the other figure's shadow.
   const bool has_shadow = shown && !role.placement.ghost;
   if (!has_shadow) shadow.hide();
   if (!shown || !options_.path) path.hide();
@@ -433,8 +433,9 @@ void Viewport::showPinned() {
   }
 }
 
-/// Ghosts that agree with the solid figure are covered by it instead of flickering through it, and
-/// one by another. Where colours tell errors, none covers the figure that has them.
+/// Moves ghosts back, so that where they agree with the solid figure, it covers them instead of
+/// flickering, and each ghost covers the next. Where colours show errors, ghosts move behind the
+/// whole coloured figure.
 float Viewport::behindOf(const Placement& placement, int rank) const {
   if (!placement.ghost) return 0;
   const bool over_colours = colouredByError() && !arrangement_.compressed.ghost;
@@ -446,7 +447,7 @@ bool Viewport::colouredByError() const {
   return options_.by_error && errors_ && compressed_ && errors_->rows() == compressed_->rows();
 }
 
-/// Shows poses of the compressed figure before and after the frame.
+/// Shows poses of the compressed figure before and after the current frame.
 void Viewport::showGhosts() {
   Figure& ghosts = scene_->ghosts();
   if (options_.trail == 0 || !shape_ || !compressed_ || !arrangement_.compressed.shown)
@@ -467,7 +468,7 @@ FigureMarks Viewport::compressedMarks() const {
     marks.alerts = slideAlerts(slides_, shape_->jointCount(), frame);
     return marks;
   }
-  // The distance between the figures as drawn.
+  // Where the character has its own bone lengths, colours by the distance of the figures as drawn.
   const bool has_own_lengths = original_ != original_of_clip_ && compressed_ != compressed_of_clip_;
   const auto times = static_cast<float>(options_.exaggeration);
   for (int landmark = 0; landmark < static_cast<int>(errors_->cols()); ++landmark) {
@@ -481,7 +482,7 @@ FigureMarks Viewport::compressedMarks() const {
   return marks;
 }
 
-/// Draws on the ground below the compressed figure where feet stand and how they slid.
+/// Shows on the ground below the compressed figure where feet stand and how much they slide.
 void Viewport::showMarks() {
   const bool shown = shape_ && compressed_ && arrangement_.compressed.shown;
   for (Figure* marks : {&scene_->trails(), &scene_->discs()}) {
@@ -512,8 +513,8 @@ void Viewport::sizeCamera() {
   const double parts = arrangement_.quartered ? 2 : 1;  // in both directions
   camera_.setViewSize({static_cast<double>(scene_->width()) / arrangement_.panes / parts,
                        static_cast<double>(scene_->height()) / parts});
-  // A view of another shape may cut the figure off, so it is framed anew, unless the user has moved
-  // the camera.
+  // In a view of another shape, the figure may be cut off: the camera frames it anew, unless the
+  // user has moved the camera.
   camera_is_as_framed_ ? resetCamera() : showCamera();
 }
 
@@ -528,7 +529,7 @@ void Viewport::showOverlay() {
   scene_->announce();
 }
 
-/// Shows a note in the picture for as long as a viewer needs to see it in passing.
+/// Shows notes near their frames, for long enough to be seen during playback.
 void Viewport::showNotes() {
   if (!scene_) return;
   std::vector<OverlayNote> shown;
@@ -561,9 +562,9 @@ const Eigen::MatrixXd* Viewport::leadingTracks() const {
   return original_ ? original_.get() : compressed_.get();
 }
 
-/// Points of the leading figure to be framed, with its skin if that is shown, and with its later
-/// poses moved to where its root is now, so that a camera that follows it sees it whole when it
-/// lies down.
+/// The points that the camera frames: the leading figure, its skin if that is shown, and other
+/// poses of the clip, moved to the present root. A camera that follows the figure then shows all of
+/// it, even when it lies down.
 std::vector<QVector3D> Viewport::leadingBody() const {
   const Eigen::MatrixXd& tracks = *leadingTracks();
   const Poses& poses = original_ ? original_poses_ : compressed_poses_;

@@ -31,11 +31,11 @@ class Ring;
 class Scene;
 class SkinFigure;
 
-/// A note on a frame or a range, in the picture.
+/// A note on a frame or a range, with its place in the picture.
 struct PlacedNote {
   int frame = 0;
   int last_frame = 0;
-  int joint = -1;                     // it is drawn there, unless it has a place
+  int joint = -1;                     // the note is drawn at this joint, unless it has a place
   std::optional<QVector3D> place_cm;  // in the clip's world
   QString text;
 };
@@ -44,37 +44,37 @@ struct PlacedNote {
 void prepareViewport();
 
 /// The 3D view: ground grid, the original in grey and the compressed figure in red at the same
-/// frame, and other results in colours of their own. Figures stand over each other, side by side,
-/// or with a divider to drag between them. The view shows values and starts no work. Mouse: left
-/// drag orbits, right or middle drag pans, wheel zooms, a click on a joint selects it, a right
-/// click asks for a menu. A quartered
-/// window shows the same from the front, the side and the top, too. Without OpenGL it shows a text,
-/// accepts every call and never emits drawn(). viewport_mouse.cpp has the mouse.
+/// frame, and other results in colours of their own. Figures are shown one over the other, side by
+/// side, or with a divider that can be dragged. The view shows values and starts no work. Mouse
+/// (viewport_mouse.cpp): left drag orbits, right or middle drag pans, the wheel zooms, a click on a
+/// joint selects it, a right click asks for a menu. A quartered window also has views from the
+/// front, from the side and from above. Without OpenGL the widget shows a text, accepts every call
+/// and never emits drawn().
 class Viewport : public QWidget {
   Q_OBJECT
 
  public:
-  /// World positions as landmark_tracks() gives them: frames x 3 * landmarks, cm.
+  /// World-space positions as given by landmark_tracks(): frames x 3 * landmarks, cm.
   using Tracks = std::shared_ptr<const Eigen::MatrixXd>;
 
   explicit Viewport(QWidget* parent = nullptr);
   ~Viewport() override;
 
-  /// Poses of all joints at a frame of a figure's motion, for its skin.
+  /// Computes the pose of all joints at a frame of a figure's motion, for its skin.
   using Poses = std::function<void(int frame, Pose& pose)>;
 
-  /// A new skeleton hides both figures until their tracks are set, and frames the camera anew with
-  /// the first of them. It has no skin.
+  /// Sets a new skeleton, without a skin. It hides both figures until their tracks are set; then
+  /// the camera frames the first of them.
   void setSkeleton(const Skeleton& skeleton);
 
-  /// The skin of figures that have poses, for that skeleton. Null: none.
+  /// Sets the skin for the skeleton. It is shown on figures that have poses. Null: none.
   void setSkin(std::shared_ptr<const Skin> skin);
 
-  /// Null hides the figure.
+  /// Sets a figure's positions, and its poses for the skin. Null hides the figure.
   void setOriginal(Tracks tracks, Poses poses = {});
   void setCompressed(Tracks tracks, Poses poses = {});
 
-  /// Other results of the clip, kMostPinned at most. A new skeleton removes them.
+  /// Sets other results of the clip, at most kMostPinned. A new skeleton removes them.
   void setPinned(std::vector<PinnedFigure> pinned);
   const std::vector<PinnedFigure>& pinned() const { return pinned_; }
 
@@ -84,68 +84,70 @@ class Viewport : public QWidget {
   /// Draws a disc under each foot that stands.
   void setContacts(std::vector<ContactSpan> contacts);
 
-  /// Distance of the compressed figure's landmarks from the original (frames x landmarks, cm), for
-  /// ViewOptions::by_error. Null: unknown.
+  /// Sets the distance of the compressed figure's landmarks from the original (frames x landmarks,
+  /// cm), for ViewOptions::by_error. Null: unknown.
   void setErrors(std::shared_ptr<const Eigen::MatrixXf> errors, const ErrorScale& scale);
 
-  /// The frame rate, for the length of a path.
+  /// Sets the sample rate, which paths, trails and notes need for their length in time.
   void setSampleRate(double sample_rate_hz) { sample_rate_hz_ = sample_rate_hz; }
 
   void setOptions(const ViewOptions& options);
   const ViewOptions& options() const { return options_; }
 
-  /// Notes on frames, drawn over the picture near their frames; of four views, over the first.
+  /// Sets notes on frames. Each is drawn over the picture near its frame; in a quartered window,
+  /// over the first view.
   void setNotes(std::vector<PlacedNote> notes);
 
   void setFrame(int frame);
 
-  /// The joint with a ring around it; -1: none.
+  /// Draws a ring around a joint; -1: around none.
   void setSelectedJoint(int joint);
 
-  /// Moves the camera with the root.
+  /// Tells whether the camera moves with the root.
   void setFollow(bool follow);
 
-  /// Looks at the whole figure again.
+  /// Looks at the whole figure again, from the front right.
   void resetCamera();
 
-  /// Looks at the joint with the ring, or at the whole figure without one.
+  /// Looks at the selected joint, or at the whole figure if none is selected.
   void frameJoint();
 
-  /// Looks along an axis; again: as before. The top shows the floor as on a plan.
+  /// Looks along an axis; a second call returns to the earlier view. The view from above shows the
+  /// floor like a plan.
   void lookAlong(ViewAxis axis);
 
-  /// The camera's place, with its target relative to the root, so that it fits other clips.
+  /// The camera's place, with the target relative to the root, so that it fits other clips.
   OrbitCamera::Place cameraPlace() const;
 
-  /// True while the camera frames the figure by itself, as resetCamera() does.
+  /// True while the camera frames the figure, that is, since resetCamera() until the user moves it.
   bool framesByItself() const { return camera_is_as_framed_; }
   void setCameraPlace(const OrbitCamera::Place& place);
 
   /// Turns the camera around its target, in degrees.
   void turnCamera(double degrees);
 
-  /// The camera of a pane, in the pane's logical pixels: a half of the view side by side, a quarter
-  /// of a quartered window, else all.
+  /// The camera of a pane. Its pixels are logical ones of the pane: an equal share of the view side
+  /// by side, a quarter of a quartered window, else the whole window.
   const OrbitCamera& camera() const { return camera_; }
 
-  /// Renders the 3D scene and delivers it by captured(); the image is null on failure.
+  /// Renders the 3D scene and delivers the picture by captured(); it is null on failure.
   void capture();
 
  signals:
   void jointClicked(int joint);
 
-  /// A click with Ctrl: the joint there, or -1 and the place at the depth of the nearest joint, in
-  /// the clip's world.
+  /// A click with Ctrl on a joint, or (-1) on a place at the depth of the nearest joint; in the
+  /// clip's world.
   void placePointed(int joint, const QVector3D& place_cm);
 
-  /// A right click that was no drag, at a place on the screen.
+  /// A right click without a drag, at a position on the screen.
   void menuRequested(const QPoint& at);
 
-  /// The wipe's divider was dragged; options() have its new place.
+  /// The wipe's divider was dragged; options() has its new position.
   void dividerMoved(double share);
   void captured(const QImage& image);
 
-  /// A picture with the newest tracks, frame and camera has been rendered and shown. A hidden view
+  /// A picture with the latest tracks, frame and camera has been rendered and shown. A hidden view
   /// emits this once it is shown.
   void drawn();
 
@@ -154,7 +156,7 @@ class Viewport : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
-  /// Data of one of the two figures.
+  /// The data of one of the two figures.
   struct Role {
     const Tracks& tracks;
     const Poses& poses;
@@ -163,7 +165,7 @@ class Viewport : public QWidget {
     QColor skin_colour;  // invalid: the skin's own colour
   };
 
-  /// Entities that draw one figure.
+  /// The entities that draw one figure.
   struct Parts {
     Figure& figure;
     SkinFigure& skin;
@@ -209,18 +211,18 @@ class Viewport : public QWidget {
   bool hasSkin(const Poses& poses) const { return skin_ && options_.skin && poses; }
   std::vector<QVector3D> leadingBody() const;
 
-  /// The offset (cm) that keeps the root in its place.
+  /// The offset (cm) that keeps the root in its place, if the options say so.
   QVector3D offset() const;
 
   Skeleton skeleton_;
   std::optional<FigureShape> shape_;
   Tracks original_of_clip_;
   Tracks compressed_of_clip_;
-  Tracks original_;    // the original as it is shown; all that is drawn follows from it
-  Tracks compressed_;  // likewise
+  Tracks original_;    // as drawn: in a character's proportions
+  Tracks compressed_;  // as drawn: also exaggerated
   Poses original_poses_;
   Poses compressed_poses_;
-  Poses seen_poses_;  // the compressed figure's
+  Poses seen_poses_;  // of the compressed figure, as drawn
   std::shared_ptr<const Skin> skin_;
   std::vector<PinnedFigure> pinned_;
   std::vector<PinnedFigure> seen_pinned_;
@@ -234,15 +236,15 @@ class Viewport : public QWidget {
   Arrangement arrangement_;
   SceneColours colours_;
   QTimer blink_;
-  bool blink_turn_ = false;  // the compressed figure's turn
+  bool blink_turn_ = false;  // a blinking view now shows the compressed figure
   int frame_ = 0;
   int selected_joint_ = -1;
   bool follow_ = false;
 
   OrbitCamera camera_;
-  bool camera_is_framed_ = false;     // the camera is framed for this skeleton
+  bool camera_is_framed_ = false;     // the camera has framed this skeleton
   bool camera_is_as_framed_ = false;  // the user has not moved the camera since
-  QVector3D root_;                    // root of the leading figure when last shown, cm
+  QVector3D root_;                    // root of the leading figure when it was last shown, cm
 
   QPointF pressed_at_;
   QPointF dragged_to_;

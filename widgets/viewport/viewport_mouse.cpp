@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The mouse in the 3D view: what a drag, a click and the wheel do.
+// The mouse in the 3D view: drags, clicks and the wheel.
 #include <QApplication>
 #include <QMouseEvent>
 #include <QWheelEvent>
@@ -14,7 +14,7 @@ namespace mocapress {
 namespace {
 
 constexpr double kWheelStep = 120;  // Qt's angle delta of one notch
-constexpr double kClickReach = 12;  // logical pixels from a joint to a click on it
+constexpr double kClickReach = 12;  // logical pixels between a joint and a click that selects it
 
 }  // namespace
 
@@ -75,7 +75,7 @@ void Viewport::drag(const QMouseEvent& event) {
     camera_.orbit(step);
   } else {
     const std::vector<OrbitCamera> seen =
-        picture().cameras();  // fewer, if the quarters went meanwhile
+        picture().cameras();  // fewer, if only the press saw a quartered view
     OrbitCamera dragged =
         seen[std::min(static_cast<std::size_t>(pressed_quarter_), seen.size() - 1)];
     dragged.pan(step);
@@ -97,12 +97,12 @@ void Viewport::release(const QMouseEvent& event) {
     return;
   }
   if (on) return emit placePointed(on->joint, on->place);
-  // No joint is near: the place is as deep in the picture as the nearest part of the body.
+  // No joint is near: the place is at the depth of the nearest joint.
   if (const auto body = pointedAt(event.position(), std::numeric_limits<double>::max()))
     emit placePointed(-1, body->camera.beside(body->place, body->in_pane));
 }
 
-/// The contents of the picture, for a moment.
+/// The conversion between the present picture and the clip's world; for immediate use.
 PictureSpace Viewport::picture() const {
   return {arrangement_, QSizeF(scene_->size()), camera_, offset()};
 }
