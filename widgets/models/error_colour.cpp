@@ -28,7 +28,8 @@ QString errorsText(const Distortion& errors, int frame, int landmark) {
 
 namespace {
 
-// Samples at equal distances on the map; linear interpolation is within two steps of 8-bit colour.
+// Samples of the map at equal distances. Linear interpolation between them is off by at most two
+// steps of 8-bit colour.
 constexpr std::array<QRgb, 11> kViridis = {0xff440154, 0xff482475, 0xff414487, 0xff355f8d,
                                            0xff2a788e, 0xff21918c, 0xff22a884, 0xff44bf70,
                                            0xff7ad151, 0xffbddf26, 0xfffde725};

@@ -63,7 +63,7 @@ struct LibraryEntry {
   QList<QLineF> outline;  // a pose in a square from 0 to 1, y down
   QImage skin;            // the same pose, where the clip has a skin
   QString trouble;        // why it could not be read; empty: it could, or nobody tried
-  QStringList notes;      // repairs and guesses of its reader
+  QStringList notes;      // what its reader repaired or guessed
   bool missing = false;   // its file is gone
   Loop loop = Loop::None;
   QString preset;  // preset that the settings came from; empty: none
@@ -89,7 +89,7 @@ struct LibraryEntry {
 };
 
 /// The clips of a project, one row each, with the columns of LibraryColumn. The accessible text of
-/// the first column says everything that its picture shows.
+/// the first column says what its picture shows.
 class LibraryModel : public QAbstractTableModel {
   Q_OBJECT
 

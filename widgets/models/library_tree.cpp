@@ -78,7 +78,7 @@ void LibraryTree::build() {
   beginResetModel();
   root_ = std::make_unique<Folder>();
   places_.assign(static_cast<std::size_t>(clips_->rowCount()), {});
-  QHash<QString, Folder*> folders;  // by group
+  QHash<QString, Folder*> folders;  // key: name of the group
   for (int row = 0; row < filter_.rowCount(); ++row) {
     const int clip = filter_.clipAt(row);
     const auto [group, rank] = groupOf(clips_->entry(clip), grouping_);

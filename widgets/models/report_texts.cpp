@@ -327,7 +327,7 @@ std::optional<QString> translatedCue(const QString& english) {
   return std::nullopt;
 }
 
-/// An amount with its unit.
+/// Translates an amount with its unit.
 QString translatedAmount(QString english) {
   return english.replace(QLatin1String(" degrees"), QStringLiteral("°"));
 }

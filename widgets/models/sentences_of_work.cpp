@@ -11,7 +11,7 @@ struct TextsOfWork {
   Q_DECLARE_TR_FUNCTIONS(mocapress::Sentence)
  public:
   static constexpr const char* kAll[] = {
-      // Subjects of messages.
+      // Beginnings that say what a message is about.
       QT_TR_NOOP("verification: %1"),
       QT_TR_NOOP("no project: %1"),
       QT_TR_NOOP("the preset \"%1\" %2"),

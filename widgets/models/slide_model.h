@@ -9,7 +9,7 @@
 namespace mocapress {
 
 /// A table with one row for each footskate finding, largest drift first: the point, the frames, the
-/// drift and the speed.
+/// drift, the slide and the speed.
 class SlideModel : public QAbstractTableModel {
   Q_OBJECT
 

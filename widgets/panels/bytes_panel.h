@@ -17,8 +17,8 @@ class ByteCostModel;
 
 /// A change of the settings, and its effect when it was tried.
 struct SlopeRow {
-  QString change;         // "Fingers at twice the error"
-  double bytes = 0;       // added to the motion
+  QString change;         // such as "Fingers at twice the error"
+  double bytes = 0;       // bytes that the change adds to the motion
   double error_cm = 0;    // error of the changed part, before
   double becomes_cm = 0;  // error of the changed part, after
 };
@@ -30,7 +30,7 @@ class BytesPanel : public QWidget {
  public:
   explicit BytesPanel(ByteCostModel* model, QWidget* parent = nullptr);
 
-  /// Makes the row of that joint current. Emits nothing.
+  /// Makes the joint's row current. Emits nothing.
   void setCurrentJoint(int joint);
 
   /// Shows the effects of other settings; applyRequested() counts them in this order. The chosen

@@ -102,7 +102,7 @@ CompressionPanel::CompressionPanel(QWidget* parent)
   setOptions({});
 }
 
-/// Makes the controls of the tracks, which the target does not cover.
+/// Makes the control for scalar tracks, whose errors the target does not cover.
 QWidget* CompressionPanel::makeTracks() {
   auto* tracks = new QWidget(this);
   track_error_->setAlignment(Qt::AlignRight);

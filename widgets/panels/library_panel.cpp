@@ -38,7 +38,7 @@ constexpr int kMargin = 6;
 constexpr int kColumnWidth = 10;            // characters
 constexpr int kRoomyColumns = 2;            // columns that fit into the minimum width
 constexpr int kClipWidth = 180;             // least width of the clips beside other columns
-const QString kMark = QStringLiteral("⚠");  // reading the clip left notes
+const QString kMark = QStringLiteral("⚠");  // there are notes on the clip
 const QString kPen = QStringLiteral("✎");   // a reviewer has written something
 
 /// Shows the notes on a clip, such as repairs by its reader, until a click or key.

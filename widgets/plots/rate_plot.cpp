@@ -19,7 +19,7 @@ namespace mocapress {
 namespace {
 
 constexpr int kLeastHeight = 110;        // px; leaves room for the axes in the lowest panel
-constexpr double kReach = 12;            // px from a point to the mouse that shows its text
+constexpr double kReach = 12;            // px between the mouse and a point whose text it shows
 constexpr int kBeside = 9;               // px from the mark to its label
 constexpr int kBelow = 6;                // px
 constexpr int kStill = 4;                // px the mouse may move during a click
@@ -54,7 +54,7 @@ RatePlot::RatePlot(QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(plot_);
   plot_->setMinimumHeight(kLeastHeight);
-  plot_->axisRect()->setMinimumSize(50, 15);  // in a low panel the curves give way, not the axis
+  plot_->axisRect()->setMinimumSize(50, 15);  // in a low panel the curves shrink, not the axis
   offerCopyImage(this);
   plot_->setAccessibleName(tr("Rate-distortion plot"));
   plot_->setAccessibleDescription(

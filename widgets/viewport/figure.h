@@ -26,7 +26,7 @@ class Figure : public Qt3DCore::QEntity {
   void show(std::span<const Capsule> capsules);
   void hide();
 
-  /// Switches a figure made as a ghost to solid and back.
+  /// Shows a figure that was made as a ghost as a solid figure, or as a ghost again.
   void setGhost(bool ghost);
 
   /// Moves the figure's depth this far (cm) away from the eye, so that nearer figures cover it.

@@ -12,7 +12,7 @@ namespace mocapress {
 namespace {
 
 constexpr Eigen::Index kLooks = 256;     // at most so many frames are examined
-constexpr double kSteadyEnough = 0.5;    // length of the mean of unit vectors
+constexpr double kSteadyEnough = 0.5;    // least length of the mean of the facing unit vectors
 constexpr double kLeastCrossing = 1e-3;  // cm between hips, seen from above
 
 /// Joints of a region whose parents are not in that region.

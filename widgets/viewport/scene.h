@@ -52,8 +52,8 @@ class Scene : public Qt3DExtras::Qt3DWindow {
   Q_OBJECT
 
  public:
-  /// Requires findOpenGl() != OpenGl::None. A software renderer draws without multisampling, three
-  /// times as fast.
+  /// Requires findOpenGl() != OpenGl::None. A software renderer draws without multisampling, which
+  /// is three times as fast.
   explicit Scene(OpenGl open_gl);
 
   // Call announce() after a change to one of these entities.

@@ -20,7 +20,7 @@ struct SkinVertex {
   std::array<float, 3> colour;
   std::array<float, 4> bones;
   std::array<float, 4> weights;
-  std::array<float, 3> place;  // texture coordinates and the picture; -1: none
+  std::array<float, 3> place;  // texture coordinates and the picture's index; -1: no picture
 };
 static_assert(sizeof(SkinVertex) == 20 * sizeof(float));
 

@@ -510,7 +510,7 @@ void Viewport::showCamera() {
 
 void Viewport::sizeCamera() {
   if (!scene_) return;
-  const double parts = arrangement_.quartered ? 2 : 1;  // in both directions
+  const double parts = arrangement_.quartered ? 2 : 1;  // number of views in each direction
   camera_.setViewSize({static_cast<double>(scene_->width()) / arrangement_.panes / parts,
                        static_cast<double>(scene_->height()) / parts});
   // In a view of another shape, the figure may be cut off: the camera frames it anew, unless the

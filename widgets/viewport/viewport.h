@@ -243,7 +243,7 @@ class Viewport : public QWidget {
 
   OrbitCamera camera_;
   bool camera_is_framed_ = false;     // the camera has framed this skeleton
-  bool camera_is_as_framed_ = false;  // the user has not moved the camera since
+  bool camera_is_as_framed_ = false;  // the camera has not been moved since it framed the figure
   QVector3D root_;                    // root of the leading figure when it was last shown, cm
 
   QPointF pressed_at_;
