@@ -122,11 +122,9 @@ typedef struct mcpr_info {
                           correction, clip ends, turned axes */
   size_t read_bytes;   /* scratch memory that mcpr_read needs. For a segmented clip: one decoded
                           segment plus motion_bytes */
-  float error;         /* root-mean-square error in cm against the original, measured by the
-                          encoder, with the tiers that the limits ask for; 0: not known. Informative
-                          */
-  float max_error;     /* largest error of any point at any frame, in cm; 0: not known. Informative
-                        */
+  float error;         /* root-mean-square error in cm against the original, as the encoder
+                          measured it, with the tiers that the limits ask for; 0: not known */
+  float max_error;     /* largest error of any point at any frame, in cm; 0: not known */
   uint32_t tiers;      /* number of tiers in the whole file; 1: it can be read only as a whole */
 } mcpr_info;
 
@@ -505,11 +503,10 @@ MCPR_API size_t mcpr_sample_scratch_bytes(const mcpr_cooked* cooked,
 MCPR_API mcpr_status mcpr_sample(const mcpr_cooked* cooked, const mcpr_sample_request* request,
                                  double time, void* out, mcpr_result* report);
 
-/* Asks the processor to load the first `bytes` of a cooked clip into its caches, and does not wait
- * for them. mcpr_cooked_info.bytes asks for the whole clip. Call this for a clip that was not
- * sampled for a while, before another clip is sampled: then sampling the first clip takes half of
- * the time, see SAMPLING.md. mcpr_sample_crowd does this itself. Nothing changes; null is ignored.
- * */
+/* Asks the processor to bring the first `bytes` of a cooked clip into its caches
+ * (mcpr_cooked_info.bytes: the whole clip), without waiting. Call it for a clip that was not
+ * sampled for a while, before another clip is sampled: sampling it then takes about half of the
+ * time, see SAMPLING.md. mcpr_sample_crowd does this itself. Changes nothing; null is ignored. */
 MCPR_API void mcpr_prefetch_hint(const mcpr_cooked* cooked, size_t bytes);
 
 /* A cursor caches some frames of a clip around the last instant, which makes playing forwards or
@@ -901,8 +898,7 @@ MCPR_API mcpr_status mcpk_read(const mcpk_bank* bank, uint32_t clip, const mcpr_
                                void* scratch, size_t scratch_size, size_t* resident_bytes,
                                mcpr_result* report);
 
-/* Do what mcpr_load and mcpr_load_cooked do, for a clip of a packed bank, or for its first tiers.
- * */
+/* Do what mcpr_load and mcpr_load_cooked do, for a clip of a packed bank or its first tiers. */
 MCPR_API mcpr_status mcpk_load(const mcpk_bank* bank, uint32_t clip, const mcpr_limits* limits,
                                const mcpr_allocator* allocator, const mcpr_clip** loaded,
                                mcpr_result* report);
