@@ -54,7 +54,8 @@ struct PresetArguments {
   std::optional<Weighting> weighting;
   std::optional<Target> target;
   std::optional<std::uint64_t> seed;
-  std::optional<Effort> effort;  // the caller handles a draft: Settings cannot hold it
+  std::optional<Effort> effort;  // read() leaves a draft to the caller: Settings
+                                 // cannot hold it
   std::optional<Ends> ends;
   std::optional<Loop> loop;
   ImportanceArguments importance;  // replaces the preset's importances if any is named

@@ -44,7 +44,7 @@ std::optional<LockHolder> holder_of(const fs::path& path) {
   }
 }
 
-/// Tries to lock the file; reports success even if it is locked already.
+/// Locks the file if it is free. Reports success in any case, since the batch is being taken over.
 int lock_if_free(int file) {
   lock_now(file);
   return 0;

@@ -137,8 +137,8 @@ Warnings write_motion(const std::filesystem::path& path, const Motion& motion,
                       const ScalarTracks& tracks = {},
                       StagedFile::Existing existing = StagedFile::Existing::Replace);
 
-/// Writes an .fbx of clips of one rig, a take each, with fbx_bytes(). Throws WriteError.
 struct FbxClip;
+/// Writes an .fbx of clips of one rig, a take each, with fbx_bytes(). Throws WriteError.
 void write_takes(const std::filesystem::path& path, const std::vector<FbxClip>& clips,
                  const SourceFormat& source = {}, const WriteOptions& options = {},
                  StagedFile::Existing existing = StagedFile::Existing::Replace);

@@ -8,9 +8,9 @@
 
 namespace mocapress {
 
-/// Finds by how much a skin's bones, between the joints that carry it, are longer than the bones of
-/// `to`. `bones` are those of the skin, with joints of `from`, in the axes of `to`. The result has
-/// no bones if no length differs.
+/// Finds how much longer a character's bones are than those of `to`; a bone here lies between two
+/// joints that carry skin. `bones` are the skin's: their joints are those of `from`, their matrices
+/// have the axes of `to`. The result has no bones if no length differs.
 OwnLengths own_lengths(const std::vector<SkinBone>& bones, const Skeleton& from, const Skeleton& to,
                        const std::vector<int>& joint_in_to);
 

@@ -18,7 +18,7 @@ MeasuredPoints surface_points(const Skeleton& skeleton);
 struct FarMesh {
   int joint;
   double mesh_cm;  // root-mean-square distance from the joint's origin
-  double body_cm;  // the same for the points that it replaces; 0: there were none
+  double body_cm;  // the same for the body points that the mesh replaces; 0: there are none
 };
 
 /// All joints measured on their mesh, in order. Empty for a skeleton without a skin.

@@ -52,8 +52,9 @@ class ErrorModel {
   /// D: the diagonal of G_t, frames x channels. (cm per unit of the channel)^2.
   const Eigen::MatrixXd& curvature() const { return curvature_; }
 
-  /// True if G_t has an entry for two channels; the entry at each frame.
+  /// True if G_t has an entry for two channels.
   bool are_related(int a, int b) const;
+  /// The entry of G_t for two channels, at each frame.
   Eigen::ArrayXf entry(int a, int b) const;
 
   /// Fills the first columns and rows of `sums` with G for some channels, summed over the frames of

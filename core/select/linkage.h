@@ -66,8 +66,8 @@ struct LinkageJoint {
   }
 };
 
-/// A joint's state over eight frames: its movement, and the forces about it that the movement
-/// causes in everything it carries.
+/// A joint's state over eight frames: its movement, and the forces that act at the joint because
+/// the landmarks that it carries move.
 struct JointState {
   std::array<EightFrames, 3> turn, shift, torque, force;
 };

@@ -21,6 +21,7 @@
 #include "widgets/panels/factor_control.h"
 #include "widgets/panels/importance_panel.h"
 #include "widgets/panels/preset_chooser.h"
+#include "widgets/viewport/viewport.h"
 
 namespace mocapress {
 namespace {

@@ -74,7 +74,8 @@ bool PinnedPanel::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
-/// Gives the names all free width, but at least kLeastName; then the columns scroll.
+/// Gives the names all free width. If less than kLeastName is free, they get that, and the columns
+/// scroll.
 void PinnedPanel::fitNames() {
   QHeaderView* header = view_->header();
   const int others = header->length() - header->sectionSize(PinnedModel::Name);

@@ -12,7 +12,8 @@ namespace mocapress {
 using ByteCostsPtr = std::shared_ptr<const ByteCosts>;
 
 /// Compressed bytes over time, of all joints together. The most expensive slice of the clip fills
-/// the height. A frame stands for the joint that costs most in its slice.
+/// the height. A click on a frame chooses the joint with the most bytes in
+/// its slice.
 class ByteStrip : public JointStrip {
   Q_OBJECT
 

@@ -112,7 +112,7 @@ class Document : public QObject {
   /// Replaces the open clip by itself with another character, decoded and measured on it.
   void setDressed(OriginalPtr original, DecodedPtr decoded);
 
-  /// Notes that the current options will get no answer.
+  /// Records that the current options gave no result; the clip that is shown stays.
   void setUnanswered();
 
   /// Sets options chosen by the user.

@@ -69,7 +69,7 @@ bool Leaving::mayClose() {
     return false;
   }
   if (!may_lose_project_ && !library_->end()) {
-    may_lose_clip_ = false;  // the window may stay: ask again next time
+    may_lose_clip_ = false;  // closing may yet be cancelled: ask about the clip again
     projects_->askToQuit([this] {
       may_lose_clip_ = may_lose_project_ = true;
       window_->close();

@@ -392,8 +392,8 @@ std::string fbx_bytes(const std::vector<FbxClip>& clips, const SourceFormat& sou
     throw Error("an FBX is written as version 7.4 or 7.7 only");
   const SourceFormat format = fbx_format(source, options);
   const Motion first = exported_motion(clips.front().motion, format, options);
-  // The first root rests at the origin: Blender finds the direction of a bone without length in
-  // floats, which keep little of it far from the origin.
+  // The first root rests at the origin: Blender computes the direction of a bone of length zero in
+  // floats, which are not exact enough far from the origin.
   Pose rest = resting_pose(first, source);
   const Vector3d root = rest.origin.empty() ? Vector3d(Vector3d::Zero()) : rest.origin.front();
   for (Vector3d& origin : rest.origin) origin -= root;

@@ -10,8 +10,8 @@
 namespace mocapress::runtime {
 
 inline constexpr int kErrorShift = 12;  // lowest bits of a rounded float, always zero
-inline constexpr std::uint32_t kErrorOrigin = 106U << 11;  // difference between a code and the
-                                                           // other bits; 2^-21 cm would have code 0
+// A code is the bits of a float above kErrorShift, less this. 2^-21 cm would have code 0.
+inline constexpr std::uint32_t kErrorOrigin = 106U << 11;
 inline constexpr std::uint32_t kErrorHalf = 1U << (kErrorShift - 1);
 
 inline float error_from(std::uint16_t code) {

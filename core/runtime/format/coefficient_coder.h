@@ -77,7 +77,7 @@ struct BitSources {
 struct ValueSources {
   std::array<int, kScaleFeatures> features;
   int level;
-  int unrest;  // in 256ths of an octave
+  int unrest;  // excess of nearby values over their scale, in 256ths of an octave
   int mean;    // predicted value, in 64ths of a step
   std::int32_t value;
 };
@@ -181,7 +181,7 @@ class CoefficientCoder {
   /// The scale (typical magnitude) that is expected of a value, and the sources of that estimate.
   struct ExpectedScale {
     std::array<int, kScaleFeatures> features{};
-    int unrest = 0;            // in 256ths of an octave
+    int unrest = 0;            // excess of nearby values, in 256ths of an octave
     int scale = 0;             // 0 ... kScales - 1
     std::int32_t inverse = 0;  // 65536 / the magnitude that `scale` stands for
   };

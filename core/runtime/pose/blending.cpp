@@ -71,7 +71,7 @@ struct Counted {
   }
 };
 
-/// Stores the mean of a joint's transforms in the poses that have a weight for it.
+/// Takes a joint's transforms from all poses that have a weight for it, and stores their mean.
 void store_mean_of_some(const mcpr_weighted_pose* poses, std::uint32_t count, std::uint32_t joint,
                         mcpr_transform* out) {
   std::uint32_t i = 0;
@@ -83,7 +83,7 @@ void store_mean_of_some(const mcpr_weighted_pose* poses, std::uint32_t count, st
   mean.value().store(out + joint);
 }
 
-/// Stores the mean of the joints' transforms in all poses.
+/// Takes the joints' transforms from all poses, and stores their means.
 template <typename Real>
 void store_mean(const mcpr_weighted_pose* poses, std::uint32_t count, std::uint32_t joint,
                 mcpr_transform* out) {

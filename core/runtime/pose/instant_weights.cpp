@@ -150,7 +150,8 @@ struct InnerTables {
     const int length = 2 << depth;
     return length - 4 + (frame & (length - 1));
   }
-  // Index of the samples' weights after leaving out bands. They have periods of 1, 2, 4 ... frames.
+  // Index of the samples' weights after leaving out bands. The weights repeat every 2^left_out
+  // frames.
   static constexpr int samples_of(int left_out, int frame) {
     const int length = 1 << left_out;
     return length - 1 + (frame & (length - 1));

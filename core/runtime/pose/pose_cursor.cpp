@@ -121,7 +121,8 @@ void mcpr_cursor::keep_run(const runtime::PoseKernels& kernels, int from, int fr
   fill(kernels, clip->layout().stretch_at(from).segment, work);
 }
 
-/// Lifts the groups of columns in sets, as large as the work space allows for their entries.
+/// Computes the cached frames by the inverse transform, for as many groups of columns at a time
+/// as `work` has room for the entries of.
 void mcpr_cursor::fill(const runtime::PoseKernels& kernels, int segment,
                        std::span<std::int16_t> work) {
   using namespace runtime;

@@ -115,7 +115,7 @@ inline void place_entry_weights(const Wholes& whole, int first_row, int shift,
   place_weights(weights, first_row, shift, of_entry);
 }
 
-/// The weights of two rows, four times the pair.
+/// The weights of two rows as a pair of 16-bit numbers, repeated four times.
 struct PairWeights {
   Words8 words;
 

@@ -71,8 +71,8 @@ class JointSearch {
   const Eigen::MatrixXf& cross_;
   Eigen::ArrayXf slopes_;  // after the moves so far
   Eigen::ArrayXf slopes_before_;
-  Eigen::ArrayXf low_;   // slopes below which a step up pays
-  Eigen::ArrayXf high_;  // slopes above which a step down pays
+  Eigen::ArrayXf low_;   // a step up of a coefficient pays if its slope is below this
+  Eigen::ArrayXf high_;  // a step down pays if the slope is above this
   std::vector<int> moved_;
   std::vector<std::pair<int, int>> changed_;  // the moves of an attempt: coefficient, steps
 };

@@ -338,9 +338,9 @@ CodedEnds with_velocity(CodedEnds ends, int reach, int step_exponent,
   return ends;
 }
 
-/// Where a loop's velocity changes more at its seam than between any consecutive frames, codes the
-/// missing velocity of the last frame. Both originals run from the end inwards; `last_steps` are
-/// the last segment's steps.
+/// Codes a correction of a loop's last velocity if the error of the velocity jumps more at the seam
+/// than between any consecutive frames. `original_first` runs forwards from the first frame,
+/// `original_last` backwards from the last; `last_steps` are the last segment's steps.
 void mend_velocity(const EndChannels& channels, const Goal& goal,
                    const Eigen::MatrixXd& original_first, const Eigen::MatrixXd& original_last,
                    const std::vector<float>& last_steps, CompressedClip& compressed) {

@@ -59,7 +59,7 @@ class ScaleSearch {
     return trial.excess < -gain && trial.scale <= kAlike * finest_();
   }
 
-  /// The price of a trial: the quantity that the target leaves free.
+  /// The cost of a trial: its bytes if the target is an error, otherwise its error.
   double price(const Trial& trial) const {
     return is_error(target_) ? static_cast<double>(trial.compressed.motion_bytes()) : trial.eps_cm;
   }
@@ -143,7 +143,7 @@ void seek(const ScaleGuess& guess, const Goal& goal, double first_scale, double 
 /// the target.
 void settle(const ScaleTrials& trials, const Target& target, double first_scale,
             ScaleSearch& search) {
-  constexpr int kMost = 8;       // one or two sweeps each, far cheaper than the trials of seek()
+  constexpr int kMost = 8;  // trials of one or two sweeps each, far cheaper than those of seek()
   constexpr double kFar = 0.05;  // a logarithm
   const bool by_error = target.kind == Target::Kind::Error;
   const double near = by_error ? 0.01 : 0.02;  // close enough; bytes differ more by chance
