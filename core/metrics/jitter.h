@@ -48,7 +48,7 @@ class Jitter {
   /// Some rows of one joint's coordinates, and what they add to the sums of a window and of the
   /// clip.
   struct Stretch {
-    std::array<const double*, 4> places;  // addresses in the first row
+    std::array<const double*, 4> places;  // point to x, y, z and again z in the first row
     int rows;
     std::array<double, 4> squares{};
     std::array<double, 4> accelerations{};  // squared, per frame

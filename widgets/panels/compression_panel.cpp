@@ -83,7 +83,7 @@ CompressionPanel::CompressionPanel(QWidget* parent)
     connect(box, &QComboBox::activated, this, [this, box, member] {
       using Value = std::remove_reference_t<decltype(options_.*member)>;
       options_.*member = chosen<Value>(box);
-      if (box == method_) options_.basis = Basis::Cubic;  // replaces the basis of a study
+      if (box == method_) options_.basis = Basis::Cubic;  // a study may have set another
       showWhatApplies();
       emit optionsChanged(options_);
     });

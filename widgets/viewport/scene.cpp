@@ -187,7 +187,7 @@ void Scene::makeFrameGraph(Qt3DCore::QEntity* backdrop) {
       stepOf({backdrop}, "shade"),
       stepOf({body_, body_skin_, body_path_, shell_path_, trails_, discs_}, "shade"),
       stepOf({body_shadow_, shell_shadow_}, "shade"), stepOf(grounds_, "shade")};
-  // Of overlapping pinned figures only the nearest is visible: a blend of two colours would match
+  // Only the nearest of overlapping pinned figures is visible: a blend of two colours would match
   // neither.
   std::vector<Qt3DCore::QEntity*> pinned(pinned_.begin(), pinned_.end());
   pinned.insert(pinned.end(), pinned_skins_.begin(), pinned_skins_.end());

@@ -87,7 +87,7 @@ class PinnedResults : public QObject {
   std::deque<Pin> unmade_;  // pins still to be encoded
   JobRunner making_{Workers::LongRunning};
   JobRunner engine_{Workers::LongRunning};
-  bool final_ = false;  // the result answers the document's options
+  bool final_ = false;  // the result was made with the document's options
 };
 
 }  // namespace mocapress

@@ -53,7 +53,7 @@ struct EncodeSettings {
   std::optional<EncodeCorrection> correction;  // its size counts in ratio and size
   std::optional<std::vector<ContactSpan>> contacts;  // edited ones; unset: Encoder::contacts()
   SegmentPlan segments;                              // for a closed loop
-  Ends ends = Ends::Even;                            // for a closed loop; their bytes count
+  Ends ends = Ends::Even;                            // for a closed loop; size counts their bytes
   std::optional<Loop> loop;                          // unset: find_loop() decides
   bool figures_only = false;                         // leaves out the decoded clip: see Encoding
 
