@@ -45,7 +45,7 @@ ClipFigures figures_of(const BatchRow& row) {
   figures.max_cm = row.measured->max_cm(figures.weighting);
   figures.sight = row.measured->seen.sight();
   figures.limits = row.measured->seen.limits;
-  figures.reason = row.measured->seen.reason;
+  if (row.done()) figures.reason = row.measured->seen.reason;
   return figures;
 }
 

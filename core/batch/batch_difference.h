@@ -46,7 +46,7 @@ struct ClipFigures {
   double max_cm = 0;
   std::optional<Sight> sight;
   SightLimits limits;  // limits by which `sight` was judged
-  std::string reason;  // the worst visible error; if not measured, why the clip failed
+  std::string reason;  // why the clip failed; of a clip that did not, the worst visible error
 };
 
 /// Takes a clip's measurements from its row of the batch.

@@ -73,6 +73,10 @@ TEST(BatchDifference, TellsFailuresAndClipsThatOneLacks) {
   EXPECT_EQ(changes(failed, walk), std::vector{Done});
   EXPECT_TRUE(changes(failed, failed).empty());
   EXPECT_EQ(difference({walk}, {}).changed.front().changes, std::vector{Gone});
+  BatchRow unlike = walk;  // measured, and found to decode to something else
+  unlike.error = "it decodes to another motion";
+  EXPECT_EQ(difference({walk}, {unlike}).changed.front().after->reason, unlike.error);
+  EXPECT_EQ(difference({walk}, {unlike}).changed.front().before->reason, "velocity of rhand");
   EXPECT_EQ(difference({}, {walk}).changed.front().changes, std::vector{Added});
 }
 
