@@ -7,7 +7,6 @@
 #include <acl/compression/track_array.h>
 #include <acl/compression/transform_error_metrics.h>
 #include <acl/core/ansi_allocator.h>
-#include <acl/core/track_writer.h>
 #include <acl/decompression/decompress.h>
 
 #include <Eigen/Geometry>
@@ -18,6 +17,7 @@
 #include "core/base/error.h"
 #include "core/motion/body_tracks.h"
 #include "core/motion/forward_kinematics.h"
+#include "tests/bench/acl_pose_writer.h"
 
 namespace mocapress {
 namespace {
@@ -44,28 +44,6 @@ rtm::qvvf qvv_of(const Local& local) {
   return rtm::qvv_set(rtm::quat_set(q.x(), q.y(), q.z(), q.w()),
                       rtm::vector_set(v.x(), v.y(), v.z()), rtm::vector_set(1.0F));
 }
-
-/// ACL skips tracks equal to the bind pose, which therefore keep their values.
-struct PoseWriter final : acl::track_writer {
-  std::vector<rtm::qvvf> joints;
-
-  static constexpr acl::default_sub_track_mode get_default_rotation_mode() {
-    return acl::default_sub_track_mode::skipped;
-  }
-  static constexpr acl::default_sub_track_mode get_default_translation_mode() {
-    return acl::default_sub_track_mode::skipped;
-  }
-  static constexpr acl::default_sub_track_mode get_default_scale_mode() {
-    return acl::default_sub_track_mode::skipped;
-  }
-  void RTM_SIMD_CALL write_rotation(std::uint32_t joint, rtm::quatf_arg0 rotation) {
-    joints[joint].rotation = rotation;
-  }
-  void RTM_SIMD_CALL write_translation(std::uint32_t joint, rtm::vector4f_arg0 translation) {
-    joints[joint].translation = translation;
-  }
-  void RTM_SIMD_CALL write_scale(std::uint32_t, rtm::vector4f_arg0) {}
-};
 
 void require(const acl::error_result& result) {
   if (result.any()) throw Error(std::string("ACL: ") + result.c_str());

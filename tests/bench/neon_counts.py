@@ -26,7 +26,7 @@ def build(folder, peers):
     commands = [["cmake", "-S", ROOT / "core/runtime", "-B", folder],
                 ["cmake", "--build", folder, "--target", "mocapress-joined-runtime"]]
     for machine, (compiler, *_) in MACHINES.items():
-        common = [compiler, "-std=c++20", "-O2", "-isystem", joined]
+        common = [compiler, "-std=c++20", "-O2", "-I", ROOT, "-isystem", joined]
         commands += [
             [*common, "-ffp-contract=off", "-fno-exceptions", "-fno-rtti",
              "-c", joined / "mocapress_runtime.cpp", "-o", folder / "runtime.o"],

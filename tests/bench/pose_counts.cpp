@@ -4,7 +4,6 @@
 // random: at instants far from each other. play: forwards at 60 Hz, ours by a cursor.
 // Usage: pose_counts FILE.acl|FILE.cooked random|play POSES
 #include <acl/core/compressed_tracks.h>
-#include <acl/core/track_writer.h>
 #include <acl/decompression/decompress.h>
 #include <mocapress_runtime.hpp>
 
@@ -16,29 +15,9 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/bench/acl_pose_writer.h"
+
 namespace {
-
-/// Keeps the bind pose where tracks equal it, as the writer of acl_peer.cpp does.
-struct PoseWriter final : acl::track_writer {
-  std::vector<rtm::qvvf> joints;
-
-  static constexpr acl::default_sub_track_mode get_default_rotation_mode() {
-    return acl::default_sub_track_mode::skipped;
-  }
-  static constexpr acl::default_sub_track_mode get_default_translation_mode() {
-    return acl::default_sub_track_mode::skipped;
-  }
-  static constexpr acl::default_sub_track_mode get_default_scale_mode() {
-    return acl::default_sub_track_mode::skipped;
-  }
-  void RTM_SIMD_CALL write_rotation(std::uint32_t joint, rtm::quatf_arg0 rotation) {
-    joints[joint].rotation = rotation;
-  }
-  void RTM_SIMD_CALL write_translation(std::uint32_t joint, rtm::vector4f_arg0 translation) {
-    joints[joint].translation = translation;
-  }
-  void RTM_SIMD_CALL write_scale(std::uint32_t, rtm::vector4f_arg0) {}
-};
 
 [[noreturn]] void stop(const char* why) {
   std::fprintf(stderr, "pose_counts: %s\n", why);
@@ -63,7 +42,7 @@ double sum_of_theirs(const void* block, const Poses& poses) {
   const auto* const clip = static_cast<const acl::compressed_tracks*>(block);
   acl::decompression_context<acl::default_transform_decompression_settings> context;
   if (!context.initialize(*clip)) stop("no clip of ACL's");
-  PoseWriter writer;
+  mocapress::PoseWriter writer;
   writer.joints.resize(clip->get_num_tracks(), rtm::qvv_identity());
   poses.make(clip->get_duration(), [&](double seconds) {
     context.seek(static_cast<float>(seconds), acl::sample_rounding_policy::none);
