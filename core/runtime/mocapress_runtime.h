@@ -505,7 +505,7 @@ MCPR_API mcpr_status mcpr_sample(const mcpr_cooked* cooked, const mcpr_sample_re
 
 /* Asks the processor to bring the first `bytes` of a cooked clip into its caches
  * (mcpr_cooked_info.bytes: the whole clip), without waiting. Call it for a clip that was not
- * sampled for a while, before another clip is sampled: sampling it then takes about half of the
+ * sampled for a while, before another clip is sampled: it then takes half to two thirds of the
  * time, see SAMPLING.md. mcpr_sample_crowd does this itself. Changes nothing; null is ignored. */
 MCPR_API void mcpr_prefetch_hint(const mcpr_cooked* cooked, size_t bytes);
 
